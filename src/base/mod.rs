@@ -1,0 +1,12 @@
+//! Ids, text ranges, positions and cancellation: the vocabulary all other modules share.
+
+mod cancel;
+mod range;
+
+pub use cancel::CancelFlag;
+pub use range::{FileId, Span, TextRange};
+
+/// The hash map used throughout: fast, not resistant to chosen keys, never iterated into output.
+pub type FastMap<K, V> = rustc_hash::FxHashMap<K, V>;
+/// The hash set that goes with [`FastMap`].
+pub type FastSet<K> = rustc_hash::FxHashSet<K>;

@@ -1,0 +1,3 @@
+//! `xacro-lint`: the command line.
+
+fn main() {}

@@ -1,0 +1,14 @@
+//! `xacro-lsp` and `xacro-lint`: exact expansion and analysis of xacro and URDF.
+//!
+//! The modules below are listed in import order: each may use only those above it
+//! (see `docs/architecture.md`; `tests/architecture.rs` fails when an import breaks the order).
+
+pub mod base;
+#[cfg(feature = "cli")]
+pub mod cli;
+pub mod expand;
+pub mod expr;
+pub mod vfs;
+pub mod workspace;
+pub mod xml;
+pub mod yaml;
