@@ -148,7 +148,8 @@ impl Expander<'_> {
         let mut host = ArgHost { machine: self, undefined: None };
         let value = expr::evaluate(&parsed.expr, &mut host, &mut budget);
         let undefined = host.undefined.take();
-        self.budget.spend(&budget);
+        self.budget.steps = self.budget.steps.min(budget.steps);
+        self.budget.bytes = self.budget.bytes.min(budget.bytes);
         if let Some(name) = undefined {
             let message = format!("name '{name}' is not defined");
             return Err(Failure::Error(SubstError { class: "NameError", message }));
