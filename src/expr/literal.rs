@@ -1,6 +1,7 @@
 //! How xacro reads literals from attribute text and booleans from values.
 
-use super::Value;
+use super::stop::Stop;
+use super::{EvalError, Value};
 use super::numeric::{Num, ParsedInt, parse_float, parse_int};
 
 /// The literal rule for properties, parameters and their defaults.
@@ -27,6 +28,31 @@ pub fn from_text(text: &str) -> Value {
     }
 }
 
+/// Python's `int(text)`; none if it fails.
+pub fn int(text: &str) -> Option<Value> {
+    match parse_int(text, 10) {
+        ParsedInt::Int(int) => Some(int),
+        ParsedInt::TooLong(_) | ParsedInt::Invalid => None,
+    }
+}
+
+/// Python's `float(text)`; none if it fails.
+pub fn float(text: &str) -> Option<Value> {
+    parse_float(text).map(Value::Float)
+}
+
+/// Python's `float(value)`; an unknown value gives not-a-number.
+///
+/// # Errors
+/// The exception Python raises.
+pub fn float_of(value: &Value) -> Result<f64, EvalError> {
+    match super::builtins::float(value) {
+        Ok(number) => Ok(number),
+        Err(Stop::Unknown) => Ok(f64::NAN),
+        Err(Stop::Raise(error)) => Err(*error),
+    }
+}
+
 /// A quick look that sends most names and formulas away.
 fn may_be_literal(text: &str) -> bool {
     let first = text.trim_start_matches(super::numeric::is_space).chars().next();
@@ -50,7 +76,7 @@ pub fn boolean(value: &Value) -> Option<bool> {
 }
 
 /// Python's `bool()`; none for an unknown value.
-pub(crate) fn truth(value: &Value) -> Option<bool> {
+pub fn truth(value: &Value) -> Option<bool> {
     Some(match value {
         Value::Unknown => return None,
         Value::None => false,

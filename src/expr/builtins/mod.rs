@@ -120,6 +120,18 @@ pub(crate) fn attribute(module: Module, name: &str) -> Option<Value> {
     }
 }
 
+pub(crate) use types::float;
+
+/// The value of a global symbol, as an expression without properties sees it.
+pub fn global_symbol(name: &str) -> Option<Value> {
+    global(name)
+}
+
+/// The value of `module.name`.
+pub fn module_symbol(module: Module, name: &str) -> Option<Value> {
+    attribute(module, name)
+}
+
 /// Whether `name` is a global symbol, which a property would redefine.
 pub fn is_global_symbol(name: &str) -> bool {
     global(name).is_some()

@@ -132,6 +132,11 @@ impl Value {
         Self::Dict(Dict::new(map, yaml))
     }
 
+    /// A set; elements that are not hashable are left out.
+    pub fn set_from(items: impl IntoIterator<Item = Value>) -> Self {
+        Self::Set(Set::new(items.into_iter().filter_map(|item| Key::new(item).ok()).collect(), false))
+    }
+
     /// A tuple.
     pub fn tuple_from(items: impl IntoIterator<Item = Value>) -> Self {
         Self::Tuple(Tuple::new(items.into_iter().collect()))
