@@ -1,6 +1,8 @@
 //! The expression language between `${` and `}`: splitter, parser, values, evaluator.
 
 pub mod ast;
+#[cfg(test)]
+mod dump;
 mod escape;
 mod host;
 mod lexer;
@@ -10,6 +12,7 @@ mod report;
 mod substitution;
 mod syntax;
 mod template;
+mod token;
 mod value;
 pub mod visit;
 
