@@ -7,6 +7,8 @@ mod budget;
 mod builtins;
 mod call;
 pub mod display;
+#[cfg(test)]
+mod dump;
 mod escape;
 mod eval;
 mod float_repr;
@@ -27,6 +29,7 @@ mod stop;
 mod substitution;
 mod syntax;
 mod template;
+mod token;
 mod value;
 pub mod visit;
 
