@@ -109,7 +109,9 @@ pub(crate) fn bind_named(
         let how = if required == names.len() { "exactly" } else { "at most" };
         let keyword = if pos.is_empty() && !named.is_empty() { "keyword " } else { "" };
         let (most, plural) = (names.len(), if names.len() == 1 { "" } else { "s" });
-        return Err(Stop::typ(format!("{function}() takes {how} {most} {keyword}argument{plural} ({given} given)")));
+        return Err(Stop::typ(format!(
+            "{function}() takes {how} {most} {keyword}argument{plural} ({given} given)"
+        )));
     }
     if pos.len() > positional {
         let count = pos.len();

@@ -73,7 +73,9 @@ impl Budget {
     pub(crate) fn int_bits(&mut self, bits: u128) -> Eval<()> {
         if bits > u128::from(MAX_INT_BITS) {
             let limit = MAX_INT_BITS;
-            return Err(Stop::budget(format!("value would have {bits} bits, more than the limit of {limit} bits")));
+            return Err(Stop::budget(format!(
+                "value would have {bits} bits, more than the limit of {limit} bits"
+            )));
         }
         self.spend(bits / 8, bits, "bits")
     }
@@ -81,7 +83,9 @@ impl Budget {
     fn spend(&mut self, bytes: u128, count: u128, unit: &str) -> Eval<()> {
         if bytes > u128::from(MAX_VALUE_BYTES) {
             let limit = MAX_VALUE_BYTES >> 20;
-            return Err(Stop::budget(format!("value would have {count} {unit}, more than the limit of {limit} MB")));
+            return Err(Stop::budget(format!(
+                "value would have {count} {unit}, more than the limit of {limit} MB"
+            )));
         }
         let bytes = u64::try_from(bytes).unwrap_or(u64::MAX);
         // A step per 256 bytes keeps long texts from being walked for free.

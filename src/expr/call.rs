@@ -13,7 +13,13 @@ use crate::base::TextRange;
 
 impl Interp<'_> {
     /// A call node at `range`.
-    pub(crate) fn call(&mut self, range: TextRange, func: &Expr, args: &[Expr], keywords: &[Keyword]) -> Eval {
+    pub(crate) fn call(
+        &mut self,
+        range: TextRange,
+        func: &Expr,
+        args: &[Expr],
+        keywords: &[Keyword],
+    ) -> Eval {
         if let ExprKind::Attribute { value, name, .. } = &func.kind {
             let object = self.eval(value)?;
             // The common case needs no method object.
@@ -170,8 +176,12 @@ impl Interp<'_> {
 fn callee_name(func: &Expr) -> String {
     match &func.kind {
         ExprKind::Name(name) => match builtins::global(name) {
-            Some(Value::Builtin(builtin)) if builtin.deprecated.is_none() => builtin.function.qualified_name(),
-            Some(Value::Builtin(_)) => "xacro.create_global_symbols.<locals>.deprecate.<locals>.wrapper".to_owned(),
+            Some(Value::Builtin(builtin)) if builtin.deprecated.is_none() => {
+                builtin.function.qualified_name()
+            }
+            Some(Value::Builtin(_)) => {
+                "xacro.create_global_symbols.<locals>.deprecate.<locals>.wrapper".to_owned()
+            }
             _ => format!("{name}()"),
         },
         ExprKind::Attribute { name, .. } => format!("{name}()"),
@@ -202,7 +212,8 @@ fn bind_lambda(closure: &Closure, args: Args) -> Eval<Vec<(Str, Value)>> {
         let value = match param.kind {
             ParamKind::VarArgs => Value::Tuple(Tuple::new(rest.take().into_iter().flatten().collect())),
             ParamKind::VarKeywords => {
-                let entries = extra.take().into_iter().flatten().map(|(name, value)| (Key::text(name), value));
+                let entries =
+                    extra.take().into_iter().flatten().map(|(name, value)| (Key::text(name), value));
                 Value::Dict(super::value::Dict::new(entries.collect::<DictMap>(), false))
             }
             _ => slot.or_else(|| default.clone()).unwrap_or_default(),
@@ -247,7 +258,8 @@ impl Binder<'_> {
             .zip(&closure.defaults)
             .filter(|(param, default)| Self::is_positional(param) && default.is_some())
             .count();
-        let takes = if defaults > 0 { format!("from {} to {count}", count - defaults) } else { count.to_string() };
+        let takes =
+            if defaults > 0 { format!("from {} to {count}", count - defaults) } else { count.to_string() };
         let plural = if count == 1 && defaults == 0 { "" } else { "s" };
         let was = if given == 1 { "was" } else { "were" };
         Stop::typ(format!("<lambda>() takes {takes} positional argument{plural} but {given} {was} given"))
@@ -299,7 +311,11 @@ impl Binder<'_> {
             let slots = self.params.iter().zip(&self.slots).zip(&closure.defaults);
             slots
                 .filter(|((param, slot), default)| {
-                    let kind = if keyword { param.kind == ParamKind::KeywordOnly } else { Self::is_positional(param) };
+                    let kind = if keyword {
+                        param.kind == ParamKind::KeywordOnly
+                    } else {
+                        Self::is_positional(param)
+                    };
                     kind && slot.is_none() && default.is_none()
                 })
                 .map(|((param, _), _)| format!("'{}'", param.name))

@@ -53,7 +53,10 @@ struct Writer {
 impl Writer {
     fn value(&mut self, value: &Value) -> Eval<()> {
         if self.out.len() as u64 > MAX_VALUE_BYTES {
-            return Err(Stop::budget(format!("text of a value is longer than the limit of {} MB", MAX_VALUE_BYTES >> 20)));
+            return Err(Stop::budget(format!(
+                "text of a value is longer than the limit of {} MB",
+                MAX_VALUE_BYTES >> 20
+            )));
         }
         match value {
             Value::Unknown | Value::Scope(_) | Value::Module(_) => return Err(Stop::Unknown),
@@ -181,7 +184,8 @@ fn push(out: &mut String, text: std::fmt::Arguments<'_>) {
 /// Decimal digits of a big integer, unless there are too many.
 pub(crate) fn big_text(big: &num_bigint::BigInt) -> Eval<String> {
     // 3.33 bits make a digit: this many bits are surely too long without converting them.
-    let too_long = || Stop::value(format!("Exceeds the limit ({MAX_STR_DIGITS} digits) for integer string conversion"));
+    let too_long =
+        || Stop::value(format!("Exceeds the limit ({MAX_STR_DIGITS} digits) for integer string conversion"));
     if big.bits() > (MAX_STR_DIGITS as u64) * 10 / 3 {
         return Err(too_long());
     }

@@ -74,7 +74,9 @@ impl Interp<'_> {
                 self.bind(name, value.clone());
                 Ok(value)
             }
-            _ => Err(Stop::new(ErrorKind::Syntax, "can't use starred expression here (<expression>, line 1)")),
+            _ => {
+                Err(Stop::new(ErrorKind::Syntax, "can't use starred expression here (<expression>, line 1)"))
+            }
         }
     }
 

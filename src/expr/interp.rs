@@ -21,16 +21,8 @@ use crate::base::TextRange;
 /// The exception Python would raise, placed at the narrowest part of the expression to blame, or
 /// [`ErrorKind::Budget`](super::ErrorKind::Budget) when `budget` is used up.
 pub fn evaluate(expr: &Expr, host: &mut dyn Host, budget: &mut Budget) -> Result<Value, EvalError> {
-    let mut interp = Interp {
-        host,
-        budget,
-        env: None,
-        top: None,
-        scope: None,
-        home: 0,
-        elsewhere: None,
-        at: expr.range,
-    };
+    let mut interp =
+        Interp { host, budget, env: None, top: None, scope: None, home: 0, elsewhere: None, at: expr.range };
     match interp.eval(expr) {
         Ok(value) => Ok(value),
         Err(Stop::Unknown) => Ok(Value::Unknown),

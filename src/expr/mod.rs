@@ -7,8 +7,11 @@ mod budget;
 mod builtins;
 mod call;
 pub mod display;
+<<<<<<< HEAD
 #[cfg(test)]
 mod dump;
+=======
+>>>>>>> expr-eval
 mod escape;
 mod eval;
 mod float_repr;
@@ -29,7 +32,10 @@ mod stop;
 mod substitution;
 mod syntax;
 mod template;
+<<<<<<< HEAD
 mod token;
+=======
+>>>>>>> expr-eval
 mod value;
 pub mod visit;
 
@@ -42,3 +48,9 @@ pub use substitution::{Subst, SubstArg, SubstError, parse_substitution, resolve}
 pub use syntax::{ExprError, ExprErrorKind, NameUse, Parsed, is_identifier, is_python_space, names, parse};
 pub use template::{Code, Template, Token, split};
 pub use value::{DateValue, Dict, List, Module, Range, Set, Slice, Str, Tuple, Type, Value, View, ViewKind};
+<<<<<<< HEAD
+=======
+
+#[cfg(test)]
+mod eval_tests;
+>>>>>>> expr-eval

@@ -37,7 +37,8 @@ pub fn global_symbols() -> impl Iterator<Item = GlobalSymbol> {
         ("python", "Python's built-in functions and types."),
         ("xacro", "Functions of xacro."),
     ];
-    let namespaces = namespaces.into_iter().map(|(name, doc)| symbol(name, None, SymbolKind::Namespace, "", doc));
+    let namespaces =
+        namespaces.into_iter().map(|(name, doc)| symbol(name, None, SymbolKind::Namespace, "", doc));
     let python = all_of(Module::Python).filter(|symbol| super::global(symbol.name).is_some()).map(bare);
     let xacro = all_of(Module::Xacro).filter(|symbol| super::global(symbol.name).is_some()).map(bare);
     namespaces
@@ -69,13 +70,22 @@ fn all_of(module: Module) -> impl Iterator<Item = GlobalSymbol> {
         Module::Xacro => xacro::FUNCTIONS,
     };
     let constants = if module == Module::Math { math::CONSTANTS } else { &[] };
-    let named_types = types::NAMED.iter().filter(move |named| (named.0 == "dotify") == (module == Module::Xacro));
+    let named_types =
+        types::NAMED.iter().filter(move |named| (named.0 == "dotify") == (module == Module::Xacro));
     let named_types = named_types.filter(move |_| module != Module::Math);
     functions
         .iter()
         .map(move |f| symbol(f.name, Some(module), SymbolKind::Function, f.params, f.doc))
-        .chain(constants.iter().map(move |&(name, _, doc)| symbol(name, Some(module), SymbolKind::Constant, "", doc)))
-        .chain(named_types.map(move |&(name, _, params, doc)| symbol(name, Some(module), SymbolKind::Type, params, doc)))
+        .chain(
+            constants
+                .iter()
+                .map(move |&(name, _, doc)| symbol(name, Some(module), SymbolKind::Constant, "", doc)),
+        )
+        .chain(
+            named_types.map(move |&(name, _, params, doc)| {
+                symbol(name, Some(module), SymbolKind::Type, params, doc)
+            }),
+        )
 }
 
 #[cfg(test)]
@@ -100,7 +110,8 @@ mod tests {
 
     #[test]
     fn deprecated_bare_names_say_where_they_live() {
-        let of = |name| global_symbols().find(|s| s.name == name && s.namespace.is_none()).map(|s| s.deprecated);
+        let of =
+            |name| global_symbols().find(|s| s.name == name && s.namespace.is_none()).map(|s| s.deprecated);
         assert_eq!(of("range"), Some(Some("python")));
         assert_eq!(of("load_yaml"), Some(Some("xacro")));
         assert_eq!(of("len"), Some(None));

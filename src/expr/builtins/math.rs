@@ -81,10 +81,22 @@ pub(super) static FUNCTIONS: &[Function] = &[
     one!("asin", f64::asin, "The angle in radians with this sine."),
     one!("asinh", float::asinh, "The inverse hyperbolic sine."),
     one!("atan", f64::atan, "The angle in radians with this tangent."),
-    other!("atan2", "y, x", TWO, |_, _, a| float::two(a, f64::atan2), "The angle in radians of the point (x, y)."),
+    other!(
+        "atan2",
+        "y, x",
+        TWO,
+        |_, _, a| float::two(a, f64::atan2),
+        "The angle in radians of the point (x, y)."
+    ),
     one!("atanh", float::atanh, "The inverse hyperbolic tangent."),
     one!("cbrt", f64::cbrt, "The cube root."),
-    other!("ceil", "x", Arity::One, |_, _, a| rounded(a.at(0), f64::ceil), "The smallest whole number not below x."),
+    other!(
+        "ceil",
+        "x",
+        Arity::One,
+        |_, _, a| rounded(a.at(0), f64::ceil),
+        "The smallest whole number not below x."
+    ),
     other!("comb", "n, k", TWO, exact::comb, "Ways to choose k of n things."),
     other!("copysign", "x, y", TWO, |_, _, a| float::two(a, f64::copysign), "x with the sign of y."),
     one!("cos", f64::cos, "The cosine of an angle in radians."),
@@ -98,27 +110,69 @@ pub(super) static FUNCTIONS: &[Function] = &[
     growing!("expm1", f64::exp_m1, "exp(x) - 1, exact for small x."),
     one!("fabs", f64::abs, "The absolute value as a float."),
     other!("factorial", "n", Arity::One, exact::factorial, "n! for a whole number."),
-    other!("floor", "x", Arity::One, |_, _, a| rounded(a.at(0), f64::floor), "The largest whole number not above x."),
+    other!(
+        "floor",
+        "x",
+        Arity::One,
+        |_, _, a| rounded(a.at(0), f64::floor),
+        "The largest whole number not above x."
+    ),
     other!("fmod", "x, y", TWO, float::fmod, "The remainder of x / y with the sign of x."),
     other!("frexp", "x", Arity::One, float::frexp, "Mantissa and exponent of x."),
     other!("fsum", "iterable", Arity::One, exact::fsum, "The sum of floats, rounded only once."),
-    other!("gamma", "x", Arity::One, |_, _, a| super::math_gamma::gamma(real(a.at(0))?), "The gamma function."),
+    other!(
+        "gamma",
+        "x",
+        Arity::One,
+        |_, _, a| super::math_gamma::gamma(real(a.at(0))?),
+        "The gamma function."
+    ),
     other!("gcd", "*integers", Arity::Positional, exact::gcd, "The greatest common divisor."),
     other!("hypot", "*coordinates", Arity::Positional, float::hypot, "The length of a vector."),
-    other!("isclose", "a, b, *, rel_tol=1e-09, abs_tol=0.0", Arity::Any, float::isclose, "Whether two numbers are nearly equal."),
+    other!(
+        "isclose",
+        "a, b, *, rel_tol=1e-09, abs_tol=0.0",
+        Arity::Any,
+        float::isclose,
+        "Whether two numbers are nearly equal."
+    ),
     test!("isfinite", f64::is_finite, "Whether x is neither infinite nor NaN."),
     test!("isinf", f64::is_infinite, "Whether x is infinite."),
     test!("isnan", f64::is_nan, "Whether x is not a number."),
     other!("isqrt", "n", Arity::One, exact::isqrt, "The whole part of the square root."),
     other!("lcm", "*integers", Arity::Positional, exact::lcm, "The least common multiple."),
     other!("ldexp", "x, i", TWO, float::ldexp, "x times 2 to the power of i."),
-    other!("lgamma", "x", Arity::One, |_, _, a| super::math_gamma::lgamma(real(a.at(0))?), "The logarithm of the gamma function."),
+    other!(
+        "lgamma",
+        "x",
+        Arity::One,
+        |_, _, a| super::math_gamma::lgamma(real(a.at(0))?),
+        "The logarithm of the gamma function."
+    ),
     other!("log", "x, base=e", Arity::Range(1, 2), log, "The logarithm, natural without a base."),
-    other!("log10", "x", Arity::One, |_, _, a| logarithm(a.at(0), f64::log10).map(Value::Float), "The logarithm to base 10."),
+    other!(
+        "log10",
+        "x",
+        Arity::One,
+        |_, _, a| logarithm(a.at(0), f64::log10).map(Value::Float),
+        "The logarithm to base 10."
+    ),
     one!("log1p", f64::ln_1p, "log(1 + x), exact for small x."),
-    other!("log2", "x", Arity::One, |_, _, a| logarithm(a.at(0), f64::log2).map(Value::Float), "The logarithm to base 2."),
+    other!(
+        "log2",
+        "x",
+        Arity::One,
+        |_, _, a| logarithm(a.at(0), f64::log2).map(Value::Float),
+        "The logarithm to base 2."
+    ),
     other!("modf", "x", Arity::One, float::modf, "Fraction and whole part of x."),
-    other!("nextafter", "x, y", TWO, |_, _, a| float::two(a, float::next_after), "The float after x towards y."),
+    other!(
+        "nextafter",
+        "x, y",
+        TWO,
+        |_, _, a| float::two(a, float::next_after),
+        "The float after x towards y."
+    ),
     other!("perm", "n, k=None", Arity::Range(1, 2), exact::perm, "Ways to arrange k of n things."),
     other!("pow", "x, y", TWO, float::pow, "x to the power of y as a float."),
     other!("prod", "iterable, *, start=1", Arity::Any, exact::prod, "The product of the items."),

@@ -193,7 +193,11 @@ impl ExactSum {
 
     fn result(mut self) -> Eval<f64> {
         if self.special != 0.0 {
-            return if self.infinite.is_nan() { Err(Stop::value("-inf + inf in fsum")) } else { Ok(self.special) };
+            return if self.infinite.is_nan() {
+                Err(Stop::value("-inf + inf in fsum"))
+            } else {
+                Ok(self.special)
+            };
         }
         let Some(mut high) = self.parts.pop() else { return Ok(0.0) };
         let mut low = 0.0;

@@ -10,10 +10,10 @@ mod sorting;
 pub(crate) mod types;
 mod xacro;
 
+pub use catalog::{GlobalSymbol, SymbolKind, global_symbols};
 pub(crate) use python::integer;
 pub(crate) use sorting::sort;
 pub(crate) use types::add_entries;
-pub use catalog::{GlobalSymbol, SymbolKind, global_symbols};
 
 use super::args::{Args, Arity};
 use super::interp::Interp;
@@ -150,7 +150,9 @@ mod tests {
 
     #[test]
     fn global_names() {
-        for name in ["pi", "sin", "list", "sorted", "dotify", "math", "python", "xacro", "True", "e", "len", "cbrt"] {
+        for name in
+            ["pi", "sin", "list", "sorted", "dotify", "math", "python", "xacro", "True", "e", "len", "cbrt"]
+        {
             assert!(is_global_symbol(name), "{name}");
         }
         for name in ["abs", "sum", "zip", "print", "tokenize", "", "None", "message"] {

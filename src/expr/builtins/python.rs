@@ -31,10 +31,28 @@ pub(super) static FUNCTIONS: &[Function] = &[
     function("divmod", "a, b", Arity::Range(2, 2), divmod, "Quotient and remainder as a tuple."),
     function("hash", "object", Arity::One, hash, "An integer that is equal for equal values."),
     function("isinstance", "object, type", Arity::Range(2, 2), isinstance, "Whether a value is of a type."),
-    function("issubclass", "type, parent", Arity::Range(2, 2), issubclass, "Whether a type derives from another."),
+    function(
+        "issubclass",
+        "type, parent",
+        Arity::Range(2, 2),
+        issubclass,
+        "Whether a type derives from another.",
+    ),
     function("len", "object", Arity::One, len, "The number of items."),
-    function("max", "*values, key=None, default", Arity::Any, |i, _, a| sorting::extreme(i, a, true), "The largest value."),
-    function("min", "*values, key=None, default", Arity::Any, |i, _, a| sorting::extreme(i, a, false), "The smallest value."),
+    function(
+        "max",
+        "*values, key=None, default",
+        Arity::Any,
+        |i, _, a| sorting::extreme(i, a, true),
+        "The largest value.",
+    ),
+    function(
+        "min",
+        "*values, key=None, default",
+        Arity::Any,
+        |i, _, a| sorting::extreme(i, a, false),
+        "The smallest value.",
+    ),
     function("ord", "character", Arity::One, ord, "The code of a character."),
     function("repr", "object", Arity::One, repr, "The text of a value as it is written in an expression."),
     function(
@@ -44,7 +62,13 @@ pub(super) static FUNCTIONS: &[Function] = &[
         round,
         "The number rounded, halves to the even side.",
     ),
-    function("sorted", "iterable, *, key=None, reverse=False", Arity::Any, sorting::sorted, "The items in ascending order."),
+    function(
+        "sorted",
+        "iterable, *, key=None, reverse=False",
+        Arity::Any,
+        sorting::sorted,
+        "The items in ascending order.",
+    ),
     function(
         "sum",
         "iterable, start=0",
@@ -276,4 +300,3 @@ pub(super) fn list_of(items: impl IntoIterator<Item = Value>) -> Value {
 pub(super) fn empty_sequence(name: &str) -> Stop {
     Stop::new(ErrorKind::Value, format!("{name}() arg is an empty sequence"))
 }
-

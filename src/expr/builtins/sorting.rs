@@ -80,7 +80,9 @@ pub(super) fn extreme(interp: &mut Interp, args: &Args, largest: bool) -> Eval {
         [] => return Err(Stop::typ(format!("{name} expected at least 1 argument, got 0"))),
         [iterable] => iterable.clone(),
         _ if default.is_some() => {
-            return Err(Stop::typ(format!("Cannot specify a default for {name}() with multiple positional arguments")));
+            return Err(Stop::typ(format!(
+                "Cannot specify a default for {name}() with multiple positional arguments"
+            )));
         }
         values => Value::tuple_from(values.to_vec()),
     };

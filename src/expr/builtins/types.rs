@@ -99,7 +99,9 @@ fn positional(interp: &mut Interp, kind: Type, args: &Args) -> Eval {
     match kind {
         Type::Bool => Ok(Value::Bool(args.get(0).map_or(Ok(false), |value| interp.truth(value))?)),
         Type::Float => args.get(0).map_or(Ok(0.0), float).map(Value::Float),
-        Type::List | Type::YamlList => Ok(Value::List(List::new(items(interp, args)?, kind == Type::YamlList))),
+        Type::List | Type::YamlList => {
+            Ok(Value::List(List::new(items(interp, args)?, kind == Type::YamlList)))
+        }
         Type::Tuple => match args.at(0) {
             Value::Tuple(_) => Ok(args.at(0).clone()),
             _ => Ok(Value::Tuple(Tuple::new(items(interp, args)?))),
@@ -191,7 +193,9 @@ pub(crate) fn float(value: &Value) -> Eval<f64> {
             Some(float) => return Ok(float),
             None => {
                 let kind = other.type_name();
-                return Err(Stop::typ(format!("float() argument must be a string or a real number, not '{kind}'")));
+                return Err(Stop::typ(format!(
+                    "float() argument must be a string or a real number, not '{kind}'"
+                )));
             }
         },
     };
@@ -366,4 +370,3 @@ fn reversed(interp: &mut Interp, value: &Value) -> Eval {
     };
     Ok(Value::Iter(Iter::new(kind, cursor)))
 }
-

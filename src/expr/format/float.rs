@@ -23,9 +23,18 @@ fn parts(interp: &mut Interp, number: f64, spec: &Spec, type_name: &str) -> Eval
         Some(other) => return Err(unknown_code(other, type_name)),
     };
     let text = digits(interp, number.abs(), style, spec.precision, spec.alternate)?;
-    let text = if spec.kind.is_some_and(|kind| kind.is_ascii_uppercase()) { text.to_ascii_uppercase() } else { text };
+    let text = if spec.kind.is_some_and(|kind| kind.is_ascii_uppercase()) {
+        text.to_ascii_uppercase()
+    } else {
+        text
+    };
     let mut negative = number.is_sign_negative() && !number.is_nan();
-    if spec.no_negative_zero && !text.bytes().take_while(|b| !matches!(b, b'e' | b'E')).any(|b| matches!(b, b'1'..=b'9' | b'n' | b'N')) {
+    if spec.no_negative_zero
+        && !text
+            .bytes()
+            .take_while(|b| !matches!(b, b'e' | b'E'))
+            .any(|b| matches!(b, b'1'..=b'9' | b'n' | b'N'))
+    {
         negative = false;
     }
     let end = text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
@@ -136,7 +145,12 @@ pub(super) fn format_complex(interp: &mut Interp, re: f64, im: f64, spec: &Spec)
         if own && spec.precision.is_none() {
             let text = float_repr::repr(value.abs());
             let text = text.strip_suffix(".0").unwrap_or(&text).to_owned();
-            let parts = Parts { negative: value.is_sign_negative(), whole: text, is_number: false, ..Parts::default() };
+            let parts = Parts {
+                negative: value.is_sign_negative(),
+                whole: text,
+                is_number: false,
+                ..Parts::default()
+            };
             return lay_out(interp, &parts, &spec, 3);
         }
         format(interp, value, &spec, "complex")
@@ -149,5 +163,10 @@ pub(super) fn format_complex(interp: &mut Interp, re: f64, im: f64, spec: &Spec)
     } else {
         format!("{}{}j", part(re, spec.sign)?, imaginary?)
     };
-    lay_out(interp, &Parts { whole: text, ..Parts::default() }, &Spec { sign: None, grouping: None, ..spec.clone() }, 3)
+    lay_out(
+        interp,
+        &Parts { whole: text, ..Parts::default() },
+        &Spec { sign: None, grouping: None, ..spec.clone() },
+        3,
+    )
 }

@@ -28,7 +28,9 @@ pub(super) fn format(interp: &mut Interp, number: &BigInt, spec: &Spec, type_nam
         return Err(Stop::value("Precision not allowed in integer format specifier"));
     }
     if spec.no_negative_zero {
-        return Err(Stop::value("Negative zero coercion (z) not allowed in format specifier with integer presentation type"));
+        return Err(Stop::value(
+            "Negative zero coercion (z) not allowed in format specifier with integer presentation type",
+        ));
     }
     let kind = spec.kind.unwrap_or('d');
     if kind == 'c' {

@@ -198,7 +198,9 @@ impl<'a> Run<'a> {
             other => {
                 let shown = if (' '..='\u{7e}').contains(&other) { other } else { '?' };
                 let (code, place) = (u32::from(other), directive.place);
-                Err(Stop::value(format!("unsupported format character '{shown}' (0x{code:x}) at index {place}")))
+                Err(Stop::value(format!(
+                    "unsupported format character '{shown}' (0x{code:x}) at index {place}"
+                )))
             }
         }
     }
@@ -240,7 +242,13 @@ fn character(interp: &mut Interp, value: &Value, directive: &Directive) -> Eval<
 }
 
 /// Sign and digits, with zeros between them if asked for.
-fn number(interp: &mut Interp, negative: bool, prefix: &str, digits: &str, directive: &Directive) -> Eval<String> {
+fn number(
+    interp: &mut Interp,
+    negative: bool,
+    prefix: &str,
+    digits: &str,
+    directive: &Directive,
+) -> Eval<String> {
     let sign = match () {
         () if negative => "-",
         () if directive.plus => "+",

@@ -83,7 +83,17 @@ pub(super) fn parse(text: &str, kind: &str) -> Eval<Spec> {
         return Err(Stop::value(format!("Invalid format specifier '{text}' for object of type '{kind}'")));
     }
     let fill = fill.unwrap_or(' ');
-    let spec = Spec { fill, align, sign, no_negative_zero, alternate, width, grouping, precision, kind: presentation };
+    let spec = Spec {
+        fill,
+        align,
+        sign,
+        no_negative_zero,
+        alternate,
+        width,
+        grouping,
+        precision,
+        kind: presentation,
+    };
     check_grouping(&spec)?;
     Ok(spec)
 }
@@ -93,9 +103,15 @@ fn grouping(chars: &mut Chars<'_>) -> Eval<Option<char>> {
     let underscore = chars.take_if(|c| c == '_');
     match (comma, underscore) {
         (Some(_), Some(_)) => Err(Stop::value("Cannot specify both ',' and '_'.")),
-        (Some(_), None) if chars.rest.first() == Some(&',') => Err(Stop::value("Cannot specify ',' with ','.")),
-        (None, Some(_)) if chars.rest.first() == Some(&'_') => Err(Stop::value("Cannot specify '_' with '_'.")),
-        (None, Some(_)) if chars.rest.first() == Some(&',') => Err(Stop::value("Cannot specify both ',' and '_'.")),
+        (Some(_), None) if chars.rest.first() == Some(&',') => {
+            Err(Stop::value("Cannot specify ',' with ','."))
+        }
+        (None, Some(_)) if chars.rest.first() == Some(&'_') => {
+            Err(Stop::value("Cannot specify '_' with '_'."))
+        }
+        (None, Some(_)) if chars.rest.first() == Some(&',') => {
+            Err(Stop::value("Cannot specify both ',' and '_'."))
+        }
         (comma, underscore) => Ok(comma.or(underscore)),
     }
 }
@@ -120,6 +136,7 @@ fn check_grouping(spec: &Spec) -> Eval<()> {
 
 /// `Unknown format code 'x' for object of type 'str'`
 pub(super) fn unknown_code(code: char, kind: &str) -> Stop {
-    let code = if (' '..='\u{7f}').contains(&code) { code.to_string() } else { format!("\\x{:x}", u32::from(code)) };
+    let code =
+        if (' '..='\u{7f}').contains(&code) { code.to_string() } else { format!("\\x{:x}", u32::from(code)) };
     Stop::value(format!("Unknown format code '{code}' for object of type '{kind}'"))
 }

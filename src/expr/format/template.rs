@@ -150,7 +150,9 @@ impl Template<'_> {
         while let Some((&separator, rest)) = path.split_first() {
             interp.budget.step()?;
             let close = if separator == '[' {
-                rest.iter().position(|&c| c == ']').ok_or_else(|| Stop::value("Missing ']' in format string"))?
+                rest.iter()
+                    .position(|&c| c == ']')
+                    .ok_or_else(|| Stop::value("Missing ']' in format string"))?
             } else {
                 rest.iter().position(|c| matches!(c, '.' | '[')).unwrap_or(rest.len())
             };
@@ -158,7 +160,11 @@ impl Template<'_> {
             if part.is_empty() {
                 return Err(Stop::value("Empty attribute in format string"));
             }
-            value = if separator == '[' { index(interp, &value, &part)? } else { attribute(interp, &value, &part)? };
+            value = if separator == '[' {
+                index(interp, &value, &part)?
+            } else {
+                attribute(interp, &value, &part)?
+            };
             path = rest.get(close + usize::from(separator == '[')..).unwrap_or(&[]);
             if separator == '[' && !matches!(path.first(), None | Some('.' | '[')) {
                 return Err(Stop::value("Only '.' or '[' may follow ']' in format field specifier"));
@@ -175,8 +181,11 @@ impl Template<'_> {
                 return Err(Stop::value("Format string contains positional fields"));
             }
             if self.numbered.is_some_and(|before| before != numbered) {
-                let (from, to) =
-                    if numbered { ("automatic field numbering", "manual field specification") } else { ("manual field specification", "automatic field numbering") };
+                let (from, to) = if numbered {
+                    ("automatic field numbering", "manual field specification")
+                } else {
+                    ("manual field specification", "automatic field numbering")
+                };
                 return Err(Stop::value(format!("cannot switch from {from} to {to}")));
             }
             self.numbered = Some(numbered);
@@ -199,9 +208,7 @@ impl Template<'_> {
 
     fn named(&self, interp: &mut Interp, name: &str) -> Eval {
         match self.source {
-            Source::Args(args) => {
-                args.named(name).cloned().ok_or_else(|| ops::key_error(&Value::from(name)))
-            }
+            Source::Args(args) => args.named(name).cloned().ok_or_else(|| ops::key_error(&Value::from(name))),
             Source::Mapping(mapping) => ops::subscript(interp, mapping, &Value::from(name)),
         }
     }

@@ -58,7 +58,8 @@ fn from_hex(_: &mut Interp, _: &Value, args: &Args) -> Eval {
         if c.is_ascii_whitespace() && high.is_none() {
             continue;
         }
-        let digit = c.to_digit(16).and_then(|digit| u8::try_from(digit).ok()).ok_or_else(|| wrong_digit(place))?;
+        let digit =
+            c.to_digit(16).and_then(|digit| u8::try_from(digit).ok()).ok_or_else(|| wrong_digit(place))?;
         match high.take() {
             None => high = Some(digit),
             Some(high) => bytes.push(high << 4 | digit),
@@ -88,7 +89,8 @@ fn encoding(name: Option<&Value>) -> Eval<Encoding> {
             return Err(Stop::typ(format!("encode() argument 'encoding' must be str, not {kind}")));
         }
     };
-    let plain: String = name.chars().filter(char::is_ascii_alphanumeric).map(|c| c.to_ascii_lowercase()).collect();
+    let plain: String =
+        name.chars().filter(char::is_ascii_alphanumeric).map(|c| c.to_ascii_lowercase()).collect();
     match plain.as_str() {
         "utf8" | "u8" | "cp65001" => Ok(Encoding::Utf8),
         "ascii" | "usascii" | "646" => Ok(Encoding::Ascii),
@@ -153,7 +155,9 @@ pub(crate) fn decode(bytes: &[u8], name: Option<&Value>, errors: Option<&Value>)
                 _ if (0xc2..0xf5).contains(&byte) => "invalid continuation byte",
                 _ => "invalid start byte",
             };
-            Err(Stop::value(format!("'{codec}' codec can't decode byte 0x{byte:02x} in position {place}: {reason}")))
+            Err(Stop::value(format!(
+                "'{codec}' codec can't decode byte 0x{byte:02x} in position {place}: {reason}"
+            )))
         }
     }
 }

@@ -6,9 +6,9 @@ use super::{methods, up_to};
 use crate::expr::args::Arity::{Any, One, Zero};
 use crate::expr::args::{Args, check_count};
 use crate::expr::builtins::{Function, add_entries};
+use crate::expr::host::ErrorKind;
 use crate::expr::interp::Interp;
 use crate::expr::ops::{key_error, sets::elements};
-use crate::expr::host::ErrorKind;
 use crate::expr::stop::{Eval, Stop};
 use crate::expr::value::{Dict, DictMap, Key, Value, View, ViewKind};
 

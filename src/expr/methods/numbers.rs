@@ -123,7 +123,9 @@ fn from_bytes(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
         }
         other => {
             let items = interp.collect(other)?;
-            let byte = |item: &Value| u8::try_from(integer(item)?).map_err(|_| Stop::value("bytes must be in range(0, 256)"));
+            let byte = |item: &Value| {
+                u8::try_from(integer(item)?).map_err(|_| Stop::value("bytes must be in range(0, 256)"))
+            };
             items.iter().map(byte).collect::<Eval<_>>()?
         }
     };
@@ -148,7 +150,8 @@ fn ratio(f: f64) -> Eval {
         return Err(Stop::overflow("cannot convert Infinity to integer ratio"));
     }
     let (mantissa, exponent, negative) = decode(f);
-    let zeros = if mantissa == 0 { 0 } else { mantissa.trailing_zeros().min((-exponent).max(0).unsigned_abs()) };
+    let zeros =
+        if mantissa == 0 { 0 } else { mantissa.trailing_zeros().min((-exponent).max(0).unsigned_abs()) };
     let sign = if negative { Sign::Minus } else { Sign::Plus };
     let top = BigInt::from_biguint(sign, BigUint::from(mantissa >> zeros));
     let down = -exponent - i32::try_from(zeros).unwrap_or(0);

@@ -105,7 +105,11 @@ fn copy(_: &mut Interp, set: &Value, _: &Args) -> Eval {
 
 fn remove(_: &mut Interp, set: &Value, args: &Args) -> Eval {
     let key = Key::new(args.at(0).clone())?;
-    if this(set)?.edit(|items| items.shift_remove(&key)) { Ok(Value::None) } else { Err(key_error(args.at(0))) }
+    if this(set)?.edit(|items| items.shift_remove(&key)) {
+        Ok(Value::None)
+    } else {
+        Err(key_error(args.at(0)))
+    }
 }
 
 /// Takes the element that Python would find first.

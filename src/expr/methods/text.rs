@@ -1,6 +1,9 @@
 //! Methods of strings: the table.
 
-use super::{methods, optional, text_case as case, text_layout as layout, text_search as search, text_split as split, up_to};
+use super::{
+    methods, optional, text_case as case, text_layout as layout, text_search as search, text_split as split,
+    up_to,
+};
 use crate::expr::args::Arity::{Any, One, Zero};
 use crate::expr::builtins::Function;
 use crate::expr::format;

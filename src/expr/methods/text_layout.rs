@@ -34,7 +34,9 @@ pub(super) fn pad(interp: &mut Interp, text: &Value, args: &Args, side: Side) ->
     let fill = match args.get(1) {
         None => " ",
         Some(Value::Str(fill)) if fill.chars().count() == 1 => fill,
-        Some(Value::Str(_)) => return Err(Stop::typ("The fill character must be exactly one character long")),
+        Some(Value::Str(_)) => {
+            return Err(Stop::typ("The fill character must be exactly one character long"));
+        }
         Some(other) => {
             let kind = other.type_name();
             return Err(Stop::typ(format!("The fill character must be a unicode character, not {kind}")));

@@ -89,7 +89,8 @@ pub(super) fn lines(interp: &mut Interp, text: &Value, args: &Args) -> Eval {
     while !rest.is_empty() {
         let end = rest.find(is_line_end).unwrap_or(rest.len());
         let after = rest.get(end..).unwrap_or("");
-        let width = if after.starts_with("\r\n") { 2 } else { after.chars().next().map_or(0, char::len_utf8) };
+        let width =
+            if after.starts_with("\r\n") { 2 } else { after.chars().next().map_or(0, char::len_utf8) };
         interp.budget.items(1)?;
         lines.push(Value::from(rest.get(..if keep { end + width } else { end }).unwrap_or("")));
         rest = rest.get(end + width..).unwrap_or("");

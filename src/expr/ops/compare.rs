@@ -141,7 +141,11 @@ fn ordered(interp: &mut Interp, op: CmpOp, a: &Value, b: &Value) -> Eval<bool> {
     Ok(holds(op, order))
 }
 
-fn ordered_dates(op: CmpOp, x: &crate::expr::value::DateValue, y: &crate::expr::value::DateValue) -> Eval<bool> {
+fn ordered_dates(
+    op: CmpOp,
+    x: &crate::expr::value::DateValue,
+    y: &crate::expr::value::DateValue,
+) -> Eval<bool> {
     if x.time.is_some() != y.time.is_some() {
         return Err(Stop::typ("can't compare datetime.datetime to datetime.date"));
     }
@@ -202,7 +206,9 @@ pub(crate) fn contains(interp: &mut Interp, container: &Value, item: &Value) -> 
         Value::Set(set) => {
             // A set is looked up as if it were frozen.
             let key = match item {
-                Value::Set(inner) => Key::new(Value::Set(crate::expr::value::Set::new((*inner.snapshot()).clone(), true))),
+                Value::Set(inner) => {
+                    Key::new(Value::Set(crate::expr::value::Set::new((*inner.snapshot()).clone(), true)))
+                }
                 other => Key::new(other.clone()),
             };
             Ok(set.snapshot().contains(&key?))

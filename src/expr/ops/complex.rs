@@ -51,7 +51,9 @@ pub(crate) fn power(a: Complex, b: Complex) -> Eval<Complex> {
     } else {
         general_power(a, b)?
     };
-    if (result.0.is_infinite() || result.1.is_infinite()) && [a.0, a.1, b.0, b.1].iter().all(|x| x.is_finite()) {
+    if (result.0.is_infinite() || result.1.is_infinite())
+        && [a.0, a.1, b.0, b.1].iter().all(|x| x.is_finite())
+    {
         return Err(Stop::overflow("complex exponentiation"));
     }
     Ok(result)

@@ -65,7 +65,11 @@ pub(super) fn binary(interp: &mut Interp, op: BinOp, a: &BigInt, b: &BigInt) -> 
         BinOp::Div => Value::Float(true_divide(interp, a, b)?),
         BinOp::FloorDiv | BinOp::Mod => {
             if b.is_zero() {
-                let message = if op == BinOp::Mod { "integer modulo by zero" } else { "integer division or modulo by zero" };
+                let message = if op == BinOp::Mod {
+                    "integer modulo by zero"
+                } else {
+                    "integer division or modulo by zero"
+                };
                 return Err(Stop::zero(message));
             }
             charge_product(interp, a, b)?;
@@ -163,7 +167,11 @@ fn quotient(a: &BigInt, b: &BigInt, scale: i64) -> f64 {
     let digits = 55.min(scale + 1074 + 2);
     let up = digits - scale;
     let (mut a, mut b) = (a.magnitude().clone(), b.magnitude().clone());
-    if up >= 0 { a <<= up } else { b <<= -up };
+    if up >= 0 {
+        a <<= up
+    } else {
+        b <<= -up
+    };
     let whole = &a / &b;
     let exact = (&whole * &b) == a;
     // The lowest bit records that something is missing, so that the next step rounds correctly.

@@ -60,7 +60,10 @@ fn numeric(interp: &mut Interp, op: BinOp, x: Num<'_>, y: Num<'_>) -> Eval<Optio
     if let (Some(a), Some(b)) = (x.big(), y.big()) {
         return int::binary(interp, op, &a, &b);
     }
-    if matches!(op, BinOp::MatMul | BinOp::LShift | BinOp::RShift | BinOp::BitAnd | BinOp::BitOr | BinOp::BitXor) {
+    if matches!(
+        op,
+        BinOp::MatMul | BinOp::LShift | BinOp::RShift | BinOp::BitAnd | BinOp::BitOr | BinOp::BitXor
+    ) {
         return Ok(None);
     }
     if matches!(x, Num::Complex(..)) || matches!(y, Num::Complex(..)) {

@@ -52,7 +52,9 @@ pub(crate) fn subscript(interp: &mut Interp, object: &Value, key: &Value) -> Eva
         Value::Bytes(bytes) => bytes_item(interp, bytes, key),
         Value::Range(range) => range_item(range, key),
         Value::Scope(_) | Value::Module(_) => namespace_item(interp, object, key),
-        Value::Type(kind) if matches!(kind, Type::List | Type::Dict | Type::Tuple | Type::Set | Type::Type) => {
+        Value::Type(kind)
+            if matches!(kind, Type::List | Type::Dict | Type::Tuple | Type::Set | Type::Type) =>
+        {
             Err(Stop::typ("generic types are not supported"))
         }
         Value::Type(kind) => Err(Stop::typ(format!("type '{}' is not subscriptable", kind.name()))),
@@ -113,7 +115,8 @@ fn text_item(interp: &mut Interp, text: &Str, key: &Value) -> Eval {
         return Err(Stop::typ(wanted));
     }
     let place = place(key, len, "string", "")?;
-    let found = if ascii { text.as_bytes().get(place).map(|&b| char::from(b)) } else { text.chars().nth(place) };
+    let found =
+        if ascii { text.as_bytes().get(place).map(|&b| char::from(b)) } else { text.chars().nth(place) };
     found.map(|c| Value::Str(c.into())).ok_or_else(|| Stop::index("string index out of range"))
 }
 
@@ -186,9 +189,9 @@ pub(crate) fn slice_bounds(slice: &Slice, len: usize) -> Eval<SliceBounds> {
     let part = |value: &Value| match value {
         Value::None => Ok(None),
         Value::Unknown => Err(Stop::Unknown),
-        other => as_index(other).map(Some).ok_or_else(|| {
-            Stop::typ("slice indices must be integers or None or have an __index__ method")
-        }),
+        other => as_index(other)
+            .map(Some)
+            .ok_or_else(|| Stop::typ("slice indices must be integers or None or have an __index__ method")),
     };
     let step = part(&slice.step)?.unwrap_or(1);
     if step == 0 {

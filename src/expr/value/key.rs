@@ -55,9 +55,12 @@ fn check(value: &Value, depth: u32, parts: &mut u32) -> Eval<()> {
         Value::Set(set) if set.is_frozen() => {
             set.snapshot().iter().try_for_each(|item| check(item.value(), depth + 1, parts))
         }
-        Value::List(_) | Value::Dict(_) | Value::Set(_) | Value::Slice(_) | Value::Scope(_) | Value::Module(_) => {
-            Err(Stop::typ(format!("unhashable type: '{}'", value.type_name())))
-        }
+        Value::List(_)
+        | Value::Dict(_)
+        | Value::Set(_)
+        | Value::Slice(_)
+        | Value::Scope(_)
+        | Value::Module(_) => Err(Stop::typ(format!("unhashable type: '{}'", value.type_name()))),
         Value::View(view) if view.kind != super::ViewKind::Values => {
             Err(Stop::typ(format!("unhashable type: '{}'", value.type_name())))
         }
@@ -81,8 +84,7 @@ fn equal(a: &Value, b: &Value) -> bool {
         (Value::Bytes(a), Value::Bytes(b)) => a == b,
         (Value::Tuple(a), Value::Tuple(b)) => {
             let (x, y) = (a.items(), b.items());
-            a.address() == b.address()
-                || (x.len() == y.len() && x.iter().zip(y).all(|(x, y)| equal(x, y)))
+            a.address() == b.address() || (x.len() == y.len() && x.iter().zip(y).all(|(x, y)| equal(x, y)))
         }
         (Value::Set(a), Value::Set(b)) => {
             let (a, b) = (a.snapshot(), b.snapshot());
@@ -124,7 +126,8 @@ pub(crate) fn hash_value(value: &Value) -> i64 {
         Value::Bytes(bytes) => bytes.hash(&mut state),
         Value::Tuple(tuple) => tuple.items().iter().for_each(|item| state.write_i64(hash_value(item))),
         Value::Set(set) => {
-            let sum = set.snapshot().iter().fold(0i64, |sum, item| sum.wrapping_add(hash_value(item.value())));
+            let sum =
+                set.snapshot().iter().fold(0i64, |sum, item| sum.wrapping_add(hash_value(item.value())));
             state.write_i64(sum);
         }
         Value::Range(range) => range.len().hash(&mut state),

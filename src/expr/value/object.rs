@@ -211,6 +211,7 @@ impl DateValue {
 /// Days of the Gregorian calendar before the first of a month.
 fn days_before(year: i32, month: u32) -> i64 {
     // Counting years from March puts the leap day last.
-    let (year, month) = if month <= 2 { (i64::from(year) - 1, month + 9) } else { (i64::from(year), month - 3) };
+    let (year, month) =
+        if month <= 2 { (i64::from(year) - 1, month + 9) } else { (i64::from(year), month - 3) };
     year * 365 + year / 4 - year / 100 + year / 400 + (i64::from(month) * 153 + 2) / 5
 }
