@@ -95,7 +95,7 @@ impl Expander<'_> {
         let frame = self.push_frame(FrameKind::Block, name.as_ref().into(), at, definition);
         let cx = Cx { frame, ..cx };
         match block {
-            Block::Source(at, _) => {
+            Block::Source(at) => {
                 if let Some(item) = self.item(at.src) {
                     let node = item.node(at.node);
                     let content = self.container(Origin { src: at.src, range: node.range(), frame });

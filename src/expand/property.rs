@@ -71,7 +71,7 @@ impl Expander<'_> {
         let (key, state, origin) = match value {
             None => {
                 let at = self.tag_origin(tag, cx);
-                let block = Block::Source(SrcRef { src: tag.src, node: tag.node.id() }, cx.frame);
+                let block = Block::Source(SrcRef { src: tag.src, node: tag.node.id() });
                 (EcoString::from(format!("**{name}")), State::Block(block), at)
             }
             Some((text, place)) if at_once => {
