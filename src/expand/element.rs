@@ -207,7 +207,7 @@ impl Expander<'_> {
         self.eval_attributes(tag, id, cx);
         if self.nesting >= Self::MAX_NESTING {
             let message = format!("elements are nested more than {} deep", Self::MAX_NESTING);
-            self.stop(origin, message, "expand-nodes");
+            self.stop(origin, message, None);
             return;
         }
         self.nesting += 1;

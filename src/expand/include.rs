@@ -298,7 +298,7 @@ impl Expander<'_> {
             self.push(problem);
         } else {
             let message = format!("includes are nested more than {most} deep, here into `{name}`");
-            self.stop(inclusion.tag, message, "include-depth");
+            self.stop(inclusion.tag, message, Some("include-depth"));
         }
         true
     }
