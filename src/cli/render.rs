@@ -5,7 +5,7 @@ use std::path::Path;
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
-use crate::base::{Encoding, LineCol, TextRange};
+use crate::base::{Encoding, TextRange};
 use crate::vfs::SourceFile;
 
 /// A file as it is shown: its text, and its path relative to where the user is.
