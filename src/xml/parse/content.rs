@@ -1,8 +1,9 @@
 //! Everything between start and end tags: the main loop, text, end tags.
 
-use super::{Parser, Stop};
+use super::{Parser, Stop, Verdict};
 use crate::xml::chars::{first_illegal, name_char, stops_text};
-use crate::xml::entities::{Reference, read_reference};
+use crate::xml::decode::{Reference, read_reference};
+use crate::xml::entities::predefined;
 use crate::xml::error::{Condition, SyntaxError, SyntaxErrorKind as Kind, expat};
 use crate::xml::node::{HAS_DOLLAR, NEEDS_DECODING, NodeKind};
 
@@ -11,13 +12,15 @@ const MAX_LOOK: usize = 512;
 /// Unclosed elements reported where one end tag closes many.
 const MAX_UNCLOSED: usize = 8;
 
-impl Parser<'_> {
+impl<'t> Parser<'t> {
     /// Read up to the end of one top-level element, the root's end tag, or the end of the text.
     pub(super) fn content(&mut self) -> Stop {
         loop {
             let stop = match self.peek() {
                 None => {
-                    self.close_unclosed(0, None, (expat::NO_ELEMENT, self.pos));
+                    let end = self.pos;
+                    self.cut_item();
+                    self.close_unclosed(0, None, (expat::NO_ELEMENT, end));
                     return Stop::End;
                 }
                 Some(b'<') => self.markup(),
@@ -153,8 +156,13 @@ impl Parser<'_> {
     }
 
     /// Note a reference to an entity; whether it is fine, the header knows.
-    pub(super) fn entity_use(&mut self, name: &str, at: (usize, usize), stop: usize, in_attribute: bool) {
-        if matches!(name, "amp" | "lt" | "gt" | "quot" | "apos") {
+    pub(super) fn entity_use(&mut self, name: &'t str, at: (usize, usize), stop: usize, in_attribute: bool) {
+        if predefined(name).is_some() {
+            return;
+        }
+        let count = self.entity_uses.entry((name, in_attribute)).or_default();
+        *count += 1;
+        if *count > 1 {
             return;
         }
         let error = SyntaxError {
@@ -171,6 +179,9 @@ impl Parser<'_> {
     /// A `<` that begins nothing.
     fn stray_lt(&mut self) {
         let start = self.pos;
+        if self.is_conflict_marker(start) {
+            return self.conflict_marker();
+        }
         self.pos += 1;
         if self.peek().is_none() {
             self.push_node(NodeKind::Junk, start, 0);
@@ -183,7 +194,19 @@ impl Parser<'_> {
         self.error(Kind::StrayLt, (start, self.pos), (expat::INVALID, self.pos), message);
     }
 
-    fn name_of(&self, id: u32) -> &str {
+    /// A `<<<<<<<` line.
+    pub(super) fn conflict_marker(&mut self) {
+        let start = self.pos;
+        self.pos += memchr::memchr2(b'\n', b'\r', self.bytes.get(start..).unwrap_or(&[]))
+            .unwrap_or(self.bytes.len() - start);
+        self.hit_end |= self.pos == self.bytes.len();
+        self.push_node(NodeKind::Junk, start, 0);
+        let message =
+            "a merge conflict was left unresolved: keep one of the two versions and remove the markers";
+        self.error(Kind::MergeConflict, (start, self.pos), (expat::INVALID, start + 1), message);
+    }
+
+    pub(super) fn name_of(&self, id: u32) -> &str {
         let Some(node) = self.nodes.get(id as usize) else { return "" };
         let start = self.base + node.start as usize + 1;
         self.slice(start, start + node.name_len as usize)
@@ -192,6 +215,7 @@ impl Parser<'_> {
     fn end_tag(&mut self) -> Option<Stop> {
         let start = self.pos;
         let (name_end, verdict) = self.scan_end_tag();
+        let complete = self.bytes.get(self.pos - 1) == Some(&b'>');
         let name = self.slice(start + 2, name_end);
         let mismatch = verdict.unwrap_or((expat::MISMATCH, start + 2));
         let found = self.open.iter().rev().take(MAX_LOOK).position(|&id| self.name_of(id) == name);
@@ -205,21 +229,46 @@ impl Parser<'_> {
             return self.open.is_empty().then_some(Stop::Element);
         }
         self.needs_root_name = true;
-        if name == self.root_name {
-            self.reach = self.reach.max(name_end + 1);
+        self.reach = self.reach.max(self.pos + 1);
+        if name == self.root_name && !name.is_empty() {
             let tag_end = std::mem::replace(&mut self.pos, start);
+            self.cut_item();
             self.close_unclosed(0, Some((start, tag_end)), mismatch);
             return Some(Stop::RootEnd);
         }
         self.report_end_tag(start, verdict);
+        if self.closes_innermost(start, name, complete) {
+            if complete {
+                self.report_renamed(start, name_end, mismatch);
+            }
+            self.close(Some(start));
+            return self.open.is_empty().then_some(Stop::Element);
+        }
         self.push_node(NodeKind::Junk, start, 0);
         let message = format!("`</{name}>` closes no open element: remove it or open one");
         self.error(Kind::MismatchedEndTag, (start, self.pos), mismatch, message);
         None
     }
 
+    /// An end tag of another name, taken for that of the innermost element.
+    fn report_renamed(&mut self, start: usize, name_end: usize, verdict: Verdict) {
+        let Some(node) = self.open.last().and_then(|&id| self.nodes.get(id as usize)) else { return };
+        let open = self.base + node.start as usize + 1;
+        let open_end = open + node.name_len as usize;
+        let (name, own) = (self.slice(start + 2, name_end), self.slice(open, open_end));
+        let error = SyntaxError {
+            kind: Kind::MismatchedEndTag,
+            range: self.range(start + 2, name_end),
+            related: Some((self.range(open, open_end), "opened here")),
+            message: format!("`</{name}>` does not match `<{own}>`: rename one of them"),
+            expat: verdict.0,
+            expat_offset: self.rel(verdict.1),
+        };
+        self.push_error(Condition::Always, error);
+    }
+
     /// Move behind an end tag. Gives the end of its name and, if the tag is malformed, expat's verdict.
-    pub(super) fn scan_end_tag(&mut self) -> (usize, Option<(&'static str, usize)>) {
+    pub(super) fn scan_end_tag(&mut self) -> (usize, Option<Verdict>) {
         let start = self.pos;
         self.pos += 2;
         if name_char(self.text, self.pos, true) == 0 {
@@ -251,7 +300,7 @@ impl Parser<'_> {
         }
     }
 
-    pub(super) fn report_end_tag(&mut self, start: usize, verdict: Option<(&'static str, usize)>) {
+    pub(super) fn report_end_tag(&mut self, start: usize, verdict: Option<Verdict>) {
         if let Some(verdict) = verdict {
             let message = format!("the end tag `{}` needs a `>`", self.slice(start, self.pos));
             self.error(Kind::UnclosedTag, (start, self.pos), verdict, message);
@@ -259,12 +308,7 @@ impl Parser<'_> {
     }
 
     /// Close the elements above `depth` here, without end tags of their own.
-    pub(super) fn close_unclosed(
-        &mut self,
-        depth: usize,
-        end_tag: Option<(usize, usize)>,
-        verdict: (&'static str, usize),
-    ) {
+    pub(super) fn close_unclosed(&mut self, depth: usize, end_tag: Option<(usize, usize)>, verdict: Verdict) {
         let mut reported = 0;
         while self.open.len() > depth {
             let Some(&id) = self.open.last() else { return };
@@ -276,7 +320,7 @@ impl Parser<'_> {
         }
     }
 
-    fn report_unclosed(&mut self, id: u32, end_tag: Option<(usize, usize)>, verdict: (&'static str, usize)) {
+    fn report_unclosed(&mut self, id: u32, end_tag: Option<(usize, usize)>, verdict: Verdict) {
         let Some(node) = self.nodes.get(id as usize) else { return };
         let start = self.base + node.start as usize;
         let end = start + 1 + node.name_len as usize;

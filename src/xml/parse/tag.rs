@@ -1,9 +1,9 @@
 //! Start tags and their attributes.
 #![allow(clippy::indexing_slicing)] // ids and attribute numbers this parser made itself
 
-use super::{Parser, Stop};
+use super::{Parser, Stop, Verdict};
 use crate::xml::chars::{is_space, stops_value};
-use crate::xml::entities::{Reference, read_reference};
+use crate::xml::decode::{Reference, read_reference};
 use crate::xml::error::{SyntaxErrorKind as Kind, expat};
 use crate::xml::node::{
     AttrData, HAS_DOLLAR, HAS_EQUALS, NEEDS_DECODING, NO_CONTENT, NodeKind, PREFIXED, QUOTED, SELF_CLOSING,
@@ -14,6 +14,7 @@ impl Parser<'_> {
     pub(super) fn start_tag(&mut self) -> Option<Stop> {
         let start = self.pos;
         let name = self.qname(start + 1);
+        self.floor = Some(0);
         self.pos = name.end;
         let id = self.push_node(NodeKind::Element, start, 0) as usize;
         let first_attr = self.attrs.len();
@@ -29,6 +30,7 @@ impl Parser<'_> {
         node.end = node.start_tag_end;
         let prefix = if name.prefixed && name.bad.is_none() { name.end } else { start };
         self.check_tag(start, prefix, first_attr);
+        self.floor = None;
         if flags & NO_CONTENT == 0 {
             self.open.push(id as u32);
             return None;
@@ -90,12 +92,13 @@ impl Parser<'_> {
         }
     }
 
-    fn unclosed_tag(&mut self, start: usize, gap: usize, verdict: (&'static str, usize)) -> u8 {
+    fn unclosed_tag(&mut self, start: usize, gap: usize, verdict: Verdict) -> u8 {
+        let next = self.pos;
         self.pos = gap;
         let name = self.qname(start + 1);
         let message = format!("the tag `<{}` needs a `>` or `/>`", self.slice(start + 1, name.end));
         self.error(Kind::UnclosedTag, (start, name.end), verdict, message);
-        NO_CONTENT
+        if self.keeps_content(start, name.end, next) { 0 } else { NO_CONTENT }
     }
 
     /// Read one attribute, or skip what is none. Gives whether it is sound.
@@ -160,6 +163,7 @@ impl Parser<'_> {
     fn quoted_value(&mut self, name: usize, name_end: usize, quote: u8, mut flags: u8) -> bool {
         let start = self.pos + 1;
         let first_error = self.errors.len();
+        let floor = self.floor.take();
         self.pos = start;
         loop {
             let Some(&b) = self.bytes.get(self.pos) else {
@@ -174,8 +178,10 @@ impl Parser<'_> {
                 b'$' => flags |= HAS_DOLLAR,
                 b'&' => {
                     flags |= NEEDS_DECODING;
-                    if let Reference::Bad(stop) = read_reference(self.text, self.pos) {
-                        self.bad_reference(self.pos, stop);
+                    match read_reference(self.text, self.pos) {
+                        // The end of the text is reported once, for the tag.
+                        Reference::Bad(stop) if stop < self.bytes.len() => self.bad_reference(self.pos, stop),
+                        _ => {}
                     }
                 }
                 b'<' => break,
@@ -190,6 +196,7 @@ impl Parser<'_> {
         if let Some(errors) = self.errors.get_mut(first_error..) {
             errors.sort_by_key(|e| e.error.expat_offset);
         }
+        self.floor = floor.max(self.errors.get(first_error).map(|e| e.error.expat_offset));
         let closed = self.bytes.get(end) == Some(&quote);
         if closed {
             self.pos += 1;
