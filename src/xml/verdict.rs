@@ -35,7 +35,8 @@ impl Document {
             }
         }
         out.extend(self.amplification());
-        out.sort_by_key(|error| error.expat_offset);
+        // That nothing more comes, expat notices last.
+        out.sort_by_key(|error| (error.expat_offset, error.expat == expat::NO_ELEMENT));
         out
     }
 }

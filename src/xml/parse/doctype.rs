@@ -139,7 +139,7 @@ impl<'t> Parser<'t> {
                     counts = entities.standalone;
                 }
                 (Token::DeclarationOpen, "<!ENTITY") => {
-                    let declared = self.entity()?;
+                    let declared = self.entity(counts)?;
                     if let Some((name, entity)) = declared.filter(|_| counts) {
                         entities.declare(name, entity);
                     }
@@ -167,7 +167,7 @@ impl<'t> Parser<'t> {
         }
     }
 
-    fn entity(&mut self) -> Checked<Option<(&'t str, Entity)>> {
+    fn entity(&mut self, counts: bool) -> Checked<Option<(&'t str, Entity)>> {
         let mut found = self.expect(&[Token::Name, Token::Percent])?;
         let general = found.0 == Token::Name;
         if !general {
@@ -176,7 +176,7 @@ impl<'t> Parser<'t> {
         let name = found.2;
         found = self.expect(&[Token::Name, Token::Literal])?;
         if found.0 == Token::Literal {
-            let value = self.entity_value(found.1 + 1)?;
+            let value = if counts { self.entity_value(found.1 + 1)? } else { String::new() };
             self.declaration_close()?;
             return Ok(general.then_some((name, Entity::Internal(value.into()))));
         }

@@ -39,10 +39,10 @@ impl Parser<'_> {
     fn comment(&mut self) {
         let start = self.pos;
         let mut from = start + 4;
-        let mut reported = false;
+        let first_error = self.errors.len();
         loop {
             let dashes = self.find(from, b"--").filter(|dashes| dashes + 2 < self.bytes.len());
-            let Some(dashes) = dashes else { return self.unclosed_markup(&COMMENT, start, reported) };
+            let Some(dashes) = dashes else { return self.unclosed_markup(&COMMENT, start, first_error) };
             self.check_characters(from, dashes);
             if self.bytes.get(dashes + 2) == Some(&b'>') {
                 self.pos = dashes + 3;
@@ -54,12 +54,11 @@ impl Parser<'_> {
             if let Some(next) = self.next_line_markup(start + 4, dashes + 2).filter(|_| opens) {
                 let verdict = (expat::INVALID, dashes + 2);
                 self.reach = self.reach.max(dashes + 3);
-                return self.resume_at(&COMMENT, start, next, verdict);
+                return self.resume_at(&COMMENT, start, (next, first_error), verdict);
             }
-            if !reported {
+            if self.errors.len() == first_error {
                 let message = "`--` may not stand in a comment: write `- -`";
                 self.error(Kind::BadComment, (dashes, dashes + 2), (expat::INVALID, dashes + 2), message);
-                reported = true;
             }
             from = dashes + 1;
         }
@@ -73,12 +72,12 @@ impl Parser<'_> {
                 self.pos = end + 3;
                 self.push_node(NodeKind::CData, start, CLOSED);
             }
-            None => self.unclosed_markup(&CDATA, start, false),
+            None => self.unclosed_markup(&CDATA, start, self.errors.len()),
         }
     }
 
     /// Markup whose end is nowhere: it ends before the next line that begins with markup.
-    fn unclosed_markup(&mut self, shape: &Shape, start: usize, reported: bool) {
+    fn unclosed_markup(&mut self, shape: &Shape, start: usize, first_error: usize) {
         self.hit_end = true;
         let (inner, end) = (start + shape.open, self.bytes.len());
         let verdict = match first_illegal(self.slice(inner, end)) {
@@ -87,27 +86,33 @@ impl Parser<'_> {
             None => (expat::UNCLOSED_TOKEN, start),
         };
         if let Some(next) = self.next_line_markup(inner, end) {
-            return self.resume_at(shape, start, next, verdict);
+            return self.resume_at(shape, start, (next, first_error), verdict);
         }
         self.pos = end;
-        if !reported {
+        if self.errors.len() == first_error {
             self.check_characters(inner, end);
         }
         self.push_node(shape.kind, start, 0);
         self.report_unclosed_markup(shape, start, verdict);
     }
 
-    /// Where expat waits for the rest of an unclosed CDATA section: before what may be half of a `]]>`
-    /// or of a line end.
+    /// Where expat waits for the rest of an unclosed CDATA section: before what may be half of its end.
     fn cdata_stop(&self, inner: usize) -> usize {
         match self.bytes.get(inner..).unwrap_or(&[]) {
             [.., b']', b']'] => self.bytes.len() - 2,
-            [.., b']' | b'\r'] => self.bytes.len() - 1,
+            [.., b']'] => self.bytes.len() - 1,
             _ => self.bytes.len(),
         }
     }
 
-    fn resume_at(&mut self, shape: &Shape, start: usize, next: usize, verdict: Verdict) {
+    /// End unclosed markup before `next`. What was found since `first_error` may lie behind that; there it
+    /// will be found again, as something else.
+    fn resume_at(&mut self, shape: &Shape, start: usize, next: (usize, usize), verdict: Verdict) {
+        let (next, first_error) = next;
+        let found = self.errors.get(first_error);
+        let verdict = found.map_or(verdict, |e| (e.error.expat, self.base + e.error.expat_offset as usize));
+        self.errors.truncate(first_error);
+        self.floor = Some(0);
         self.pos = self.trimmed(next).max(start + shape.open);
         self.push_node(shape.kind, start, 0);
         self.report_unclosed_markup(shape, start, verdict);
@@ -124,6 +129,7 @@ impl Parser<'_> {
     pub(super) fn instruction(&mut self) {
         let start = self.pos;
         self.floor = Some(0);
+        let first_error = self.errors.len();
         let name_end = self.instruction_target();
         let target = self.slice(start + 2, name_end);
         let next = self.bytes.get(name_end).copied();
@@ -152,7 +158,7 @@ impl Parser<'_> {
                 self.pos = end + 2;
                 self.push_node(NodeKind::Pi, start, CLOSED);
             }
-            None => self.unclosed_markup(&INSTRUCTION, start, false),
+            None => self.unclosed_markup(&INSTRUCTION, start, first_error),
         }
         if let Some(node) = self.nodes.last_mut() {
             node.name_len = (name_end - start - 2) as u32;

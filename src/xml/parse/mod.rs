@@ -4,12 +4,15 @@ mod check;
 mod content;
 mod declaration;
 mod doctype;
+mod end_tag;
 mod markup;
 mod names;
 mod prolog;
 mod recover;
 mod tag;
+mod text;
 mod token;
+mod value;
 
 use std::collections::HashMap;
 
@@ -163,6 +166,12 @@ impl<'t> Parser<'t> {
         let mut uses: Vec<EntityUse> = uses.collect();
         uses.sort_by(|a, b| (&a.name, a.in_attribute).cmp(&(&b.name, b.in_attribute)));
         uses
+    }
+
+    /// The shape of the current item depends on the text before `to`.
+    fn look(&mut self, to: usize) {
+        self.reach = self.reach.max(to);
+        self.hit_end |= to > self.bytes.len();
     }
 
     fn peek(&mut self) -> Option<u8> {
