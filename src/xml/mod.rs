@@ -3,6 +3,7 @@
 
 mod chars;
 mod chunks;
+mod decode;
 mod document;
 mod entities;
 mod error;
@@ -13,8 +14,9 @@ mod parse;
 mod positions;
 mod verdict;
 
+pub use decode::source_offset;
 pub use document::{Document, Part, Place};
-pub use entities::{Entities, source_offset};
+pub use entities::Entities;
 pub use error::{SyntaxError, SyntaxErrorKind};
 pub use item::{CacheSlot, Item};
 pub use node::{Attr, Node, NodeId, NodeKind, Siblings};
