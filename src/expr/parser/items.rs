@@ -17,6 +17,7 @@ impl Parser<'_> {
         let operand = self.pos;
         let value = self.operand(power::BIT_OR);
         self.operand_start = first.then_some(operand);
+        self.grow();
         self.node(start, value, ExprKind::Starred)
     }
 
@@ -28,6 +29,7 @@ impl Parser<'_> {
             self.bump();
             let value = self.expression();
             self.walrus = true;
+            self.grow();
             let text = name.slice(self.text).into();
             return self.node(start, value, |value| ExprKind::NamedExpr {
                 name: text,
@@ -36,6 +38,7 @@ impl Parser<'_> {
             });
         }
         let expr = self.expression();
+        let start = start.min(expr.range.start);
         match self.kind() {
             Tok::Walrus => self.walrus_to_nothing(start, expr),
             Tok::Equal => self.assignment(start, expr),
