@@ -198,6 +198,7 @@ impl Parser<'_> {
             self.error(star, "`*` must stand before `**`", reference);
         }
         let value = self.expression();
+        self.grow();
         found.args.push(self.node(start, value, ExprKind::Starred));
     }
 

@@ -94,6 +94,7 @@ impl Parser<'_> {
         self.bump();
         let value = self.operand(power::BIT_OR);
         self.operand_start = None;
+        self.grow();
         self.node(start, value, ExprKind::Starred)
     }
 

@@ -162,6 +162,7 @@ impl Parser<'_> {
             }
         });
         self.height = self.height.max(inner.height);
+        self.grow();
         self.report.absorb(inner.report, "f-string: ");
         Ok(value)
     }

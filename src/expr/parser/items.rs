@@ -50,6 +50,7 @@ impl Parser<'_> {
     fn walrus_to_nothing(&mut self, start: u32, target: Expr) -> Expr {
         self.bump();
         let value = self.expression();
+        self.grow();
         let what = target.kind_name();
         let message = format!("`:=` needs a plain name on its left, not {}", with_article(what));
         self.error(target.range, message, &format!("cannot use assignment expressions with {what}"));
@@ -60,6 +61,7 @@ impl Parser<'_> {
     fn assignment(&mut self, start: u32, target: Expr) -> Expr {
         self.bump();
         let value = self.expression();
+        self.grow();
         let again = matches!(self.kind(), Tok::Equal | Tok::Walrus);
         let hole = matches!(value.kind, ExprKind::Missing);
         let reference = match &target.kind {
