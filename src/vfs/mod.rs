@@ -26,7 +26,7 @@ use std::sync::{Arc, PoisonError, RwLock};
 
 pub use environment::Environment;
 pub use error::{LoadError, LoadErrorKind};
-pub use glob::has_magic;
+pub use glob::{Wildcard, covers, has_magic};
 pub use output::write_atomically;
 
 use crate::base::{FastMap, FileId, TextRange};
