@@ -356,8 +356,8 @@ fn not_ascii(text: &str) -> Option<String> {
         [c] => {
             let code = *c as u32;
             let shown = match code {
-                ..=0xFF => format!("\\x{code:02x}"),
-                ..=0xFFFF => format!("\\u{code:04x}"),
+                0..=0xFF => format!("\\x{code:02x}"),
+                0x100..=0xFFFF => format!("\\u{code:04x}"),
                 _ => format!("\\U{code:08x}"),
             };
             format!("character '{shown}' in position {first}")

@@ -47,7 +47,9 @@ impl<'t> Reader<'t> {
     pub(super) fn new(text: &'t str) -> Result<Self, Failure> {
         for (index, (offset, c)) in text.char_indices().enumerate() {
             if !is_printable(c) {
-                return Err(Failure::Character { c, index, offset });
+                // Python counts a line end of two characters as one.
+                let pairs = text.get(..offset).unwrap_or("").matches("\r\n").count();
+                return Err(Failure::Character { c, index: index - pairs, offset });
             }
         }
         Ok(Self { text, mark: Mark::default() })

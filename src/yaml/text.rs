@@ -6,6 +6,11 @@ use super::scanner::Scanner;
 use super::token::{Directive, Token, TokenKind};
 use crate::base::TextRange;
 
+/// A character as messages show it: Python reads every line end as `\n`.
+fn shown(c: char) -> String {
+    repr(&if c == '\r' { '\n' } else { c }.to_string())
+}
+
 fn is_name(c: char) -> bool {
     c.is_ascii_alphanumeric() || matches!(c, '-' | '_')
 }
@@ -26,9 +31,7 @@ impl Scanner<'_> {
 
     /// "expected X, but found Y", Y being the character at the cursor.
     fn unexpected(&self, context: &str, began: Mark, expected: &str) -> Failure {
-        // Python reads every line end as `\n`.
-        let found = Some(self.reader.peek()).filter(|&c| c != '\r').unwrap_or('\n');
-        let problem = format!("expected {expected}, but found {}", repr(&found.to_string()));
+        let problem = format!("expected {expected}, but found {}", shown(self.reader.peek()));
         Failure::within(context, began, problem, self.reader.mark())
     }
 
@@ -126,7 +129,7 @@ impl Scanner<'_> {
             let digits = self.hex_digits(2).map_err(|found| {
                 let problem = format!(
                     "expected URI escape sequence of 2 hexadecimal numbers, but found {}",
-                    repr(&found)
+                    shown(found)
                 );
                 Failure::within(&context, start, problem, self.reader.mark())
             })?;
@@ -146,12 +149,12 @@ impl Scanner<'_> {
     }
 
     /// The value of `count` hexadecimal digits, which are taken, or the first character that is none.
-    fn hex_digits(&mut self, count: usize) -> Result<u32, String> {
+    fn hex_digits(&mut self, count: usize) -> Result<u32, char> {
         let digits = (0..count).map(|ahead| self.reader.peek_at(ahead));
         let value = digits
             .map(|c| c.to_digit(16).ok_or(c))
             .try_fold(0u64, |value, digit| digit.map(|digit| value * 16 + u64::from(digit)));
-        let value = value.map_err(|c| c.to_string())?;
+        let value = value?;
         for _ in 0..count {
             self.reader.advance();
         }
@@ -326,7 +329,7 @@ impl Scanner<'_> {
                 return Ok(());
             }
             _ => {
-                let problem = format!("found unknown escape character {}", repr(&c.to_string()));
+                let problem = format!("found unknown escape character {}", shown(c));
                 return Err(Failure::within(context, start, problem, self.reader.mark()));
             }
         };
@@ -335,7 +338,7 @@ impl Scanner<'_> {
         let code = self.hex_digits(length).map_err(|found| {
             let problem = format!(
                 "expected escape sequence of {length} hexadecimal numbers, but found {}",
-                repr(&found)
+                shown(found)
             );
             Failure::within(context, start, problem, at)
         })?;
