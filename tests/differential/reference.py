@@ -31,8 +31,12 @@ def environment(extra=None):
     return env
 
 
+def command(interpreter):
+    """The command `xacro` as a list of words."""
+    return [interpreter, '-c', 'import sys, xacro; sys.argv[0] = "xacro"; sys.exit(xacro.main())']
+
+
 def expand(interpreter, args, folder, extra=None):
     """Run the command `xacro ARGS` in `folder`: exit status, stdout, stderr as text."""
-    command = [interpreter, '-c', 'import sys, xacro; sys.argv[0] = "xacro"; sys.exit(xacro.main())']
-    done = subprocess.run(command + args, cwd=folder, env=environment(extra), capture_output=True)
+    done = subprocess.run(command(interpreter) + args, cwd=folder, env=environment(extra), capture_output=True)
     return done.returncode, done.stdout.decode('utf-8', 'replace'), done.stderr.decode('utf-8', 'replace')
