@@ -17,7 +17,7 @@ mod value;
 pub mod visit;
 
 pub use host::{ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId};
-pub use substitution::{Subst, SubstArg, SubstError, parse_substitution, resolve};
+pub use substitution::{Subst, SubstArg, SubstError, parse_substitution, resolve_substitution};
 pub use syntax::{ExprError, ExprErrorKind, NameUse, Parsed, is_identifier, is_python_space, names, parse};
 pub use template::{Code, Template, Token, split};
 pub use value::Value;
