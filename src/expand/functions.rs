@@ -160,6 +160,10 @@ impl ExprHost<'_, '_, '_> {
         self.machine.open_files.push(OpenFile { name: name.clone(), file: None, conditions: u32::MAX });
         let loaded = yaml::load(&file.text, &name);
         let value = match &loaded {
+            _ if file.encoding_error.is_some() => {
+                let message = file.encoding_error.as_ref().map(|(_, message)| message.as_str());
+                Err(EvalError::new(ErrorKind::Value, message.unwrap_or_default()).at(range))
+            }
             Ok(node) => file_value(node, &mut self.machine.budget),
             Err(error) => Err(EvalError::new(ErrorKind::Value, error.message.clone()).at(range)),
         };

@@ -134,7 +134,13 @@ impl Parser<'_> {
         }
         self.depth += 1;
         let outer = std::mem::take(&mut self.height);
-        let expr = f(self);
+        let mut expr = f(self);
+        if self.height >= MAX_DEPTH {
+            // Too high already: whatever comes on top stands on a hole.
+            self.give_up();
+            expr.kind = ExprKind::Missing;
+            self.height = 0;
+        }
         self.height = outer.max(self.height);
         self.depth -= 1;
         expr

@@ -100,7 +100,7 @@ pub fn parse_substitution(inner: &str) -> Subst {
 ///
 /// # Errors
 /// What `value` fails with, or what is wrong with the text.
-pub fn resolve<E: From<SubstError>>(
+pub fn resolve_substitution<E: From<SubstError>>(
     inner: &str,
     mut value: impl FnMut(&Subst) -> Result<EcoString, E>,
 ) -> Result<EcoString, E> {
@@ -277,7 +277,7 @@ mod tests {
     fn results_are_those_of_the_reference() {
         for line in include_str!("testdata/substitutions.txt").lines() {
             let (inner, want): (String, Vec<String>) = serde_json::from_str(line).unwrap();
-            let got = match resolve(&inner, value) {
+            let got = match resolve_substitution(&inner, value) {
                 Ok(text) => vec!["value".to_owned(), text.into()],
                 Err(error) => vec!["error".to_owned(), error.class.to_owned(), error.message],
             };

@@ -65,6 +65,12 @@ pub struct SourceFile {
     pub encoding_error: Option<(u32, String)>,
 }
 
+impl std::fmt::Debug for SourceFile {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("SourceFile").field("path", &self.path).field("hash", &self.hash).finish_non_exhaustive()
+    }
+}
+
 impl SourceFile {
     fn parse(file: &TextFile) -> Arc<Self> {
         Arc::new(Self {
