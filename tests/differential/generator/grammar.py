@@ -193,7 +193,6 @@ GRAMMAR = {
         exp({flt:11} / 100)
         expm1({flt:11} / 100)
         exp2({idx})
-        cbrt({num})
         erf({num})
         erfc({flt})
         gamma(1 + {idx:11})
