@@ -31,6 +31,7 @@ pub use output::write_atomically;
 
 use crate::base::{FastMap, FileId, TextRange};
 use crate::xml::Document;
+use crate::yaml::{self, Node, YamlError};
 use buffer::Buffer;
 use cache::Cache;
 use ids::Ids;
@@ -83,6 +84,27 @@ impl SourceFile {
     }
 }
 
+/// A YAML file, loaded.
+pub struct YamlFile {
+    /// The text.
+    pub file: Arc<TextFile>,
+    /// Its value, or the error Python would raise.
+    pub value: Result<Node, YamlError>,
+}
+
+impl YamlFile {
+    fn load(file: Arc<TextFile>, name: &str) -> Self {
+        let value = match &file.encoding_error {
+            Some((_, message)) => {
+                let range = TextRange::default();
+                Err(YamlError { message: message.clone(), range, short: message.clone() })
+            }
+            None => yaml::load(&file.text, name),
+        };
+        Self { file, value }
+    }
+}
+
 /// One name in a folder.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct DirEntry {
@@ -107,6 +129,7 @@ pub struct Vfs {
     revision: AtomicU64,
     texts: Cache<TextFile>,
     sources: Cache<SourceFile>,
+    yaml: Cache<YamlFile>,
 }
 
 impl Vfs {
@@ -126,6 +149,7 @@ impl Vfs {
             revision: AtomicU64::new(0),
             texts: Cache::default(),
             sources: Cache::default(),
+            yaml: Cache::default(),
         }
     }
 
@@ -225,6 +249,16 @@ impl Vfs {
                 self.sources.get(id, Stamp::Content(text.hash), || Ok(SourceFile::parse(&text)))
             }
         }
+    }
+
+    /// A YAML file, loaded; not again while its text stays the same. `name` is its name in messages.
+    ///
+    /// # Errors
+    /// Whatever keeps the file from being read. What is wrong with the YAML is in the value.
+    pub fn yaml(&self, path: &Path, name: &str) -> Result<Arc<YamlFile>, LoadError> {
+        let file = self.text(path)?;
+        let stamp = Stamp::Content(read::hash(&(file.hash, name)));
+        self.yaml.get(file.id, stamp, || Ok(Arc::new(YamlFile::load(file, name))))
     }
 
     /// Whether there is a file, folder or buffer at `path`.

@@ -119,6 +119,22 @@ fn documents_are_parsed_once() {
 }
 
 #[test]
+fn yaml_is_loaded_once() {
+    let tree = Tree::new();
+    tree.write("a.yaml", "a: [1");
+    let load = |name: &str| tree.vfs().yaml(&tree.path("a.yaml"), name).unwrap();
+    let broken = load("./a.yaml");
+    assert!(Arc::ptr_eq(&broken, &load("./a.yaml")));
+    assert!(broken.value.as_ref().unwrap_err().message.contains("in \"./a.yaml\", line 1"));
+    assert!(load("x/a.yaml").value.as_ref().unwrap_err().message.contains("in \"x/a.yaml\""));
+    tree.write("a.yaml", "a: [1]");
+    assert!(load("./a.yaml").value.is_ok());
+    std::fs::write(tree.path("a.yaml"), b"a: \xff").unwrap();
+    let message = "'utf-8' codec can't decode byte 0xff in position 3: invalid start byte";
+    assert_eq!(load("./a.yaml").value.as_ref().unwrap_err().message, message);
+}
+
+#[test]
 fn edits_of_buffers() {
     let tree = Tree::new();
     let vfs = tree.vfs();

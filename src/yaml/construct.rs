@@ -13,7 +13,7 @@ use super::{Kind, Node, Unit, numbers, timestamp};
 use crate::base::{FastMap, TextRange};
 
 /// Values made at most: aliases of aliases multiply quickly.
-const MAX_NODES: usize = 1_000_000;
+const MAX_NODES: usize = 500_000;
 /// Merge keys followed from one mapping to the next at most.
 const MAX_MERGES: u32 = 100;
 
