@@ -5,6 +5,7 @@ mod chars;
 mod chunks;
 mod decode;
 mod document;
+mod edit;
 mod entities;
 mod error;
 mod item;
@@ -21,5 +22,7 @@ pub use error::{SyntaxError, SyntaxErrorKind};
 pub use item::{CacheSlot, Item};
 pub use node::{Attr, Node, NodeId, NodeKind, Siblings};
 
+#[cfg(test)]
+mod edit_tests;
 #[cfg(test)]
 mod tests;

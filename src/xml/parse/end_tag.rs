@@ -92,6 +92,7 @@ impl Parser<'_> {
         }
         let name_end = self.pos;
         self.skip_space();
+        self.look(self.pos + 1);
         match self.peek() {
             Some(b'>') => {
                 self.pos += 1;

@@ -165,8 +165,13 @@ impl<'t> Parser<'t> {
 
     /// What expat says to the text at `start`, where it expects another kind of token.
     fn verdict_outside(&mut self, start: usize, unexpected: &'static str) -> Verdict {
-        match self.token(start).0 {
-            Token::Invalid(at) => (expat::INVALID, at),
+        let (token, end) = self.token(start);
+        self.look(end + 1);
+        match token {
+            Token::Invalid(at) => {
+                self.look(at + 1);
+                (expat::INVALID, at)
+            }
             Token::Unfinished => {
                 self.hit_end = true;
                 (expat::UNCLOSED_TOKEN, start)

@@ -96,7 +96,8 @@ impl Parser<'_> {
         let name = self.qname(start + 1);
         let message = format!("the tag `<{}` needs a `>` or `/>`", self.slice(start + 1, name.end));
         self.error(Kind::UnclosedTag, (start, name.end), verdict, message);
-        if self.keeps_content(start, name.end, next) { 0 } else { NO_CONTENT }
+        // Whatever follows the root is meant to be in it.
+        if self.in_header || self.keeps_content(start, name.end, next) { 0 } else { NO_CONTENT }
     }
 
     /// Read one attribute, or skip what is none. Gives whether it is sound.
