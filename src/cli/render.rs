@@ -80,7 +80,6 @@ pub fn render(report: &Report<'_>, color: bool) -> String {
     renderer.decor_style(DecorStyle::Ascii).render(&groups)
 }
 
-
 /// The lines of a mark, ready to be drawn.
 struct Piece {
     path: String,

@@ -146,7 +146,15 @@ impl Expander<'_> {
         self.push_text(&text, node, src, out, cx, siblings);
     }
 
-    fn push_text(&mut self, text: &str, node: Node<'_>, src: SrcId, out: XId, cx: Cx, siblings: &mut Siblings) {
+    fn push_text(
+        &mut self,
+        text: &str,
+        node: Node<'_>,
+        src: SrcId,
+        out: XId,
+        cx: Cx,
+        siblings: &mut Siblings,
+    ) {
         let origin = Origin { src, range: node.range(), frame: cx.frame };
         let value = self.eval_pieces(text, Place { origin, is_attr: false }, cx).0;
         if !strip(&value).is_empty() {

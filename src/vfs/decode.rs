@@ -89,7 +89,11 @@ mod tests {
             (vec![0xFE, 0xFF, 0, b'<', 0, b'a'], "<a", Some(0)),
             ("<?xml encoding='ISO-8859-1'?>é".into(), "<?xml encoding='ISO-8859-1'?>é", None),
             (b"<?xml encoding='ISO-8859-1'?>\xe9".to_vec(), "<?xml encoding='ISO-8859-1'?>é", Some(29)),
-            (b"<?xml encoding = \"windows-1252\" ?>\x80".to_vec(), "<?xml encoding = \"windows-1252\" ?>€", Some(34)),
+            (
+                b"<?xml encoding = \"windows-1252\" ?>\x80".to_vec(),
+                "<?xml encoding = \"windows-1252\" ?>€",
+                Some(34),
+            ),
             (b"<?xml encoding='utf-8'?>a\xe9b".to_vec(), "<?xml encoding='utf-8'?>a\u{FFFD}b", Some(25)),
             (b"<?xml encoding='utf-16'?><a/>".to_vec(), "<?xml encoding='utf-16'?><a/>", None),
             (b"<?xml encoding='klingon'?>".to_vec(), "<?xml encoding='klingon'?>", None),
