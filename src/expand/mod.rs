@@ -1,1 +1,35 @@
-//! (under construction)
+//! Expansion: what xacro does, exactly, with every result knowing where it came from.
+//!
+//! One in-order, depth-first pass turns parsed files into one [`XTree`]. The pass never stops at
+//! an error: what cannot be computed becomes an unknown value that flows on quietly, so one run
+//! reports every cause once.
+
+mod attributes;
+mod comments;
+mod control;
+mod element;
+mod functions;
+mod include;
+mod late;
+mod machine;
+mod macros;
+mod origin;
+mod params;
+mod problem;
+mod property;
+mod record;
+mod resolve;
+mod scope;
+mod substitution;
+mod text;
+mod tree;
+mod write;
+mod yaml_value;
+
+pub use machine::{Expansion, FileUse, Limits, Request, World, expand};
+pub use origin::{FileIdx, Frame, FrameId, FrameKind, Origin, Source, SrcId};
+pub use problem::{Place, Problem, Severity, Step};
+pub use record::{Read, Record};
+pub use resolve::{BindingInfo, BindingKind};
+pub use tree::{Piece, XAttr, XId, XKind, XNode, XTree};
+pub use write::{Written, banner, write};

@@ -1,1 +1,334 @@
-//! (under construction)
+//! Files: open buffers laid over the disk, file numbers, decoding, and caches of what was read.
+//!
+//! The only module of the library that touches the disk or the environment. Everything takes `&self`
+//! and may be called from any thread.
+
+// The file system is allowed here, and only here: this module is what the others use instead.
+#![allow(clippy::disallowed_methods)]
+
+mod buffer;
+mod cache;
+mod decode;
+mod environment;
+mod error;
+mod glob;
+mod ids;
+mod output;
+mod read;
+#[cfg(test)]
+pub(crate) mod testing;
+#[cfg(test)]
+mod tests;
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, PoisonError, RwLock};
+
+pub use environment::Environment;
+pub use error::{LoadError, LoadErrorKind};
+pub use glob::{Wildcard, covers, has_magic};
+pub use output::write_atomically;
+
+use crate::base::{FastMap, FileId, TextRange};
+use crate::xml::Document;
+use crate::yaml::{self, Node, YamlError};
+use buffer::Buffer;
+use cache::Cache;
+use ids::Ids;
+use read::{Identity, Stamp};
+
+/// Text of a file that is not XML.
+#[derive(Debug)]
+pub struct TextFile {
+    /// Its number.
+    pub id: FileId,
+    /// Its absolute path.
+    pub path: Arc<Path>,
+    /// The decoded text, without a byte order mark.
+    pub text: String,
+    /// Hash of the decoded text.
+    pub hash: u64,
+    /// Byte offset in the file and description of the first byte that is not valid in its encoding.
+    pub encoding_error: Option<(u32, String)>,
+}
+
+/// An XML file, parsed.
+pub struct SourceFile {
+    /// Its number.
+    pub id: FileId,
+    /// Its absolute path.
+    pub path: Arc<Path>,
+    /// The tree, which holds the text.
+    pub document: Document,
+    /// Equal hashes mean equal texts; in an edited buffer, equal texts may have different ones.
+    pub hash: u64,
+    /// Byte offset in the file and description of the first byte that is not valid in its encoding.
+    pub encoding_error: Option<(u32, String)>,
+}
+
+impl std::fmt::Debug for SourceFile {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("SourceFile")
+            .field("path", &self.path)
+            .field("hash", &self.hash)
+            .finish_non_exhaustive()
+    }
+}
+
+impl SourceFile {
+    fn parse(file: &TextFile) -> Arc<Self> {
+        Arc::new(Self {
+            id: file.id,
+            path: file.path.clone(),
+            document: Document::parse(&file.text),
+            hash: file.hash,
+            encoding_error: file.encoding_error.clone(),
+        })
+    }
+}
+
+/// A YAML file, loaded.
+pub struct YamlFile {
+    /// The text.
+    pub file: Arc<TextFile>,
+    /// Its value, or the error Python would raise.
+    pub value: Result<Node, YamlError>,
+}
+
+impl YamlFile {
+    fn load(file: Arc<TextFile>, name: &str) -> Self {
+        let value = match &file.encoding_error {
+            Some((_, message)) => {
+                let range = TextRange::default();
+                Err(YamlError { message: message.clone(), range, short: message.clone() })
+            }
+            None => yaml::load(&file.text, name),
+        };
+        Self { file, value }
+    }
+}
+
+/// One name in a folder.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct DirEntry {
+    /// The name, without folder.
+    pub name: String,
+    /// Whether it is a folder, or a link to one.
+    pub is_dir: bool,
+}
+
+/// Where the text of a file comes from.
+enum State {
+    Buffer(Arc<Buffer>),
+    Disk(Stamp),
+}
+
+/// Open buffers over the disk.
+pub struct Vfs {
+    max_file_bytes: AtomicU64,
+    cwd: PathBuf,
+    ids: Ids,
+    buffers: RwLock<FastMap<FileId, Arc<Buffer>>>,
+    revision: AtomicU64,
+    texts: Cache<TextFile>,
+    sources: Cache<SourceFile>,
+    yaml: Cache<YamlFile>,
+}
+
+impl Vfs {
+    /// A file system whose relative paths start at the working directory of the process. Files larger
+    /// than `max_file_bytes` are not read.
+    pub fn new(max_file_bytes: u64) -> Self {
+        Self::with_cwd(max_file_bytes, std::env::current_dir().unwrap_or_default())
+    }
+
+    /// The same with relative paths starting at `cwd`.
+    pub fn with_cwd(max_file_bytes: u64, cwd: PathBuf) -> Self {
+        Self {
+            max_file_bytes: AtomicU64::new(max_file_bytes),
+            cwd,
+            ids: Ids::default(),
+            buffers: RwLock::default(),
+            revision: AtomicU64::new(0),
+            texts: Cache::default(),
+            sources: Cache::default(),
+            yaml: Cache::default(),
+        }
+    }
+
+    /// Change the size limit, in bytes; it holds for files that are not in a cache yet.
+    pub fn set_max_file_bytes(&self, limit: u64) {
+        self.max_file_bytes.store(limit, Ordering::Relaxed);
+    }
+
+    /// The number of a file, which need not exist. The path is made absolute by its text alone:
+    /// `..` and links stay as they are, so two spellings of one file have two numbers.
+    pub fn file_id(&self, path: &Path) -> FileId {
+        self.ids.id(self.absolute(path))
+    }
+
+    /// The absolute path of a number given out by [`Vfs::file_id`].
+    pub fn path(&self, id: FileId) -> Arc<Path> {
+        self.ids.path(id)
+    }
+
+    /// `path` made absolute against the working directory, without `.` and doubled slashes.
+    pub fn absolute(&self, path: &Path) -> PathBuf {
+        self.cwd.join(path).components().collect()
+    }
+
+    /// `path` with links and `..` resolved; as given when it does not exist.
+    pub fn canonical(&self, path: &Path) -> PathBuf {
+        let path = self.absolute(path);
+        std::fs::canonicalize(&path).unwrap_or(path)
+    }
+
+    /// Lay `text` over the file (an editor opened or changed it), or uncover the disk (`None`).
+    pub fn set_buffer(&self, path: &Path, text: Option<String>) {
+        let id = self.file_id(path);
+        let mut buffers = self.buffers.write().unwrap_or_else(PoisonError::into_inner);
+        let Some(text) = text else {
+            buffers.remove(&id);
+            return;
+        };
+        let revision = self.next_revision();
+        let buffer = match buffers.get(&id) {
+            Some(buffer) => buffer.replaced(revision, text),
+            None => Buffer::with_text(id, self.path(id), revision, text),
+        };
+        buffers.insert(id, Arc::new(buffer));
+    }
+
+    /// Replace the bytes of `range` in an open buffer; nothing happens when there is none.
+    pub fn edit_buffer(&self, path: &Path, range: TextRange, replacement: &str) {
+        let id = self.file_id(path);
+        let mut buffers = self.buffers.write().unwrap_or_else(PoisonError::into_inner);
+        if let Some(buffer) = buffers.get_mut(&id) {
+            *buffer = Arc::new(buffer.edited(self.next_revision(), range, replacement));
+        }
+    }
+
+    /// The text of a file: from its buffer if open, else from the disk. Not read again while the file
+    /// stays as it is.
+    ///
+    /// # Errors
+    /// Whatever keeps the file from being read.
+    pub fn text(&self, path: &Path) -> Result<Arc<TextFile>, LoadError> {
+        let id = self.file_id(path);
+        let path = self.path(id);
+        match self.state(id, &path)? {
+            State::Buffer(buffer) if buffer.id == id => Ok(buffer.text()),
+            State::Buffer(buffer) => self.texts.get(id, Stamp::Buffer(buffer.revision), || {
+                let file = buffer.text();
+                let (text, hash) = (file.text.clone(), file.hash);
+                Ok(Arc::new(TextFile { id, path, text, hash, encoding_error: None }))
+            }),
+            State::Disk(stamp) => self.texts.get(id, stamp, || {
+                let limit = self.max_file_bytes.load(Ordering::Relaxed);
+                let decode::Decoded { text, error } = decode::decode(read::bytes(&path, limit)?);
+                let hash = read::hash(&text);
+                Ok(Arc::new(TextFile { id, path, text, hash, encoding_error: error }))
+            }),
+        }
+    }
+
+    /// An XML file, parsed; not again while its text stays the same. Of a buffer that was edited, only
+    /// what the edit touched is parsed.
+    ///
+    /// # Errors
+    /// Whatever keeps the file from being read. What is wrong with the XML stands in the document.
+    pub fn document(&self, path: &Path) -> Result<Arc<SourceFile>, LoadError> {
+        let id = self.file_id(path);
+        let path = self.path(id);
+        match self.state(id, &path)? {
+            State::Buffer(buffer) if buffer.id == id => Ok(buffer.source()),
+            State::Buffer(buffer) => self.sources.get(id, Stamp::Buffer(buffer.revision), || {
+                let source = buffer.source();
+                let (document, hash) = (source.document.clone(), source.hash);
+                Ok(Arc::new(SourceFile { id, path, document, hash, encoding_error: None }))
+            }),
+            State::Disk(_) => {
+                let text = self.text(&path)?;
+                self.sources.get(id, Stamp::Content(text.hash), || Ok(SourceFile::parse(&text)))
+            }
+        }
+    }
+
+    /// A YAML file, loaded; not again while its text stays the same. `name` is its name in messages.
+    ///
+    /// # Errors
+    /// Whatever keeps the file from being read. What is wrong with the YAML is in the value.
+    pub fn yaml(&self, path: &Path, name: &str) -> Result<Arc<YamlFile>, LoadError> {
+        let file = self.text(path)?;
+        let stamp = Stamp::Content(read::hash(&(file.hash, name)));
+        self.yaml.get(file.id, stamp, || Ok(Arc::new(YamlFile::load(file, name))))
+    }
+
+    /// Whether there is a file, folder or buffer at `path`.
+    pub fn exists(&self, path: &Path) -> bool {
+        self.has_buffer(path) || self.absolute(path).exists()
+    }
+
+    /// Whether there is a file (of any kind but a folder) or a buffer at `path`.
+    pub fn is_file(&self, path: &Path) -> bool {
+        self.has_buffer(path) || std::fs::metadata(self.absolute(path)).is_ok_and(|found| !found.is_dir())
+    }
+
+    /// Whether there is a folder at `path`.
+    pub fn is_dir(&self, path: &Path) -> bool {
+        self.absolute(path).is_dir()
+    }
+
+    /// What tells a file or folder from every other one, whatever path led to it; `None` when it does
+    /// not exist.
+    pub fn identity(&self, path: &Path) -> Option<u128> {
+        let path = self.absolute(path);
+        let stat = read::stat(&path).ok()?;
+        Some(stat.identity.map_or_else(|| u128::from(read::hash(&self.canonical(&path))), Identity::number))
+    }
+
+    /// The names in a folder, sorted; none when it cannot be read. Names that are not UTF-8 are left
+    /// out: no description can name them.
+    pub fn list_dir(&self, path: &Path) -> Vec<DirEntry> {
+        let Ok(entries) = std::fs::read_dir(self.absolute(path)) else { return Vec::new() };
+        let mut names: Vec<DirEntry> = entries
+            .flatten()
+            .filter_map(|entry| {
+                let kind = entry.file_type().ok()?;
+                let is_dir = kind.is_dir() || kind.is_symlink() && entry.path().is_dir();
+                Some(DirEntry { name: entry.file_name().into_string().ok()?, is_dir })
+            })
+            .collect();
+        names.sort();
+        names
+    }
+
+    /// The paths a pattern matches, sorted: what `sorted(glob.glob(pattern))` of Python 3.11 gives with
+    /// `base` as working directory. The paths are spelled as the pattern spells its folders.
+    pub fn glob(&self, pattern: &str, base: &Path) -> Vec<PathBuf> {
+        glob::glob(self, pattern, &self.absolute(base))
+    }
+
+    fn has_buffer(&self, path: &Path) -> bool {
+        let buffers = self.buffers.read().unwrap_or_else(PoisonError::into_inner);
+        !buffers.is_empty() && buffers.contains_key(&self.file_id(path))
+    }
+
+    fn next_revision(&self) -> u64 {
+        self.revision.fetch_add(1, Ordering::Relaxed) + 1
+    }
+
+    /// Where the text of `path` is now.
+    fn state(&self, id: FileId, path: &Path) -> Result<State, LoadError> {
+        let buffers = self.buffers.read().unwrap_or_else(PoisonError::into_inner);
+        if let Some(buffer) = buffers.get(&id) {
+            return Ok(State::Buffer(buffer.clone()));
+        }
+        let stat = read::stat(path)?;
+        let is_same = |buffer: &&Arc<Buffer>| stat.identity.is_some() && buffer.identity == stat.identity;
+        Ok(match buffers.values().find(is_same) {
+            Some(buffer) => State::Buffer(buffer.clone()),
+            None => State::Disk(stat.stamp),
+        })
+    }
+}

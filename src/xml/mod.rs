@@ -1,1 +1,28 @@
-//! (under construction)
+//! XML as editors see it: a lossless parser that survives half-typed text, redoes only what an edit
+//! touched, and knows exactly what expat, the parser of the reference, would say.
+
+mod chars;
+mod chunks;
+mod decode;
+mod document;
+mod edit;
+mod entities;
+mod error;
+mod item;
+mod name_table;
+mod node;
+mod parse;
+mod positions;
+mod verdict;
+
+pub use decode::source_offset;
+pub use document::{Document, Part, Place};
+pub use entities::Entities;
+pub use error::{SyntaxError, SyntaxErrorKind};
+pub use item::{CacheSlot, Item};
+pub use node::{Attr, Node, NodeId, NodeKind, Siblings};
+
+#[cfg(test)]
+mod edit_tests;
+#[cfg(test)]
+mod tests;

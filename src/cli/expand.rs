@@ -1,0 +1,201 @@
+//! `xacro-lint expand`: a drop-in for `xacro`.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use annotate_snippets::Level;
+
+use super::io::Io;
+use super::options::{self, ExpandOptions, UsageError};
+use super::render::{Mark, Report, ShownFile, render, shown_path, visible};
+use crate::expand::{Expansion, Limits, Place, Problem, Request, Severity, World, expand, write};
+use crate::vfs::{Environment, LoadError, Vfs};
+use crate::workspace::{PackageOptions, Packages};
+
+const USAGE: &str = "usage: xacro-lint expand [options] <input> [name:=value ...]";
+const HELP: &str = "\
+Expand a xacro file, exactly as xacro does, and print the result.
+
+options:
+  -o FILE              write output to FILE instead of stdout
+  --deps               print the files that were included or loaded
+  --root-dir DIR       folder that relative names are relative to
+  --package-path DIR   look for packages there first (may be given again)
+  --source-map FILE    write which source text made which line of the output (JSON)
+  -q                   quiet: no places behind warnings
+  -v, --verbosity N    accepted for compatibility
+  -i, --inorder        accepted for compatibility
+  -h, --help           this text
+
+`-` as input reads standard input. Exit status: 0, or 2 when something is wrong.
+";
+
+/// Run `expand`; the exit code is xacro's.
+pub fn run(args: &[String], env: &Environment, io: &mut Io<'_>) -> u8 {
+    let options = match options::parse(args) {
+        Ok(options) => options,
+        Err(UsageError::Help) => {
+            io.out(&format!("{USAGE}\n\n{HELP}"));
+            return 0;
+        }
+        Err(UsageError::Usage(message)) => {
+            io.line(&format!("{USAGE}\n\nxacro-lint: error: {message}"));
+            return 2;
+        }
+        Err(UsageError::Mapping(message)) => {
+            io.line(&format!("RuntimeError: {message}"));
+            return 1;
+        }
+    };
+    if options.in_order {
+        io.line("xacro: in-order processing became default in ROS Melodic. You can drop the option.");
+    }
+    run_with(&options, env, io)
+}
+
+fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
+    let limits = Limits::default();
+    let vfs = Arc::new(Vfs::new(20 << 20));
+    let file = match read_stdin(options, env, &vfs, io) {
+        Ok(file) => file,
+        Err(message) => {
+            io.line(&format!("error: {message}"));
+            return 2;
+        }
+    };
+    let packages = Packages::new(vfs.clone(), env, package_options(&options.package_path, env, true));
+    let request = Request {
+        file,
+        args: options.args.clone(),
+        root_dir: options.root_dir.clone(),
+        limits,
+        ..Request::default()
+    };
+    let expansion = expand(World { vfs: &vfs, packages: &packages, env }, &request);
+    for line in &expansion.messages {
+        io.line(&visible(line));
+    }
+    if let Some(error) = &expansion.root_error {
+        io.line(&format!("error: {}", unreadable(error, &request)));
+        return 2;
+    }
+    report(&expansion, options, env, io);
+    if expansion.has_errors() {
+        let xml = expansion.problems.iter().any(|p| p.code.starts_with("XML"));
+        // above verbosity 1 the reference ends in a stack trace
+        return if options.verbosity > 1 && !xml { 1 } else { 2 };
+    }
+    let text = if options.deps { deps(&expansion) } else { write(&expansion.tree, &request.file).text };
+    deliver(&text, options, env, io)
+}
+
+/// Put standard input in the place of a file; the name to expand.
+fn read_stdin(
+    options: &ExpandOptions,
+    env: &Environment,
+    vfs: &Vfs,
+    io: &mut Io<'_>,
+) -> Result<String, String> {
+    const NAME: &str = "<stdin>";
+    if options.input != "-" {
+        return Ok(options.input.clone());
+    }
+    let mut bytes = Vec::new();
+    let most = 20 << 20;
+    let read = std::io::Read::read_to_end(&mut std::io::Read::take(&mut *io.stdin, most), &mut bytes);
+    read.map_err(|error| format!("standard input cannot be read: {error}"))?;
+    let root = options.root_dir.as_deref().unwrap_or("");
+    vfs.set_buffer(&env.cwd.join(root).join(NAME), Some(String::from_utf8_lossy(&bytes).into_owned()));
+    Ok(NAME.to_owned())
+}
+
+/// How packages are looked up by a command.
+pub fn package_options(explicit: &[String], env: &Environment, environment_first: bool) -> PackageOptions {
+    PackageOptions {
+        explicit: explicit.iter().map(|dir| env.cwd.join(dir)).collect(),
+        environment_first,
+        ..PackageOptions::default()
+    }
+}
+
+fn unreadable(error: &LoadError, request: &Request) -> String {
+    let root = request.root_dir.as_deref().unwrap_or(".");
+    let name =
+        if request.file.starts_with('/') { request.file.clone() } else { format!("{root}/{}", request.file) };
+    let LoadError { strerror, errno, .. } = error;
+    visible(&format!("{strerror}: {name} [Errno {errno}] {strerror}: '{name}'"))
+}
+
+/// Print the problems of an expansion under the headlines of the reference.
+fn report(expansion: &Expansion, options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) {
+    let files: Vec<ShownFile<'_>> = expansion
+        .files
+        .iter()
+        .map(|f| ShownFile { source: &f.source, path: shown_path(&f.source.path, &env.cwd) })
+        .collect();
+    let mut errors = 0;
+    for problem in &expansion.problems {
+        if problem.reference.is_empty() && problem.severity == Severity::Warning {
+            continue;
+        }
+        errors += usize::from(problem.severity == Severity::Error);
+        if options.verbosity < 1 && problem.severity == Severity::Warning {
+            io.line(&visible(&format!("warning: {}", problem.reference)));
+            continue;
+        }
+        if let Some(report) = as_report(problem, &files) {
+            io.line(&render(&report, io.color));
+            io.line("");
+        }
+    }
+    if errors > 1 {
+        io.line(&format!("error: {errors} errors, nothing was written"));
+    }
+}
+
+fn as_report<'a>(problem: &Problem, files: &'a [ShownFile<'a>]) -> Option<Report<'a>> {
+    let mark = |place: Place, label: String| {
+        Some(Mark { file: files.get(place.file.0 as usize)?, range: place.range, label })
+    };
+    let level = match problem.severity {
+        Severity::Error => Level::ERROR,
+        Severity::Warning => Level::WARNING,
+    };
+    // the first line is what people search for; the others repeat what the snippet shows
+    let title = problem.reference.lines().next().unwrap_or(&problem.message);
+    let trace = problem.trace.iter().chain(&problem.more_calls);
+    Some(Report {
+        level,
+        id: None,
+        title: title.trim_end().to_owned(),
+        primary: mark(problem.place, problem.message.clone())?,
+        trace: trace.filter_map(|step| mark(step.place, step.message.clone())).collect(),
+        help: problem.help.clone(),
+    })
+}
+
+/// What `--deps` prints: each name once, blanks between, no line feed.
+fn deps(expansion: &Expansion) -> String {
+    let mut names: Vec<&str> = Vec::new();
+    for name in &expansion.includes {
+        if !names.contains(&name.as_str()) {
+            names.push(name);
+        }
+    }
+    names.join(" ")
+}
+
+fn deliver(text: &str, options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
+    let Some(output) = &options.output else {
+        io.out(text);
+        return 0;
+    };
+    let path: PathBuf = env.cwd.join(output);
+    match crate::vfs::write_atomically(&path, text.as_bytes()) {
+        Ok(()) => 0,
+        Err(error) => {
+            io.line(&visible(&format!("error: Failed to open output: {error}: '{output}'")));
+            2
+        }
+    }
+}

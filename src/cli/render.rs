@@ -1,0 +1,135 @@
+//! Problems as people read them on a terminal: the rustc layout, through annotate-snippets.
+
+use std::path::Path;
+
+use annotate_snippets::renderer::DecorStyle;
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
+
+use crate::base::{Encoding, TextRange};
+use crate::vfs::SourceFile;
+
+/// A file as it is shown: its text, and its path relative to where the user is.
+pub struct ShownFile<'a> {
+    /// The file.
+    pub source: &'a SourceFile,
+    /// Its path for people.
+    pub path: String,
+}
+
+/// A place with words.
+pub struct Mark<'a> {
+    /// The file.
+    pub file: &'a ShownFile<'a>,
+    /// Absolute byte range.
+    pub range: TextRange,
+    /// What to say there.
+    pub label: String,
+}
+
+/// Everything to be said about one problem.
+pub struct Report<'a> {
+    /// Error, warning or info.
+    pub level: Level<'static>,
+    /// Shown in brackets behind the level.
+    pub id: Option<String>,
+    /// The headline.
+    pub title: String,
+    /// The wrong text.
+    pub primary: Mark<'a>,
+    /// The way that led there, innermost first.
+    pub trace: Vec<Mark<'a>>,
+    /// What to do.
+    pub help: Option<String>,
+}
+
+/// Longest line that is still drawn: nobody reads a line of a megabyte.
+const MOST_LINE: usize = 20_000;
+/// Steps of a trace that are drawn.
+const MOST_STEPS: usize = 8;
+
+/// A path relative to `cwd` when it lies below, with `/` between its parts.
+pub fn shown_path(path: &Path, cwd: &Path) -> String {
+    let path = path.strip_prefix(cwd).unwrap_or(path);
+    path.to_string_lossy().replace('\\', "/")
+}
+
+/// Draw a report.
+pub fn render(report: &Report<'_>, color: bool) -> String {
+    let title = visible(&report.title);
+    let primary = Piece::cut(&report.primary);
+    let trace: Vec<Piece> = report.trace.iter().take(MOST_STEPS).map(Piece::cut).collect();
+    let mut head = report.level.clone().primary_title(title.as_str());
+    if let Some(id) = &report.id {
+        head = head.id(id.as_str());
+    }
+    let mut group = primary.draw(Group::with_title(head), AnnotationKind::Primary);
+    for piece in &trace {
+        group = piece.draw(group, AnnotationKind::Context);
+    }
+    let left = report.trace.len().saturating_sub(MOST_STEPS);
+    let more = format!("{left} more steps led there");
+    if left > 0 {
+        group = group.element(Level::NOTE.message(more.as_str()));
+    }
+    let help = report.help.as_deref().map(visible);
+    if let Some(help) = &help {
+        group = group.element(Level::HELP.message(help.as_str()));
+    }
+    let renderer = if color { Renderer::styled() } else { Renderer::plain() };
+    let groups: [Group<'_>; 1] = [group];
+    renderer.decor_style(DecorStyle::Ascii).render(&groups)
+}
+
+/// The lines of a mark, ready to be drawn.
+struct Piece {
+    path: String,
+    line: usize,
+    text: String,
+    span: std::ops::Range<usize>,
+    label: String,
+}
+
+impl Piece {
+    fn cut(mark: &Mark<'_>) -> Self {
+        let document = &mark.file.source.document;
+        let start = document.line_col(mark.range.start, Encoding::Utf8);
+        let end = document.line_col(mark.range.end, Encoding::Utf8);
+        let first = document.line_text(start.line);
+        let col = start.col as usize;
+        // of a range over several lines, the first says enough
+        let to = if end.line == start.line { end.col as usize } else { first.len() };
+        Self {
+            path: visible(&mark.file.path),
+            line: start.line as usize + 1,
+            span: col..to.clamp(col, first.len().max(col)),
+            text: first,
+            label: visible(&mark.label),
+        }
+    }
+
+    fn draw<'g>(&'g self, group: Group<'g>, kind: AnnotationKind) -> Group<'g> {
+        let label = (!self.label.is_empty()).then_some(self.label.as_str());
+        if self.text.len() > MOST_LINE {
+            let origin = Origin::path(self.path.as_str()).line(self.line).char_column(self.span.start + 1);
+            let group = group.element(origin);
+            return group.elements(label.map(|label| Level::NOTE.message(label)));
+        }
+        let snippet = Snippet::source(self.text.as_str()).line_start(self.line).path(self.path.as_str());
+        group.element(snippet.annotation(kind.span(self.span.clone()).label(label)))
+    }
+}
+
+/// Control characters made visible: text of a file must not steer the terminal.
+pub fn visible(text: &str) -> String {
+    let hidden = |c: char| c.is_control() && c != '\n' && c != '\t';
+    if !text.contains(hidden) {
+        return text.to_owned();
+    }
+    text.chars()
+        .map(|c| match c {
+            c if !hidden(c) => c,
+            c if (c as u32) < 0x20 => char::from_u32(0x2400 + c as u32).unwrap_or('\u{fffd}'),
+            _ => '\u{fffd}',
+        })
+        .collect()
+}

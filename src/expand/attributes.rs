@@ -1,0 +1,87 @@
+//! The attributes of xacro's own tags.
+
+use std::borrow::Cow;
+
+use super::element::Tag;
+use super::machine::{Cx, Expander};
+use super::origin::Origin;
+use super::scope::Place;
+use crate::base::TextRange;
+use crate::expr::{Value, display, literal};
+use crate::workspace::nearest;
+
+impl Expander<'_> {
+    /// An attribute as it is written (entities decoded), and where.
+    pub fn attr<'a>(&self, tag: Tag<'a>, name: &str, cx: Cx) -> Option<(Cow<'a, str>, Place)> {
+        let attr = tag.attr(name)?;
+        let origin = Origin { src: tag.src, range: attr.value_range(), frame: cx.frame };
+        Some((attr.value(self.entities(tag.src)), Place { origin, is_attr: true }))
+    }
+
+    /// An attribute that must be there.
+    pub fn required_attr<'a>(&mut self, tag: Tag<'a>, name: &str, cx: Cx) -> Option<(Cow<'a, str>, Place)> {
+        let found = self.attr(tag, name, cx);
+        if found.is_none() {
+            let message = format!("`{}` needs the attribute `{name}`", tag.name);
+            let reference = format!("{}: missing attribute '{name}'", tag.name);
+            self.error("XAC032", self.tag_origin(tag, cx), message, reference);
+        }
+        found
+    }
+
+    /// Warn about attributes that mean nothing on this tag.
+    pub fn check_attrs(&mut self, tag: Tag<'_>, allowed: &[&str], cx: Cx) {
+        let unknown =
+            |name: &str| !allowed.contains(&name) && !name.starts_with("xmlns:") && name != "xmlns:xacro";
+        let extra: Vec<_> = tag.attrs().filter(|a| unknown(a.name())).collect();
+        let names: Vec<&str> = extra.iter().map(|a| a.name()).collect();
+        for (i, attr) in extra.iter().enumerate() {
+            let at = Origin { src: tag.src, range: attr.name_range(), frame: cx.frame };
+            let message = format!("attribute `{}` means nothing on `{}`", attr.name(), tag.name);
+            let mut problem = self.problem("XAC031", at, message).warning();
+            if i == 0 {
+                let list = names.join(", ");
+                problem = problem.says(format!("{}: unknown attribute(s): {list}", tag.name));
+            }
+            if let Some(near) = nearest(attr.name(), allowed.iter().copied()) {
+                problem = problem.help(format!("rename it to `{near}`")).replace_with(near);
+            }
+            self.push(problem);
+        }
+    }
+
+    /// The truth of an evaluated attribute: `raw` is its text, for the message. `None` when it is unknown.
+    pub fn truth(&mut self, value: &Value, raw: &str, at: Origin) -> Option<bool> {
+        if matches!(value, Value::Unknown) {
+            return None;
+        }
+        let truth = literal::boolean(value);
+        if truth.is_none() {
+            let shown = display::to_str(value)?;
+            let message = if raw == shown {
+                format!("condition `{raw}` is neither true nor false")
+            } else {
+                format!("condition `{raw}` is `{shown}`, which is neither true nor false")
+            };
+            let reference = format!(
+                "Xacro conditional \"{raw}\" evaluated to \"{shown}\", which is not a boolean expression."
+            );
+            let problem = self
+                .problem("XAC027", at, message)
+                .says(reference)
+                .help("write `true`, `false`, an integer, or an expression such as `${x > 0}`");
+            self.push(problem);
+        }
+        truth
+    }
+
+    /// The start of a tag: from `<` to the end of its name.
+    pub fn tag_origin(&self, tag: Tag<'_>, cx: Cx) -> Origin {
+        let name = tag.node.name_range();
+        Origin {
+            src: tag.src,
+            range: TextRange::new(name.start.saturating_sub(1), name.end),
+            frame: cx.frame,
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! `xacro:if`, `xacro:unless`, `xacro:arg` and `xacro:insert_block`.
+
+use ecow::EcoString;
+
+use super::element::Tag;
+use super::late::NameKind;
+use super::machine::{Cx, Expander};
+use super::origin::{FrameKind, Origin};
+use super::resolve::{BindingInfo, BindingKind};
+use super::scope::{Block, Place, State};
+use super::tree::{XAttr, XId, XKind};
+use crate::expr::display;
+
+impl Expander<'_> {
+    /// `xacro:if` (`wanted` true) and `xacro:unless`.
+    pub fn conditional(&mut self, tag: Tag<'_>, wanted: bool, has_next: bool, out: XId, cx: Cx) {
+        self.drop_comments(out, has_next);
+        let Some((text, place)) = self.required_attr(tag, "value", cx) else {
+            return self.unknown_branch(tag, cx);
+        };
+        self.check_attrs(tag, &["value"], cx);
+        let value = self.eval_text(&text, place, cx.scope);
+        match self.truth(&value, &text, place.origin) {
+            None => self.unknown_branch(tag, cx),
+            Some(truth) if truth == wanted => {
+                let content = self.container(self.tag_origin(tag, cx));
+                // the reference evaluates the condition once more; seen only when that changes something
+                if text.contains('$') && text.contains('(') {
+                    self.eval_attributes(tag, content, cx);
+                }
+                self.conditions += 1;
+                self.eval_children(tag.node, tag.src, content, cx);
+                self.conditions -= 1;
+                self.splice(content, out);
+            }
+            Some(_) => {}
+        }
+    }
+
+    /// A branch that may or may not be taken: what it defines is not missed later, what it holds is not kept.
+    fn unknown_branch(&mut self, tag: Tag<'_>, cx: Cx) {
+        self.unknown_conditions += 1;
+        self.conditions += 1;
+        self.skip_unknown(tag, cx);
+        self.conditions -= 1;
+        self.unknown_conditions -= 1;
+    }
+
+    /// `xacro:arg`
+    pub fn arg(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
+        let name = self.required_attr(tag, "name", cx);
+        let default = self.required_attr(tag, "default", cx);
+        self.check_attrs(tag, &["name", "default"], cx);
+        if let Some((name, place)) = name {
+            let name = EcoString::from(name.as_ref());
+            self.defined(NameKind::Arg, &name, place.origin);
+            if !self.args.contains_key(&name) {
+                let mark = self.reads.len();
+                let value = default.as_ref().and_then(|(text, place)| {
+                    let value = self.eval_text(text, *place, cx.scope);
+                    display::to_str(&value)
+                });
+                let reads = self.reads.drain(mark..).collect();
+                let origin = default.map_or(place.origin, |(_, place)| place.origin);
+                let info =
+                    BindingInfo { reads, ..BindingInfo::new(name.clone(), BindingKind::Argument, origin) };
+                let info = self.add_binding(info);
+                self.result.record.add(super::Read::Arg(name.to_string(), None));
+                self.args.insert(name, (value, info));
+            }
+        }
+        self.drop_comments(out, has_next);
+    }
+
+    /// `xacro:insert_block`
+    pub fn insert_block(&mut self, tag: Tag<'_>, out: XId, cx: Cx) {
+        let Some((name, place)) = self.required_attr(tag, "name", cx) else { return };
+        self.check_attrs(tag, &["name"], cx);
+        let found = ["**", "*"].into_iter().find_map(|stars| {
+            let key = format!("{stars}{name}");
+            let (_, binding) = self.scopes.find(cx.scope, &key)?;
+            let State::Block(block) = binding.state else { return None };
+            let origin = self.result.bindings.get(binding.info as usize).and_then(|info| info.origin);
+            Some((block, stars == "**", origin))
+        });
+        let Some((block, content_only, definition)) = found else {
+            return self.undefined_block(&name, place, cx);
+        };
+        let at = self.tag_origin(tag, cx);
+        if self.block_depth >= Self::MAX_BLOCK_DEPTH {
+            let message = format!("block `{name}` inserts itself");
+            return self.stop(at, message, None);
+        }
+        self.block_depth += 1;
+        let frame = self.push_frame(FrameKind::Block, name.as_ref().into(), at, definition);
+        let cx = Cx { frame, ..cx };
+        match block {
+            Block::Source(at) => {
+                if let Some(item) = self.item(at.src) {
+                    let node = item.node(at.node);
+                    let content = self.container(Origin { src: at.src, range: node.range(), frame });
+                    let tag = Tag { node, src: at.src, name: node.name(), used: None };
+                    self.eval_attributes(tag, content, cx);
+                    self.eval_children(node, at.src, content, cx);
+                    self.splice(content, out);
+                }
+            }
+            Block::Built(block) if content_only => {
+                let content = self.container(at);
+                self.rebuild_attrs(block, content, cx);
+                self.rebuild_children(block, content, cx);
+                self.splice(content, out);
+            }
+            Block::Built(block) => self.rebuild(block, out, cx),
+        }
+        self.block_depth -= 1;
+    }
+
+    fn undefined_block(&mut self, name: &str, place: Place, cx: Cx) {
+        if self.include_missing {
+            self.result.complete = false;
+            return;
+        }
+        let mut problem = self
+            .problem("XAC004", place.origin, format!("block `{name}` is not defined"))
+            .says(format!("Undefined block \"{name}\""));
+        if self.scopes.find(cx.scope, name).is_some() {
+            problem =
+                problem.help(format!("`{name}` is a value; a block parameter is declared as `*{name}`"));
+        } else {
+            problem = problem.help(format!(
+                "declare it as `*{name}` in the macro's params, or as a property without value"
+            ));
+        }
+        self.push(problem);
+    }
+
+    /// Copy an evaluated node to the end of `out`, evaluating its texts once more: the reference
+    /// inserts a copy of the block and evaluates that again.
+    fn rebuild(&mut self, from: XId, out: XId, cx: Cx) {
+        let node = self.result.tree.get(from);
+        let (kind, origin, text) = (node.kind, node.origin, node.text.clone());
+        if self.tick(origin) {
+            return;
+        }
+        let text = match kind {
+            XKind::Text => self.eval_pieces(&text, Place { origin, is_attr: false }, cx).0,
+            _ => text,
+        };
+        let id = self.result.tree.add(kind, text, origin);
+        self.result.tree.append(out, id);
+        if kind == XKind::Element {
+            self.rebuild_attrs(from, id, cx);
+            self.rebuild_children(from, id, cx);
+        }
+    }
+
+    fn rebuild_children(&mut self, from: XId, out: XId, cx: Cx) {
+        let mut next = self.result.tree.first_child(from);
+        while let Some(child) = next {
+            self.rebuild(child, out, cx);
+            next = self.result.tree.next_sibling(child);
+        }
+    }
+
+    fn rebuild_attrs(&mut self, from: XId, to: XId, cx: Cx) {
+        let attrs = self.result.tree.get(from).attrs.clone();
+        let rebuilt = attrs.into_iter().filter(|a| !a.name.starts_with("xacro:")).map(|attr| {
+            if !attr.value.contains('$') {
+                return attr;
+            }
+            let place = Place { origin: attr.origin, is_attr: true };
+            let (value, pieces) = self.eval_pieces(&attr.value, place, cx);
+            XAttr { value, pieces, ..attr }
+        });
+        let rebuilt = rebuilt.collect();
+        self.result.tree.get_mut(to).attrs = rebuilt;
+    }
+}

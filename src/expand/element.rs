@@ -1,0 +1,343 @@
+//! The pass over the document: which tag does what.
+
+use std::borrow::Cow;
+use std::sync::{Arc, OnceLock};
+
+use ecow::EcoString;
+
+use super::machine::{Cx, Expander};
+use super::origin::{FileIdx, Origin, SrcId};
+use super::params::strip;
+use super::scope::Place;
+use super::tree::{XAttr, XId, XKind};
+use crate::base::TextRange;
+use crate::expr::{Value, display};
+use crate::xml::{Attr, Entities, Item, Node, NodeKind};
+
+/// An element of the source as the pass sees it: `xacro:element` and `xacro:call` go on under another name.
+#[derive(Clone, Copy)]
+pub(super) struct Tag<'a> {
+    pub node: Node<'a>,
+    pub src: SrcId,
+    pub name: &'a str,
+    /// An attribute that was used up by the renaming.
+    pub used: Option<&'a str>,
+}
+
+impl<'a> Tag<'a> {
+    pub fn attrs(&self) -> impl Iterator<Item = Attr<'a>> + use<'a> {
+        let used = self.used;
+        self.node.attrs().filter(move |a| Some(a.name()) != used)
+    }
+
+    pub fn attr(&self, name: &str) -> Option<Attr<'a>> {
+        self.attrs().find(|a| a.name() == name)
+    }
+}
+
+/// What is remembered from sibling to sibling.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Siblings {
+    /// After `xacro:eval-comments`.
+    pub eval_comments: bool,
+}
+
+impl Expander<'_> {
+    /// The whole root document.
+    pub fn eval_document(&mut self, file: FileIdx, cx: Cx) {
+        let Some(used) = self.result.files.get(file.0 as usize) else { return };
+        let document = used.source.document.clone();
+        let header = used.first_source;
+        let footer = SrcId(header.0 + 1 + document.item_count() as u32);
+        for node in document.header().nodes() {
+            if Some(node.id()) == document.root().map(|r| r.id()) {
+                self.eval_root(node, header, file, cx);
+            } else {
+                self.copy_verbatim(node, header, XId::DOCUMENT, cx);
+            }
+        }
+        for node in document.epilog() {
+            self.copy_verbatim(node, footer, XId::DOCUMENT, cx);
+        }
+    }
+
+    fn eval_root(&mut self, node: Node<'_>, src: SrcId, file: FileIdx, cx: Cx) {
+        let origin = Origin { src, range: node.start_tag_range(), frame: cx.frame };
+        let root = self.result.tree.add(XKind::Element, node.name().into(), origin);
+        self.result.tree.append(XId::DOCUMENT, root);
+        let tag = Tag { node, src, name: node.name(), used: None };
+        self.eval_attributes(tag, root, cx);
+        let namespace = self.attr(tag, "xacro:targetNamespace", cx).filter(|(value, _)| !value.is_empty());
+        if let Some((text, place)) = namespace {
+            let (value, pieces) = self.eval_pieces(&text, place, cx);
+            self.result
+                .tree
+                .set_attr(root, XAttr { name: "xmlns".into(), value, origin: place.origin, pieces });
+        }
+        self.eval_root_content(file, root, cx);
+    }
+
+    /// The children of a file's root element, item by item.
+    pub fn eval_root_content(&mut self, file: FileIdx, out: XId, cx: Cx) {
+        let Some(used) = self.result.files.get(file.0 as usize) else { return };
+        let document = used.source.document.clone();
+        let header = used.first_source;
+        let count = document.item_count();
+        let has_tail = document.footer_content().next().is_some();
+        let mut siblings = Siblings::default();
+        for (i, (_, item)) in document.items().enumerate() {
+            let src = SrcId(header.0 + 1 + i as u32);
+            let more = i + 1 < count || has_tail;
+            self.eval_nodes(item.nodes(), src, more, out, cx, &mut siblings);
+        }
+        let footer = SrcId(header.0 + 1 + count as u32);
+        self.eval_nodes(document.footer_content(), footer, false, out, cx, &mut siblings);
+    }
+
+    /// The children of an element inside an item.
+    pub fn eval_children(&mut self, node: Node<'_>, src: SrcId, out: XId, cx: Cx) {
+        let mut siblings = Siblings::default();
+        self.eval_nodes(node.children(), src, false, out, cx, &mut siblings);
+    }
+
+    /// A run of siblings; `more`: siblings in another item follow.
+    fn eval_nodes<'a>(
+        &mut self,
+        nodes: impl Iterator<Item = Node<'a>>,
+        src: SrcId,
+        more: bool,
+        out: XId,
+        cx: Cx,
+        siblings: &mut Siblings,
+    ) {
+        let mut joined = None;
+        for node in nodes {
+            if self.tick(Origin { src, range: node.range(), frame: cx.frame }) {
+                return;
+            }
+            if joined == Some(node.id()) {
+                // its text was taken together with the one in front of an empty CDATA section
+                joined = behind_empty_cdata(node).map(|text| text.id());
+                continue;
+            }
+            match node.kind() {
+                NodeKind::CData if node.raw().is_empty() => {}
+                NodeKind::Text if behind_empty_cdata(node).is_some() => {
+                    joined = behind_empty_cdata(node).map(|text| text.id());
+                    let texts = std::iter::successors(Some(node), |&text| behind_empty_cdata(text));
+                    let text: String = texts.map(|text| text.text(self.entities(src)).into_owned()).collect();
+                    self.push_text(&text, node, src, out, cx, siblings);
+                }
+                NodeKind::Element => {
+                    siblings.eval_comments = false;
+                    let has_next = more || node.next_sibling().is_some();
+                    let tag = Tag { node, src, name: node.name(), used: None };
+                    self.eval_tag(tag, has_next, out, cx);
+                }
+                NodeKind::Text => self.eval_text_node(node, src, out, cx, siblings),
+                NodeKind::Comment => self.eval_comment(node, src, out, cx, siblings),
+                _ => self.copy_verbatim(node, src, out, cx),
+            }
+        }
+    }
+
+    fn eval_text_node(&mut self, node: Node<'_>, src: SrcId, out: XId, cx: Cx, siblings: &mut Siblings) {
+        let text = node.text(self.entities(src));
+        self.push_text(&text, node, src, out, cx, siblings);
+    }
+
+    fn push_text(
+        &mut self,
+        text: &str,
+        node: Node<'_>,
+        src: SrcId,
+        out: XId,
+        cx: Cx,
+        siblings: &mut Siblings,
+    ) {
+        let origin = Origin { src, range: node.range(), frame: cx.frame };
+        let value = self.eval_pieces(text, Place { origin, is_attr: false }, cx).0;
+        if !strip(&value).is_empty() {
+            siblings.eval_comments = false;
+        }
+        let id = self.result.tree.add(XKind::Text, value, origin);
+        self.result.tree.append(out, id);
+    }
+
+    fn eval_comment(&mut self, node: Node<'_>, src: SrcId, out: XId, cx: Cx, siblings: &mut Siblings) {
+        let raw = node.raw();
+        if raw.contains("xacro:eval-comments") {
+            siblings.eval_comments = !raw.contains("xacro:eval-comments:off");
+            return;
+        }
+        let whole = node.range();
+        // the data stands between `<!--` and `-->`
+        let range = TextRange::new(whole.start + 4, whole.start + 4 + raw.len() as u32);
+        let origin = Origin { src, range, frame: cx.frame };
+        let data = normalise_lines(raw);
+        let text = if siblings.eval_comments && data.contains('$') {
+            self.eval_pieces(&data, Place { origin, is_attr: false }, cx).0
+        } else {
+            data.as_ref().into()
+        };
+        let id = self.result.tree.add(XKind::Comment, text, Origin { range: whole, ..origin });
+        self.result.tree.append(out, id);
+    }
+
+    /// What xacro never looks into.
+    fn copy_verbatim(&mut self, node: Node<'_>, src: SrcId, out: XId, cx: Cx) {
+        let (kind, text) = match node.kind() {
+            NodeKind::Comment => (XKind::Comment, normalise_lines(node.raw())),
+            NodeKind::CData => (XKind::CData, normalise_lines(node.raw())),
+            NodeKind::Doctype => (XKind::Doctype, normalise_lines(node.raw())),
+            NodeKind::Pi => {
+                let data = normalise_lines(node.raw());
+                (XKind::Pi, Cow::Owned(format!("{} {data}", node.name())))
+            }
+            _ => return,
+        };
+        let origin = Origin { src, range: node.range(), frame: cx.frame };
+        let id = self.result.tree.add(kind, text.as_ref().into(), origin);
+        self.result.tree.append(out, id);
+    }
+
+    /// One element, by the name it has now.
+    pub fn eval_tag(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
+        let Some(xacro) = tag.name.strip_prefix("xacro:") else {
+            return self.eval_plain(tag, out, cx);
+        };
+        match xacro {
+            "insert_block" => self.insert_block(tag, out, cx),
+            "include" => self.include(tag, has_next, out, cx),
+            "property" => self.property(tag, has_next, out, cx),
+            "macro" => self.define_macro(tag, has_next, out, cx),
+            "arg" => self.arg(tag, has_next, out, cx),
+            "element" => self.renamed_element(tag, has_next, out, cx),
+            "attribute" => self.set_attribute(tag, out, cx),
+            "if" | "unless" => self.conditional(tag, xacro == "if", has_next, out, cx),
+            "call" => self.dynamic_call(tag, has_next, out, cx),
+            name => self.call(tag, name, has_next, out, cx),
+        }
+    }
+
+    fn eval_plain(&mut self, tag: Tag<'_>, out: XId, cx: Cx) {
+        let origin = Origin { src: tag.src, range: tag.node.start_tag_range(), frame: cx.frame };
+        let id = self.result.tree.add(XKind::Element, tag.name.into(), origin);
+        self.result.tree.append(out, id);
+        self.eval_attributes(tag, id, cx);
+        if self.nesting >= Self::MAX_NESTING {
+            let message = format!("elements are nested more than {} deep", Self::MAX_NESTING);
+            self.stop(origin, message, None);
+            return;
+        }
+        self.nesting += 1;
+        self.eval_children(tag.node, tag.src, id, cx);
+        self.nesting -= 1;
+    }
+
+    /// Evaluate the attributes of a tag onto `out`; those of xacro itself are dropped.
+    pub fn eval_attributes(&mut self, tag: Tag<'_>, out: XId, cx: Cx) {
+        for attr in tag.attrs() {
+            let name = attr.name();
+            if name.starts_with("xacro:") || name == "xmlns:xacro" {
+                continue;
+            }
+            let origin = Origin { src: tag.src, range: attr.value_range(), frame: cx.frame };
+            let text = attr.value(self.entities(tag.src));
+            let (value, pieces) = if text.contains('$') {
+                let text = text.into_owned();
+                self.eval_pieces(&text, Place { origin, is_attr: true }, cx)
+            } else {
+                (EcoString::from(text.as_ref()), Box::default())
+            };
+            self.result.tree.get_mut(out).attrs.push(XAttr { name: name.into(), value, origin, pieces });
+        }
+    }
+
+    /// `xacro:element`: go on under the computed name.
+    fn renamed_element(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
+        let Some((text, place)) = self.required_attr(tag, "xacro:name", cx) else { return };
+        let at = place.origin;
+        let value = self.eval_text(&text, place, cx.scope);
+        let name = match value {
+            Value::Unknown => return self.skip_unknown(tag, cx),
+            Value::Str(name) if !name.is_empty() => name,
+            Value::Str(_) | Value::None => {
+                self.error("XAC025", at, "the name of this element is empty", "xacro:element: empty name");
+                return;
+            }
+            other => {
+                let shown = display::repr(&other).unwrap_or_default();
+                let message = format!("the name of this element is {shown}, which is no text");
+                self.error("XAC025", at, message, format!("xacro:element: invalid name {shown}"));
+                return;
+            }
+        };
+        self.eval_tag(Tag { name: &name, used: Some("xacro:name"), ..tag }, has_next, out, cx);
+    }
+
+    /// `xacro:attribute`: onto the element around it.
+    fn set_attribute(&mut self, tag: Tag<'_>, out: XId, cx: Cx) {
+        let Some((name, name_place)) = self.required_attr(tag, "name", cx) else { return };
+        let Some((value, value_place)) = self.required_attr(tag, "value", cx) else { return };
+        let name = self.eval_text(&name, name_place, cx.scope);
+        let (value, pieces) = self.eval_pieces(&value, value_place, cx);
+        match display::to_str(&name) {
+            None => {}
+            Some(name) if name.is_empty() => {
+                let message = "the name of this attribute is empty";
+                self.error("XAC025", name_place.origin, message, "xacro:attribute: empty name");
+            }
+            Some(name) => {
+                self.result.tree.set_attr(out, XAttr { name, value, origin: value_place.origin, pieces })
+            }
+        }
+    }
+
+    /// A tag whose meaning could not be computed: look inside for further causes, keep nothing.
+    pub fn skip_unknown(&mut self, tag: Tag<'_>, cx: Cx) {
+        self.result.complete = false;
+        let nowhere = self.result.tree.add(XKind::Container, EcoString::new(), Origin::NOWHERE);
+        self.eval_children(tag.node, tag.src, nowhere, cx);
+    }
+
+    /// The entities declared in the file of a source item.
+    pub fn entities(&self, src: SrcId) -> &Entities {
+        let source = self.result.sources.get(src.0 as usize);
+        let file = source.and_then(|s| self.result.files.get(s.file.0 as usize));
+        match file {
+            Some(file) => file.source.document.entities(),
+            None => no_entities(),
+        }
+    }
+
+    /// The item of a source.
+    pub fn item(&self, src: SrcId) -> Option<Arc<Item>> {
+        self.result.sources.get(src.0 as usize).map(|s| s.item.clone())
+    }
+}
+
+/// The text behind `node` and an empty CDATA section: an XML parser makes no node of the section, so both
+/// texts are one.
+fn behind_empty_cdata(node: Node<'_>) -> Option<Node<'_>> {
+    let section = node.next_sibling().filter(|n| n.kind() == NodeKind::CData && n.raw().is_empty())?;
+    let mut next = section.next_sibling();
+    while let Some(empty) = next.filter(|n| n.kind() == NodeKind::CData && n.raw().is_empty()) {
+        next = empty.next_sibling();
+    }
+    next.filter(|n| n.kind() == NodeKind::Text)
+}
+
+fn no_entities() -> &'static Entities {
+    static NONE: OnceLock<Entities> = OnceLock::new();
+    NONE.get_or_init(Entities::default)
+}
+
+/// Line ends inside comments, CDATA sections and the like, as an XML parser reports them.
+fn normalise_lines(text: &str) -> Cow<'_, str> {
+    if text.contains('\r') {
+        Cow::Owned(text.replace("\r\n", "\n").replace('\r', "\n"))
+    } else {
+        Cow::Borrowed(text)
+    }
+}

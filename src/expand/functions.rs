@@ -1,0 +1,224 @@
+//! What expressions can reach: names, and the functions of `xacro.`.
+
+use std::path::PathBuf;
+
+use ecow::EcoString;
+
+use super::machine::{Expander, OpenFile};
+use super::record::Read;
+use super::text::CodeSite;
+use super::yaml_value::file_value;
+use crate::base::TextRange;
+use crate::expr::{ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display, literal};
+use crate::vfs::LoadError;
+use crate::yaml;
+
+/// The host of one expression.
+pub(super) struct ExprHost<'m, 'w, 't> {
+    pub machine: &'m mut Expander<'w>,
+    pub scope: ScopeId,
+    pub at: CodeSite<'t>,
+}
+
+impl Host for ExprHost<'_, '_, '_> {
+    fn lookup(&mut self, name: &str, range: TextRange) -> Lookup {
+        let at = self.machine.origin_of(self.at, range);
+        match self.machine.resolve(self.scope, name, at) {
+            Some(value) => Lookup::Found(value),
+            None => Lookup::Missing,
+        }
+    }
+
+    fn scope_attribute(&mut self, scope: ScopeId, name: &str, range: TextRange) -> Lookup {
+        if name == "depth" && self.machine.scopes.get(scope).is_namespace {
+            // the reference answers with a counter of its own, whatever the file defines
+            return Lookup::Found(Value::Int(self.machine.scopes.depth(scope)));
+        }
+        let at = self.machine.origin_of(self.at, range);
+        match self.machine.resolve(scope, name, at) {
+            Some(value) => Lookup::Found(value),
+            None => Lookup::Missing,
+        }
+    }
+
+    fn current_scope(&self) -> Option<ScopeId> {
+        Some(self.scope)
+    }
+
+    fn call(
+        &mut self,
+        function: HostFn,
+        args: &[Value],
+        keywords: &[(EcoString, Value)],
+        range: TextRange,
+    ) -> Result<Value, EvalError> {
+        match function {
+            HostFn::LoadYaml => self.load_yaml(args, keywords, range),
+            HostFn::AbsFilename => {
+                let name = text_argument("abs_filename", "filename_spec", args, keywords)?;
+                Ok(Value::Str(self.machine.absolute_name(&name).into()))
+            }
+            HostFn::Arg => self.arg(args, keywords, range),
+            HostFn::Message => self.message("", args, keywords, false),
+            HostFn::Warning => self.message("warning: ", args, keywords, true),
+            HostFn::Error => self.message("error: ", args, keywords, true),
+            HostFn::PrintLocation => {
+                let location = self.location();
+                self.machine.result.messages.extend(location);
+                Ok(Value::Str(EcoString::new()))
+            }
+            HostFn::Fatal => {
+                let text = joined(args).unwrap_or_default();
+                Err(EvalError::new(ErrorKind::Xacro, text))
+            }
+        }
+    }
+
+    fn deprecated(&mut self, name: &str, namespace: &str, range: TextRange) {
+        let at = self.machine.origin_of(self.at, range);
+        let message = format!("bare `{name}` is deprecated: xacro warns about it on each call");
+        let reference = format!("Using {name}() directly is deprecated. Use {namespace}.{name}() instead.");
+        let problem = self
+            .machine
+            .problem("XAC029", at, message)
+            .says(reference)
+            .warning()
+            .help(format!("write `{namespace}.{name}`"))
+            .replace_with(format!("{namespace}.{name}"));
+        self.machine.push(problem);
+    }
+
+    fn undefined(&mut self, name: &str, range: TextRange) {
+        let at = self.machine.origin_of(self.at, range);
+        let code = self.at.code;
+        self.machine.undefined_property(self.scope, name, code, at);
+    }
+}
+
+impl ExprHost<'_, '_, '_> {
+    fn location(&self) -> Vec<String> {
+        self.machine.location_lines(self.at.site.place.origin)
+    }
+
+    fn arg(
+        &mut self,
+        args: &[Value],
+        keywords: &[(EcoString, Value)],
+        range: TextRange,
+    ) -> Result<Value, EvalError> {
+        let name = text_argument("<lambda>", "name", args, keywords)?;
+        match self.machine.args.get(&name) {
+            Some((Some(value), info)) => {
+                let (value, info) = (value.clone(), *info);
+                self.machine.reads.push(info);
+                Ok(Value::Str(value))
+            }
+            Some((None, _)) => Ok(Value::Unknown),
+            None => {
+                let at = self.machine.origin_of(self.at, range);
+                self.machine.result.record.add(Read::Arg(name.to_string(), None));
+                self.machine.undefined_arg(&name, at, format!("'{name}'"));
+                Ok(Value::Unknown)
+            }
+        }
+    }
+
+    fn message(
+        &mut self,
+        prefix: &str,
+        args: &[Value],
+        keywords: &[(EcoString, Value)],
+        located: bool,
+    ) -> Result<Value, EvalError> {
+        let Some(text) = joined(args) else { return Ok(Value::Unknown) };
+        let located = keywords
+            .iter()
+            .find(|(name, _)| name == "print_location")
+            .map_or(located, |(_, value)| literal::truth(value).unwrap_or(located));
+        self.machine.result.messages.push(format!("{prefix}{text}"));
+        if located {
+            let location = self.location();
+            self.machine.result.messages.extend(location);
+        }
+        Ok(Value::Str(EcoString::new()))
+    }
+
+    fn load_yaml(
+        &mut self,
+        args: &[Value],
+        keywords: &[(EcoString, Value)],
+        range: TextRange,
+    ) -> Result<Value, EvalError> {
+        let name = text_argument("load_yaml", "filename", args, keywords)?;
+        let name = self.machine.absolute_name(&name);
+        // load_yaml opens relative to the working directory, whatever --root-dir says
+        let path: PathBuf = self.machine.world.env.cwd.join(&name);
+        let file = match self.machine.world.vfs.text(&path) {
+            Ok(file) => file,
+            Err(error) => {
+                self.machine.result.record.add(Read::Missing(path));
+                return self.unreadable(&name, &error);
+            }
+        };
+        self.machine.result.record.add(Read::File(path, file.hash));
+        self.machine.open_files.push(OpenFile { name: name.clone(), file: None, conditions: u32::MAX });
+        let loaded = yaml::load(&file.text, &name);
+        let value = match &loaded {
+            _ if file.encoding_error.is_some() => {
+                let message = file.encoding_error.as_ref().map(|(_, message)| message.as_str());
+                Err(EvalError::new(ErrorKind::Value, message.unwrap_or_default()).at(range))
+            }
+            Ok(node) => file_value(node, &mut self.machine.budget),
+            Err(error) => Err(EvalError::new(ErrorKind::Value, error.message.clone()).at(range)),
+        };
+        self.machine.open_files.pop();
+        self.machine.result.includes.push(name);
+        value
+    }
+
+    fn unreadable(&mut self, name: &str, error: &LoadError) -> Result<Value, EvalError> {
+        let missing_is_fine = self.machine.optional_includes.iter().any(|&optional| optional);
+        if missing_is_fine && self.machine.lazy_uses.is_empty() {
+            self.machine.unwinding = true;
+            return Ok(Value::Unknown);
+        }
+        let LoadError { errno, strerror, .. } = error;
+        Err(EvalError::new(ErrorKind::Io, format!("[Errno {errno}] {strerror}: '{name}'")))
+    }
+}
+
+/// The only argument of a function, as text.
+fn text_argument(
+    function: &str,
+    name: &str,
+    args: &[Value],
+    keywords: &[(EcoString, Value)],
+) -> Result<EcoString, EvalError> {
+    let value = match (args, keywords) {
+        ([value], []) => value,
+        ([], [(keyword, value)]) if keyword == name => value,
+        ([], []) => {
+            let message = format!("{function}() missing 1 required positional argument: '{name}'");
+            return Err(EvalError::new(ErrorKind::Type, message));
+        }
+        (args, _) => {
+            let message = format!("{function}() takes 1 positional argument but {} were given", args.len());
+            return Err(EvalError::new(ErrorKind::Type, message));
+        }
+    };
+    match value {
+        Value::Str(text) => Ok(text.clone()),
+        Value::Unknown => Err(EvalError::new(ErrorKind::Reported, "")),
+        other => {
+            let kind = other.type_name();
+            let message = format!("expected str, bytes or os.PathLike object, not {kind}");
+            Err(EvalError::new(ErrorKind::Type, message))
+        }
+    }
+}
+
+/// Arguments joined by blanks; `None` when one of them is unknown.
+fn joined(args: &[Value]) -> Option<String> {
+    let texts: Option<Vec<_>> = args.iter().map(display::to_str).collect();
+    Some(texts?.join(" "))
+}

@@ -1,0 +1,316 @@
+//! `xacro:include`, and loading files.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use ecow::EcoString;
+
+use super::element::Tag;
+use super::machine::{Cx, Expander, FileUse, OpenFile};
+use super::origin::{FileIdx, FrameKind, Origin, Source, SrcId};
+use super::record::Read;
+use super::resolve::{BindingInfo, BindingKind};
+use super::scope::State;
+use super::tree::XId;
+use crate::base::TextRange;
+use crate::expr::{Value, display, literal};
+use crate::vfs::{LoadError, LoadErrorKind, SourceFile};
+use crate::xml::{NodeKind, SyntaxError, SyntaxErrorKind};
+
+/// What every tag of an include knows.
+#[derive(Clone, Copy)]
+struct Inclusion {
+    optional: bool,
+    /// The file name is computed or stands under a condition: it can end a recursion.
+    computed: bool,
+    /// The `filename` value.
+    at: Origin,
+    /// The tag.
+    tag: Origin,
+}
+
+impl Expander<'_> {
+    /// `xacro:include`
+    pub fn include(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
+        let Some((text, place)) = self.required_attr(tag, "filename", cx) else { return };
+        self.check_attrs(tag, &["filename", "ns", "optional"], cx);
+        let inner = self.include_scope(tag, cx);
+        let Some(optional) = self.optional_flag(tag, cx) else { return };
+        self.warn_about_children(tag, cx);
+        let value = self.eval_text(&text, place, cx.scope);
+        let Some(name) = display::to_str(&value) else {
+            self.include_missing = true;
+            self.result.complete = false;
+            return;
+        };
+        let names = self.included_names(&name, place.origin);
+        let inclusion = Inclusion {
+            optional,
+            computed: text.contains('$'),
+            at: place.origin,
+            tag: self.tag_origin(tag, cx),
+        };
+        let content = self.container(place.origin);
+        for name in names {
+            self.include_file(&name, inclusion, content, out, inner);
+        }
+        self.drop_comments(out, has_next);
+        self.splice(content, out);
+    }
+
+    fn include_file(&mut self, name: &str, inclusion: Inclusion, content: XId, parent: XId, cx: Cx) {
+        self.result.includes.push(name.to_owned());
+        self.optional_includes.push(inclusion.optional);
+        if let Some(file) = self.load(name, inclusion.at)
+            && !self.is_include_cycle(file, inclusion)
+        {
+            let conditions = self.conditions;
+            self.conditions += u32::from(inclusion.computed);
+            self.open_files.push(OpenFile { name: name.to_owned(), file: Some(file), conditions });
+            let frame = self.push_frame(FrameKind::Include, name.into(), inclusion.tag, None);
+            let root = self.container(inclusion.tag);
+            self.eval_included(file, root, Cx { frame, ..cx });
+            if !self.unwinding {
+                self.lift_namespaces(root, parent, cx);
+                self.result.tree.move_children(root, content);
+            }
+            self.open_files.pop();
+            self.conditions = conditions;
+        }
+        self.optional_includes.pop();
+        if inclusion.optional {
+            // a missing file somewhere inside undoes what this include would have contributed
+            self.unwinding = false;
+        }
+    }
+
+    fn eval_included(&mut self, file: FileIdx, root: XId, cx: Cx) {
+        let Some(used) = self.result.files.get(file.0 as usize) else { return };
+        let (document, header) = (used.source.document.clone(), used.first_source);
+        if let Some(node) = document.root() {
+            self.eval_attributes(Tag { node, src: header, name: node.name(), used: None }, root, cx);
+        }
+        self.eval_root_content(file, root, cx);
+    }
+
+    /// The scopes an included file is evaluated in: those of `ns=`, or the includer's.
+    fn include_scope(&mut self, tag: Tag<'_>, cx: Cx) -> Cx {
+        let Some((text, place)) = self.attr(tag, "ns", cx).filter(|(text, _)| !text.is_empty()) else {
+            return cx;
+        };
+        let value = self.eval_text(&text, place, cx.scope);
+        let Some(name) = display::to_str(&value) else { return cx };
+        let macros = self.macros.push(None);
+        let scope = self.scopes.push(cx.scope, true);
+        self.macros.define_namespace(cx.macros, name.clone(), macros);
+        let info = BindingInfo::new(name.clone(), BindingKind::Namespace, place.origin);
+        self.bind(cx.scope, name, State::Ready(Value::Scope(scope)), info, place.origin);
+        Cx { scope, macros, ..cx }
+    }
+
+    /// `optional=`, which is not evaluated. `None`: it is neither true nor false.
+    fn optional_flag(&mut self, tag: Tag<'_>, cx: Cx) -> Option<bool> {
+        let Some((text, place)) = self.attr(tag, "optional", cx) else { return Some(false) };
+        let truth = literal::boolean(&Value::Str(text.as_ref().into()));
+        if truth.is_none() {
+            let message = format!("`optional` must be true or false, and is `{text}`");
+            let reference = format!(
+                "Xacro conditional \"None\" evaluated to \"{text}\", which is not a boolean expression."
+            );
+            let problem = self
+                .problem("XAC027", place.origin, message)
+                .says(reference)
+                .help("expressions are not evaluated in `optional`");
+            self.push(problem);
+        }
+        truth
+    }
+
+    fn warn_about_children(&mut self, tag: Tag<'_>, cx: Cx) {
+        let Some(child) = tag.node.children().find(|n| n.kind() == NodeKind::Element) else { return };
+        let name = child.name_range();
+        let range = TextRange::new(name.start.saturating_sub(1), name.end);
+        let at = Origin { src: tag.src, range, frame: cx.frame };
+        let message = "an include has no content: its child elements are ignored";
+        self.warn("XAC033", at, message, "Child elements of a <xacro:include> tag are ignored");
+    }
+
+    /// A relative name joined to the folder of the file processed now, as it will be printed.
+    pub fn absolute_name(&self, name: &str) -> String {
+        if name.starts_with('/') || Path::new(name).is_absolute() {
+            return name.to_owned();
+        }
+        match self.current_file().rsplit_once('/') {
+            Some(("", _)) => format!("/{name}"),
+            Some((folder, _)) => format!("{folder}/{name}"),
+            None => name.to_owned(),
+        }
+    }
+
+    /// The path of a name in the file system.
+    pub fn file_path(&self, name: &str) -> PathBuf {
+        let root = self.request.root_dir.as_deref().unwrap_or("");
+        self.world.env.cwd.join(root).join(name)
+    }
+
+    fn included_names(&mut self, name: &EcoString, at: Origin) -> Vec<String> {
+        let name = self.absolute_name(name);
+        if !name.contains(['*', '?', '[']) {
+            return vec![name];
+        }
+        let found = self.world.vfs.glob(&name, &self.world.env.cwd);
+        self.result.record.add(Read::Glob(name.clone(), found.clone()));
+        if found.is_empty() {
+            let message = format!("no file matches `{name}`");
+            let reference = format!("Include tag's filename spec \"{name}\" matched no files.");
+            self.warn("XAC035", at, message, reference);
+        }
+        found.into_iter().map(|path| path.to_string_lossy().into_owned()).collect()
+    }
+
+    /// Load a file for the include (or the request) at `at`; reports why it cannot be.
+    pub fn load(&mut self, name: &str, at: Origin) -> Option<FileIdx> {
+        let path = self.file_path(name);
+        match self.world.vfs.document(&path) {
+            Ok(source) => {
+                self.result.record.add(Read::File(path, source.hash));
+                if let Some(&file) = self.by_path.get(&source.path) {
+                    return Some(file);
+                }
+                let file = FileIdx(self.result.files.len() as u32);
+                self.by_path.insert(source.path.clone(), file);
+                self.add_sources(file, name, &source);
+                self.report_encoding(file, &source);
+                self.report_syntax(file);
+                Some(file)
+            }
+            Err(error) => {
+                self.result.record.add(Read::Missing(path));
+                self.not_loaded(name, error, at);
+                None
+            }
+        }
+    }
+
+    /// The reference reads every file as UTF-8.
+    fn report_encoding(&mut self, file: FileIdx, source: &SourceFile) {
+        let Some((offset, message)) = &source.encoding_error else { return };
+        let range = TextRange::empty((*offset).min(source.document.len()));
+        let place = super::Place { file, range };
+        let problem = super::Problem::new("XML016", place, format!("this file is not UTF-8: {message}"));
+        self.push(problem.says(message.clone()).help("save it as UTF-8"));
+    }
+
+    fn add_sources(&mut self, file: FileIdx, name: &str, source: &Arc<SourceFile>) {
+        let first_source = SrcId(self.result.sources.len() as u32);
+        let document = &source.document;
+        let footer_base = document.len() - document.footer().text().len() as u32;
+        let header = Source { file, item: document.header().clone(), base: 0 };
+        let items = document.items().map(|(base, item)| Source { file, item: item.clone(), base });
+        let footer = Source { file, item: document.footer().clone(), base: footer_base };
+        self.result.sources.push(header);
+        self.result.sources.extend(items);
+        self.result.sources.push(footer);
+        self.result.files.push(FileUse { name: name.to_owned(), source: source.clone(), first_source });
+    }
+
+    fn not_loaded(&mut self, name: &str, error: LoadError, at: Origin) {
+        if at == Origin::NOWHERE {
+            self.result.root_error = Some(error);
+            self.result.complete = false;
+            return;
+        }
+        let missing_is_fine = self.optional_includes.iter().any(|&optional| optional);
+        if missing_is_fine && matches!(error.kind, LoadErrorKind::NotFound | LoadErrorKind::IsDirectory) {
+            // undo everything up to the optional include; only a nested file has anything to undo
+            self.unwinding = self.optional_includes.last() != Some(&true);
+            return;
+        }
+        self.include_missing = true;
+        self.result.complete = false;
+        let shown =
+            if name.starts_with('/') { name.to_owned() } else { format!("{}/{name}", self.root_name()) };
+        let LoadError { strerror, errno, .. } = &error;
+        let message = match error.kind {
+            LoadErrorKind::NotFound => format!("included file `{name}` does not exist"),
+            LoadErrorKind::IsDirectory => format!("included file `{name}` is a folder"),
+            _ => format!("included file `{name}` cannot be read: {strerror}"),
+        };
+        let problem = self
+            .problem("XAC008", at, message)
+            .says(format!("{strerror}: {shown} [Errno {errno}] {strerror}: '{shown}'"))
+            .help(format!("looked for {}", error.path.display()));
+        self.push(problem);
+    }
+
+    fn root_name(&self) -> &str {
+        self.request.root_dir.as_deref().unwrap_or(".")
+    }
+
+    /// One finding a file that is not well-formed; what its recovered tree seems to say is not trusted.
+    fn report_syntax(&mut self, file: FileIdx) {
+        let Some(used) = self.result.files.get(file.0 as usize) else { return };
+        let (document, base) = (used.source.document.clone(), used.first_source);
+        let errors = document.errors();
+        let Some(first) = errors.iter().min_by_key(|e| e.expat_offset) else { return };
+        self.broken.insert(file);
+        if self.result.files.len() > 1 {
+            self.include_missing = true;
+        }
+        let position = document.line_col(first.expat_offset, crate::base::Encoding::Utf32);
+        let at = Origin { src: base, range: first.range, frame: super::FrameId::ROOT };
+        let mut problem = self.syntax_problem(first, at, file);
+        problem.reference = format!(
+            "XML parsing error: {}: line {}, column {}",
+            first.expat,
+            position.line + 1,
+            position.col
+        );
+        self.push(problem);
+    }
+
+    fn syntax_problem(&self, error: &SyntaxError, at: Origin, file: FileIdx) -> super::Problem {
+        let place = |range| super::Place { file, range };
+        let xacro = matches!(&error.kind, SyntaxErrorKind::UnboundPrefix) && error.message.contains("xacro");
+        let code = if xacro { "XML002" } else { "XML001" };
+        let mut problem = self.problem(code, at, error.message.clone());
+        problem.place = place(error.range);
+        if xacro {
+            problem = problem.help("add xmlns:xacro=\"http://www.ros.org/wiki/xacro\" to the root element");
+        }
+        if let Some((range, what)) = error.related {
+            problem.trace.push(super::Step { place: place(range), message: what.to_owned() });
+        }
+        problem
+    }
+
+    /// Whether including `file` once more can never end; reports it.
+    fn is_include_cycle(&mut self, file: FileIdx, inclusion: Inclusion) -> bool {
+        let most = self.request.limits.include_depth;
+        let open = self.open_files.iter().rev().find(|f| f.file == Some(file));
+        let endless = open.is_some_and(|f| f.conditions == self.conditions && !inclusion.computed);
+        let undecided = open.is_some() && self.unknown_conditions > 0;
+        if !endless && !undecided && (self.open_files.len() as u32) < most {
+            return false;
+        }
+        self.result.complete = false;
+        if undecided {
+            // whether to go on cannot be known, so the recursion ends here
+            return true;
+        }
+        let chain: Vec<&str> = self.open_files.iter().map(|f| f.name.as_str()).collect();
+        let name = self.result.files.get(file.0 as usize).map_or("", |f| f.name.as_str());
+        if endless {
+            let start = self.open_files.iter().position(|f| f.file == Some(file)).unwrap_or(0);
+            let chain = chain.get(start..).unwrap_or_default().join("` -> `");
+            let message = format!("`{name}` includes itself: `{chain}` -> `{name}`");
+            let problem =
+                self.problem("XAC009", inclusion.tag, message).says("maximum recursion depth exceeded");
+            self.push(problem);
+        } else {
+            let message = format!("includes are nested more than {most} deep, here into `{name}`");
+            self.stop(inclusion.tag, message, Some("include-depth"));
+        }
+        true
+    }
+}

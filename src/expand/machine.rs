@@ -1,0 +1,421 @@
+//! The state of one expansion, its entry point and its limits.
+
+use std::path::Path;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use ecow::EcoString;
+
+use super::late::Undefined;
+use super::origin::{FileIdx, Frame, FrameId, FrameKind, Origin, Source, SrcId};
+use super::problem::{Place as ProblemPlace, Problem, Problems, Step, step_message};
+use super::record::{Read, Record};
+use super::resolve::{BindingInfo, LazyUse};
+use super::scope::{Macros, MacrosId, Scopes};
+use super::text::CachedText;
+use super::tree::{XId, XKind, XTree};
+use crate::base::{CancelFlag, FastMap, FastSet, TextRange};
+use crate::expr::{Budget, ScopeId};
+use crate::vfs::{Environment, LoadError, SourceFile, Vfs};
+use crate::workspace::Packages;
+
+/// Where an expansion reads from.
+#[derive(Clone, Copy)]
+pub struct World<'w> {
+    /// Files.
+    pub vfs: &'w Vfs,
+    /// `$(find)`.
+    pub packages: &'w Packages,
+    /// `$(env)` and the working directory.
+    pub env: &'w Environment,
+}
+
+/// Budgets of one expansion; the defaults are those of the configuration's `[limits]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limits {
+    /// Steps of expression evaluation.
+    pub eval_steps: u64,
+    /// Bytes of text made.
+    pub output_bytes: u64,
+    /// Nodes of the expanded document.
+    pub expand_nodes: u64,
+    /// Wall time.
+    pub expand_time: Duration,
+    /// Macro calls inside macro calls.
+    pub macro_depth: u32,
+    /// Includes inside includes.
+    pub include_depth: u32,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            eval_steps: 1_000_000,
+            output_bytes: 64 << 20,
+            expand_nodes: 500_000,
+            expand_time: Duration::from_millis(5000),
+            macro_depth: 1000,
+            include_depth: 500,
+        }
+    }
+}
+
+/// What to expand, and how.
+#[derive(Clone, Debug, Default)]
+pub struct Request {
+    /// The root file as the user named it, relative to the root directory.
+    pub file: String,
+    /// `name:=value` in order; later ones win.
+    pub args: Vec<(String, String)>,
+    /// `--root-dir`: what relative names are relative to; the working directory when absent.
+    pub root_dir: Option<String>,
+    /// Budgets.
+    pub limits: Limits,
+    /// Set to stop early; the result is then incomplete.
+    pub cancel: CancelFlag,
+}
+
+/// A file that took part.
+#[derive(Clone, Debug)]
+pub struct FileUse {
+    /// Its name as the reference would print it.
+    pub name: String,
+    /// The file.
+    pub source: Arc<SourceFile>,
+    /// Source of its header; its items and its footer follow in order.
+    pub first_source: SrcId,
+}
+
+/// The result: the document, and where everything in it came from.
+#[derive(Debug, Default)]
+pub struct Expansion {
+    /// The expanded document.
+    pub tree: XTree,
+    /// The files in the order of first use; the root file is the first.
+    pub files: Vec<FileUse>,
+    /// Items that origins refer to.
+    pub sources: Vec<Source>,
+    /// Steps that origins refer to.
+    pub frames: Vec<Frame>,
+    /// Properties, parameters and arguments that pieces refer to.
+    pub bindings: Vec<BindingInfo>,
+    /// All problems in the order they were met.
+    pub problems: Vec<Problem>,
+    /// Lines for the user, in order: what `xacro.message` and its kin print.
+    pub messages: Vec<String>,
+    /// What the result depends on.
+    pub record: Record,
+    /// Names of included and loaded files, as `--deps` lists them.
+    pub includes: Vec<String>,
+    /// False when something could not be resolved: rules about the whole robot then stay silent.
+    pub complete: bool,
+    /// Why the root file could not be read; there is no document then.
+    pub root_error: Option<LoadError>,
+}
+
+/// Expand a file. Never fails: what went wrong is in [`Expansion::problems`].
+///
+/// Runs on a thread of its own whose stack fits the deepest nesting the limits admit.
+pub fn expand(world: World<'_>, request: &Request) -> Expansion {
+    const STACK: usize = 512 << 20;
+    std::thread::scope(|scope| {
+        let builder = std::thread::Builder::new().name("expand".into()).stack_size(STACK);
+        let run = builder.spawn_scoped(scope, || Expander::new(world, request).run());
+        match run.map(std::thread::ScopedJoinHandle::join) {
+            Ok(Ok(expansion)) => expansion,
+            Ok(Err(panic)) => std::panic::resume_unwind(panic),
+            Err(_) => Expander::new(world, request).run(),
+        }
+    })
+}
+
+/// Where evaluation stands: the scope chains and the way that led here.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cx {
+    pub scope: ScopeId,
+    pub macros: MacrosId,
+    pub frame: FrameId,
+}
+
+/// A file being processed: what relative names are relative to.
+#[derive(Clone, Debug)]
+pub(super) struct OpenFile {
+    pub name: String,
+    pub file: Option<FileIdx>,
+    /// How many conditions stood around the include.
+    pub conditions: u32,
+}
+
+/// The machine.
+pub(super) struct Expander<'w> {
+    pub world: World<'w>,
+    pub request: &'w Request,
+    pub result: Expansion,
+    pub problems: Problems,
+    pub scopes: Scopes,
+    pub macros: Macros,
+    /// Arguments: value (none when unknown) and binding.
+    pub args: FastMap<EcoString, (Option<EcoString>, u32)>,
+    pub open_files: Vec<OpenFile>,
+    /// Files by absolute path.
+    pub by_path: FastMap<Arc<Path>, FileIdx>,
+    pub texts: FastMap<(SrcId, u32), Arc<CachedText>>,
+    /// The one empty text node that stops comment removal; it moves around.
+    pub marker: XId,
+    pub budget: Budget,
+    pub deadline: Instant,
+    /// Lazy properties being evaluated, outermost first.
+    pub lazy_uses: Vec<LazyUse>,
+    /// Bindings read since the mark of whoever is interested.
+    pub reads: Vec<u32>,
+    /// An include is missing: undefined names are then no news.
+    pub include_missing: bool,
+    /// Files that are not well-formed.
+    pub broken: FastSet<FileIdx>,
+    /// Problems about undefined names, in case they turn out to be defined later.
+    pub undefined: Undefined,
+    /// Macros being expanded, and how many conditions stood around each call.
+    pub calls: Vec<(usize, u32)>,
+    /// For each include being processed: whether it is optional.
+    pub optional_includes: Vec<bool>,
+    /// A file is missing inside an optional include: wind up until that include.
+    pub unwinding: bool,
+    /// Conditionals (and computed calls and includes) around the current place.
+    pub conditions: u32,
+    /// Blocks inserted inside blocks.
+    pub block_depth: u32,
+    /// Inside how many conditionals whose value is unknown.
+    pub unknown_conditions: u32,
+    /// Elements open around the current one.
+    pub nesting: u32,
+    /// A limit was reached or the request was cancelled: wind up.
+    pub stopped: bool,
+    ticks: u32,
+}
+
+impl<'w> Expander<'w> {
+    /// Elements inside elements (the reference gives up below a thousand).
+    pub const MAX_NESTING: u32 = 5000;
+    /// Blocks inserted inside blocks.
+    pub const MAX_BLOCK_DEPTH: u32 = 500;
+    /// Nodes and calls inside one expression.
+    const EVAL_DEPTH: u32 = 600;
+
+    fn new(world: World<'w>, request: &'w Request) -> Self {
+        let mut result = Expansion { complete: true, ..Expansion::default() };
+        result.frames.push(Frame {
+            kind: FrameKind::Root,
+            name: request.file.as_str().into(),
+            call: Origin::NOWHERE,
+            definition: None,
+            depth: 0,
+        });
+        let marker = result.tree.add(XKind::Text, "\n\n".into(), Origin::NOWHERE);
+        let limits = &request.limits;
+        Self {
+            world,
+            request,
+            result,
+            problems: Problems::default(),
+            scopes: Scopes::new(),
+            macros: Macros::new(),
+            args: FastMap::default(),
+            open_files: Vec::new(),
+            by_path: FastMap::default(),
+            texts: FastMap::default(),
+            marker,
+            budget: Budget::new(limits.eval_steps, limits.output_bytes, Self::EVAL_DEPTH),
+            deadline: Instant::now() + limits.expand_time,
+            lazy_uses: Vec::new(),
+            reads: Vec::new(),
+            include_missing: false,
+            broken: FastSet::default(),
+            undefined: Undefined::default(),
+            calls: Vec::new(),
+            optional_includes: Vec::new(),
+            unwinding: false,
+            conditions: 0,
+            block_depth: 0,
+            unknown_conditions: 0,
+            nesting: 0,
+            stopped: false,
+            ticks: 0,
+        }
+    }
+
+    fn run(mut self) -> Expansion {
+        self.bind_arguments();
+        self.expand_root();
+        let broken = std::mem::take(&mut self.broken);
+        // what the recovered tree of a broken file seems to say is not trusted
+        self.problems.list.retain(|p| p.code.starts_with("XML") || !broken.contains(&p.place.file));
+        self.result.problems = std::mem::take(&mut self.problems.list);
+        self.result.complete &= !self.result.has_errors();
+        self.result
+    }
+
+    fn bind_arguments(&mut self) {
+        let request = self.request;
+        for (name, value) in &request.args {
+            let info = self.add_binding(BindingInfo::given(name));
+            self.args.insert(name.as_str().into(), (Some(value.as_str().into()), info));
+            self.result.record.add(Read::Arg(name.clone(), Some(value.clone())));
+        }
+    }
+
+    fn expand_root(&mut self) {
+        let name = self.request.file.clone();
+        self.open_files.push(OpenFile { name: name.clone(), file: None, conditions: 0 });
+        let Some(file) = self.load(&name, Origin::NOWHERE) else { return };
+        if let Some(open) = self.open_files.last_mut() {
+            open.file = Some(file);
+        }
+        let cx = Cx { scope: Scopes::TOP, macros: Macros::TOP, frame: FrameId::ROOT };
+        self.eval_document(file, cx);
+    }
+
+    /// Note the passing of time at a node; true when expansion must wind up.
+    pub fn tick(&mut self, at: Origin) -> bool {
+        if self.stopped || self.unwinding {
+            return true;
+        }
+        self.ticks += 1;
+        if self.result.tree.len() as u64 > self.request.limits.expand_nodes {
+            let most = self.request.limits.expand_nodes;
+            self.stop(at, format!("the expansion has more than {most} nodes"), Some("expand-nodes"));
+        } else if self.ticks.is_multiple_of(256) {
+            if self.request.cancel.is_cancelled() {
+                self.stopped = true;
+                self.result.complete = false;
+            } else if Instant::now() > self.deadline {
+                let most = self.request.limits.expand_time.as_millis();
+                self.stop(at, format!("the expansion takes more than {most} ms"), Some("expand-ms"));
+            }
+        }
+        self.stopped
+    }
+
+    /// Wind up because a limit was reached; `key` is its name in the configuration, where it has one.
+    pub(super) fn stop(&mut self, at: Origin, message: String, key: Option<&str>) {
+        if self.stopped {
+            return;
+        }
+        self.stopped = true;
+        let mut problem = self.problem("XAC034", at, message);
+        if let Some(key) = key {
+            let raise = format!("raise `{key}` under `[limits]` in xacro-lint.toml");
+            problem = problem.help(format!("if the robot really is that large, {raise}"));
+        }
+        self.problems.push(problem);
+    }
+
+    /// A problem at `at`, with the way that led there.
+    pub fn problem(&self, code: &'static str, at: Origin, message: impl Into<String>) -> Problem {
+        let place =
+            self.result.place(at).unwrap_or(ProblemPlace { file: FileIdx(0), range: TextRange::default() });
+        Problem::new(code, place, message).via(self.trace(at))
+    }
+
+    /// Report an error at `at`; `reference` is what xacro says.
+    pub fn error(
+        &mut self,
+        code: &'static str,
+        at: Origin,
+        message: impl Into<String>,
+        reference: impl Into<String>,
+    ) {
+        let problem = self.problem(code, at, message).says(reference);
+        self.push(problem);
+    }
+
+    /// Report a warning at `at`; `reference` is what xacro says.
+    pub fn warn(
+        &mut self,
+        code: &'static str,
+        at: Origin,
+        message: impl Into<String>,
+        reference: impl Into<String>,
+    ) {
+        let problem = self.problem(code, at, message).says(reference).warning();
+        self.push(problem);
+    }
+
+    /// How expansion came to `at`: uses of lazy properties, then the frames around the innermost use.
+    fn trace(&self, at: Origin) -> Vec<Step> {
+        const MOST: usize = 100;
+        let mut steps = Vec::new();
+        let mut from = at;
+        for used in self.lazy_uses.iter().rev() {
+            let message = format!("property `{}` is evaluated here", used.name);
+            self.push_frames(from, used.at, &mut steps);
+            steps.extend(self.result.place(used.at).map(|place| Step { place, message }));
+            from = used.at;
+        }
+        for frame in self.result.frames_of(from) {
+            let message = step_message(frame);
+            steps.extend(self.result.place(frame.call).map(|place| Step { place, message }));
+        }
+        steps.truncate(MOST);
+        steps
+    }
+
+    /// The frames of `from` that are no frames of `until`.
+    fn push_frames(&self, from: Origin, until: Origin, steps: &mut Vec<Step>) {
+        let common: Vec<&Frame> = self.result.frames_of(until).collect();
+        for frame in self.result.frames_of(from) {
+            if common.iter().any(|f| std::ptr::eq(*f, frame)) {
+                break;
+            }
+            let message = step_message(frame);
+            steps.extend(self.result.place(frame.call).map(|place| Step { place, message }));
+        }
+    }
+
+    /// Enter a step: the frame for what the tag at `call` leads to.
+    pub fn push_frame(
+        &mut self,
+        kind: FrameKind,
+        name: EcoString,
+        call: Origin,
+        definition: Option<Origin>,
+    ) -> FrameId {
+        let outer = self.result.frames.get(call.frame.0 as usize).map_or(0, |f| f.depth);
+        let depth = outer + u32::from(kind == FrameKind::Macro);
+        let id = FrameId(self.result.frames.len() as u32);
+        self.result.frames.push(Frame { kind, name, call, definition, depth });
+        id
+    }
+
+    /// A new binding; its number goes into the pieces that read it.
+    pub fn add_binding(&mut self, info: BindingInfo) -> u32 {
+        let id = self.result.bindings.len() as u32;
+        self.result.bindings.push(info);
+        id
+    }
+
+    /// What the reference prints to say where it is.
+    pub fn location_lines(&self, at: Origin) -> Vec<String> {
+        let mut lines = Vec::new();
+        let mut lead = "when instantiating macro:";
+        for frame in self.result.frames_of(at).filter(|f| f.kind == FrameKind::Macro) {
+            let file = frame
+                .definition
+                .and_then(|origin| self.result.place(origin))
+                .and_then(|place| self.result.files.get(place.file.0 as usize))
+                .map_or("???", |file| file.name.as_str());
+            lines.push(format!("{lead} {} ({file})", frame.name));
+            lead = "instantiated from:";
+        }
+        let mut lead = if lines.is_empty() { "when processing file:" } else { "in file:" };
+        for file in self.open_files.iter().rev() {
+            lines.push(format!("{lead} {}", file.name));
+            lead = "included from:";
+        }
+        lines
+    }
+
+    /// The name of the file being processed now.
+    pub fn current_file(&self) -> &str {
+        self.open_files.last().map_or("", |f| f.name.as_str())
+    }
+}

@@ -1,0 +1,411 @@
+//! `xacro:macro` and macro calls.
+
+use std::sync::Arc;
+
+use ecow::EcoString;
+
+use super::element::Tag;
+use super::late::NameKind;
+use super::machine::{Cx, Expander};
+use super::origin::{FrameKind, Origin};
+use super::params;
+use super::property::literal_of;
+use super::resolve::{BindingInfo, BindingKind};
+use super::scope::{Block, MacroDef, MacrosId, Param, Place, SrcRef, State};
+use super::tree::{XId, XKind};
+use crate::base::TextRange;
+use crate::expr::{ScopeId, Value, display};
+use crate::workspace::nearest;
+
+/// A macro and the scopes its body sees.
+struct Resolved {
+    def: Arc<MacroDef>,
+    macros: MacrosId,
+    scope: ScopeId,
+}
+
+impl Expander<'_> {
+    /// `xacro:macro`
+    pub fn define_macro(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
+        self.drop_comments(out, has_next);
+        let Some((name, place)) = self.required_attr(tag, "name", cx) else { return };
+        self.check_attrs(tag, &["name", "params"], cx);
+        let mut name = name.as_ref();
+        if name == "call" {
+            let message = "a macro cannot be called `call`: `xacro:call` is xacro's own";
+            return self.error("XAC041", place.origin, message, "Invalid use of macro name 'call'");
+        }
+        if name.contains('.') {
+            let message = format!("macro name `{name}` holds a `.`, which separates namespaces");
+            let reference = format!("macro names must not contain '.' (reserved for namespaces): {name}");
+            self.error("XAC041", place.origin, message, reference);
+        } else if let Some(bare) = name.strip_prefix("xacro:") {
+            let message = format!("macro name `{name}` should not have the prefix `xacro:`");
+            let reference = format!("macro names must not contain prefix 'xacro:': {name}");
+            let problem = self.problem("XAC030", place.origin, message).says(reference).warning();
+            self.push(problem.help(format!("rename it to `{bare}`")).replace_with(bare));
+            name = bare;
+        }
+        let name = EcoString::from(name);
+        let params = self.attr(tag, "params", cx).map(|(text, place)| (params::parse(&text), place));
+        if let Some((None, place)) = &params {
+            let message = format!("the parameter list of macro `{name}` holds only blanks");
+            self.error("XAC025", place.origin, message, "list index out of range");
+        }
+        let params = params.and_then(|(list, _)| list).unwrap_or_default();
+        self.defined(NameKind::Macro, &name, place.origin);
+        let body = SrcRef { src: tag.src, node: tag.node.id() };
+        self.macros.define(cx.macros, MacroDef { name, body, origin: place.origin, params });
+    }
+
+    /// `xacro:call`: the macro's name is computed.
+    pub fn dynamic_call(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
+        let Some((text, place)) = self.required_attr(tag, "macro", cx) else { return };
+        if text.is_empty() {
+            let message = "`xacro:call` does not say which macro to call";
+            return self.error(
+                "XAC032",
+                place.origin,
+                message,
+                "xacro:call is missing the 'macro' attribute",
+            );
+        }
+        let value = self.eval_text(&text, place, cx.scope);
+        let Some(name) = display::to_str(&value) else { return self.skip_unknown(tag, cx) };
+        let tag_name = format!("xacro:{name}");
+        let tag = Tag { name: &tag_name, used: Some("macro"), ..tag };
+        // a computed name can end a recursion just as a condition can
+        self.conditions += 1;
+        self.call(tag, &name, has_next, out, cx);
+        self.conditions -= 1;
+    }
+
+    /// A macro call.
+    pub fn call(&mut self, tag: Tag<'_>, name: &str, has_next: bool, out: XId, cx: Cx) {
+        let at = self.tag_origin(tag, cx);
+        let Some(Resolved { def, macros, scope }) = self.find_macro(name, cx, at) else {
+            return self.unknown_macro(tag, name, cx);
+        };
+        if self.is_endless(&def, at) {
+            return;
+        }
+        let frame = self.push_frame(FrameKind::Macro, def.name.clone(), at, Some(def.origin));
+        let body_cx =
+            Cx { scope: self.scopes.push(scope, false), macros: self.macros.push(Some(macros)), frame };
+        let mut open: Vec<&Param> = def.params.iter().collect();
+        self.bind_attributes(tag, &def, &mut open, cx, body_cx);
+        let content = self.container(at);
+        self.eval_children(tag.node, tag.src, content, cx);
+        self.bind_blocks(tag, content, &def, &mut open, cx, body_cx);
+        self.bind_defaults(&def, &mut open, at, cx, body_cx);
+        if !open.is_empty() {
+            self.missing_params(&def, &open, at, body_cx);
+        }
+        let body = self.container(at);
+        self.calls.push((Arc::as_ptr(&def) as usize, self.conditions));
+        self.eval_body(&def, body, body_cx);
+        self.calls.pop();
+        self.drop_comments(out, has_next);
+        self.lift_namespaces(body, out, cx);
+        self.splice(body, out);
+    }
+
+    fn eval_body(&mut self, def: &MacroDef, body: XId, cx: Cx) {
+        let Some(item) = self.item(def.body.src) else { return };
+        let node = item.node(def.body.node);
+        // the reference evaluates the attributes of the macro tag as well
+        self.eval_attributes(Tag { node, src: def.body.src, name: node.name(), used: None }, body, cx);
+        self.eval_children(node, def.body.src, body, cx);
+    }
+
+    /// A node whose content will be spliced elsewhere.
+    pub fn container(&mut self, origin: Origin) -> XId {
+        self.result.tree.add(XKind::Container, EcoString::new(), origin)
+    }
+
+    /// Attributes of the call, evaluated where the call stands.
+    fn bind_attributes(&mut self, tag: Tag<'_>, def: &MacroDef, open: &mut Vec<&Param>, cx: Cx, body: Cx) {
+        for attr in tag.attrs() {
+            let at = Origin { src: tag.src, range: attr.name_range(), frame: cx.frame };
+            let given = open.iter().position(|p| p.name == attr.name());
+            let Some(i) = given.or_else(|| self.misspelt_param(tag, def, open, attr.name(), at)) else {
+                continue;
+            };
+            let param = open.remove(i);
+            let origin = Origin { range: attr.value_range(), ..at };
+            let text = attr.value(self.entities(tag.src)).into_owned();
+            self.bind_param(&param.name, &text, Place { origin, is_attr: true }, cx, body);
+        }
+    }
+
+    /// Evaluate a text in the caller's scope and bind it in the body's.
+    fn bind_param(&mut self, name: &EcoString, text: &str, place: Place, cx: Cx, body: Cx) {
+        let mark = self.reads.len();
+        let value = literal_of(self.eval_text(text, place, cx.scope));
+        let reads = self.reads.drain(mark..).collect();
+        let info =
+            BindingInfo { reads, ..BindingInfo::new(name.clone(), BindingKind::Parameter, place.origin) };
+        self.bind(body.scope, name.clone(), State::Ready(value), info, place.origin);
+    }
+
+    fn bind_blocks(
+        &mut self,
+        tag: Tag<'_>,
+        content: XId,
+        def: &MacroDef,
+        open: &mut Vec<&Param>,
+        cx: Cx,
+        body: Cx,
+    ) {
+        let mut blocks = self.result.tree.elements(content).collect::<Vec<_>>().into_iter();
+        let wanted: Vec<&Param> = open.iter().copied().filter(|p| p.is_block()).collect();
+        open.retain(|p| !p.is_block());
+        let mut missing = Vec::new();
+        for param in wanted {
+            match blocks.next() {
+                Some(block) => {
+                    let origin = self.result.tree.get(block).origin;
+                    let info = BindingInfo::new(param.name.clone(), BindingKind::Parameter, origin);
+                    let state = State::Block(Block::Built(block));
+                    self.bind(body.scope, param.name.clone(), state, info, origin);
+                }
+                None => missing.push(param.name.trim_start_matches('*')),
+            }
+        }
+        if self.unwinding {
+            return;
+        }
+        if !missing.is_empty() {
+            self.result.complete = false;
+            let message = format!("macro `{}` needs a block for `{}`", def.name, missing.join("`, `"));
+            let problem = self
+                .problem("XAC007", self.tag_origin(tag, cx), message)
+                .says("Not enough blocks")
+                .help("put one element for each block parameter between the start and end tag of the call");
+            self.push_with_definition(problem, def);
+        } else if let Some(extra) = blocks.next() {
+            let node = self.result.tree.get(extra);
+            let (name, at) = (node.text.clone(), node.origin);
+            let message = format!("`{name}` is one block more than macro `{}` takes", def.name);
+            let problem = self.problem("XAC007", at, message).says(format!("Unused block \"{name}\""));
+            self.push_with_definition(problem, def);
+        }
+    }
+
+    fn bind_defaults(&mut self, def: &MacroDef, open: &mut Vec<&Param>, at: Origin, cx: Cx, body: Cx) {
+        let mut left = Vec::new();
+        for param in std::mem::take(open) {
+            // of parameters with one name, the last default counts
+            let spec =
+                def.params.iter().rev().find(|p| p.name == param.name && (p.forward || p.default.is_some()));
+            let Some(spec) = spec else {
+                left.push(param);
+                continue;
+            };
+            if spec.forward && self.forward(&param.name, at, cx, body) {
+                continue;
+            }
+            match &spec.default {
+                Some((text, range)) => {
+                    let place = self.default_place(def, *range, body);
+                    self.bind_param(&param.name, text, place, cx, body);
+                }
+                None => self.nothing_to_forward(def, &param.name, at, body),
+            }
+        }
+        *open = left;
+    }
+
+    /// `^`: the value the caller sees under the same name.
+    fn forward(&mut self, name: &EcoString, at: Origin, cx: Cx, body: Cx) -> bool {
+        let mark = self.reads.len();
+        let value = match self.resolve(cx.scope, name, at) {
+            Some(value) => value,
+            None => match crate::expr::global_symbol(name) {
+                Some(value) => value,
+                None => return false,
+            },
+        };
+        let reads = self.reads.drain(mark..).collect();
+        let info = BindingInfo { reads, ..BindingInfo::new(name.clone(), BindingKind::Parameter, at) };
+        self.bind(body.scope, name.clone(), State::Ready(literal_of(value)), info, at);
+        true
+    }
+
+    fn nothing_to_forward(&mut self, def: &MacroDef, name: &EcoString, at: Origin, body: Cx) {
+        let message = format!(
+            "parameter `{name}` of macro `{}` takes the caller's `{name}`, which is not defined",
+            def.name
+        );
+        let problem = self
+            .problem("XAC005", at, message)
+            .says(format!("Undefined property to forward: {name}"))
+            .help(format!("pass it: {name}=\"...\""));
+        self.push_with_definition(problem, def);
+        self.bind_unknown(name, at, body);
+    }
+
+    fn bind_unknown(&mut self, name: &EcoString, at: Origin, body: Cx) {
+        self.result.complete = false;
+        let info = BindingInfo::new(name.clone(), BindingKind::Parameter, at);
+        self.bind(body.scope, name.clone(), State::Ready(Value::Unknown), info, at);
+    }
+
+    fn missing_params(&mut self, def: &MacroDef, open: &[&Param], at: Origin, body: Cx) {
+        if self.unwinding {
+            return;
+        }
+        let names: Vec<&str> = open.iter().map(|p| p.name.as_str()).collect();
+        let plural = if names.len() == 1 { "parameter" } else { "parameters" };
+        let message = format!("call of macro `{}` lacks the {plural} `{}`", def.name, names.join("`, `"));
+        let add: Vec<String> = names.iter().map(|n| format!("{n}=\"...\"")).collect();
+        let problem = self
+            .problem("XAC005", at, message)
+            .says(format!("Undefined parameters [{}]", names.join(",")))
+            .help(format!("add {}", add.join(" ")));
+        self.push_with_definition(problem, def);
+        for param in open {
+            self.bind_unknown(&param.name, at, body);
+        }
+    }
+
+    /// Report an attribute that is no parameter. If it looks like one that is not given otherwise, it is
+    /// taken for that one: a typing error is one finding, not two.
+    fn misspelt_param(
+        &mut self,
+        tag: Tag<'_>,
+        def: &MacroDef,
+        open: &[&Param],
+        name: &str,
+        at: Origin,
+    ) -> Option<usize> {
+        let message = format!("macro `{}` has no parameter `{name}`", def.name);
+        let mut problem = self.problem("XAC006", at, message).says(format!("Invalid parameter \"{name}\""));
+        let near = nearest(name, def.params.iter().map(|p| p.name.as_str())).map(str::to_owned);
+        if let Some(near) = &near {
+            problem = problem.help(format!("rename it to `{near}`")).replace_with(near.as_str());
+        }
+        self.push_with_definition(problem, def);
+        let near = near.filter(|near| tag.attr(near).is_none())?;
+        open.iter().position(|p| p.name == near && !p.is_block())
+    }
+
+    fn push_with_definition(&mut self, mut problem: super::Problem, def: &MacroDef) {
+        let message = format!("macro `{}` is defined here", def.name);
+        let place = self.result.place(def.origin);
+        problem.trace.extend(place.map(|place| super::Step { place, message }));
+        self.push(problem);
+    }
+
+    /// Where the default of a parameter stands.
+    fn default_place(&self, def: &MacroDef, range: TextRange, cx: Cx) -> Place {
+        let src = def.body.src;
+        let fallback = Place { origin: def.origin, is_attr: true };
+        let Some(item) = self.item(src) else { return fallback };
+        let Some(attr) = item.node(def.body.node).attr("params") else { return fallback };
+        let origin = Origin { src, range: attr.value_range(), frame: cx.frame };
+        let text = attr.value(self.entities(src));
+        let site = super::text::TextSite { text: &text, place: Place { origin, is_attr: true } };
+        Place { origin: self.origin_in(site, range), is_attr: true }
+    }
+
+    /// The macro called `name`: as a whole, else through its namespaces.
+    fn find_macro(&mut self, name: &str, cx: Cx, at: Origin) -> Option<Resolved> {
+        if let Some(def) = self.macros.find(cx.macros, name) {
+            return Some(Resolved { def, macros: cx.macros, scope: cx.scope });
+        }
+        let (path, name) = name.rsplit_once('.')?;
+        let (mut macros, mut scope) = (cx.macros, cx.scope);
+        for step in path.split('.') {
+            macros = self.macros.namespace(macros, step)?;
+            scope = match self.resolve(scope, step, at) {
+                Some(Value::Scope(id)) => id,
+                _ => return None,
+            };
+        }
+        let def = self.macros.find(macros, name)?;
+        Some(Resolved { def, macros, scope })
+    }
+
+    fn unknown_macro(&mut self, tag: Tag<'_>, name: &str, cx: Cx) {
+        let at = self.tag_origin(tag, cx);
+        let names = self.macros.visible_names(cx.macros);
+        let near = nearest(name, names.iter().copied()).map(str::to_owned);
+        if near.is_some() || !self.include_missing {
+            let message = format!("macro `{name}` is not defined");
+            let mut problem =
+                self.problem("XAC002", at, message).says(format!("unknown macro name: {}", tag.name));
+            if let Some(near) = near {
+                problem = problem
+                    .help(format!("a macro with a similar name exists: `{near}`"))
+                    .replace_with(format!("<xacro:{near}"));
+            } else {
+                problem = problem.help("include the file that defines it above this place");
+            }
+            self.push_undefined(NameKind::Macro, name, problem);
+        }
+        // what the call would have been given may hold causes of its own
+        let nowhere = self.container(at);
+        self.eval_attributes(tag, nowhere, cx);
+        self.skip_unknown(tag, cx);
+    }
+
+    /// Whether calling `def` once more can never end; reports it.
+    fn is_endless(&mut self, def: &Arc<MacroDef>, at: Origin) -> bool {
+        let key = Arc::as_ptr(def) as usize;
+        let same = self.calls.iter().rev().find(|(other, _)| *other == key);
+        let Some(&(_, conditions)) = same else {
+            return self.too_deep(def, at);
+        };
+        if self.unknown_conditions > 0 {
+            // whether to go on cannot be known, so the recursion ends here
+            self.result.complete = false;
+            return true;
+        }
+        if conditions == self.conditions {
+            let message = format!("macro `{}` calls itself without a condition that could end it", def.name);
+            let problem = self
+                .problem("XAC034", at, message)
+                .says("maximum recursion depth exceeded")
+                .help("put the inner call into <xacro:if value=\"...\">");
+            self.push_with_definition(problem, def);
+            self.result.complete = false;
+            return true;
+        }
+        self.too_deep(def, at)
+    }
+
+    fn too_deep(&mut self, def: &MacroDef, at: Origin) -> bool {
+        let most = self.request.limits.macro_depth;
+        let deep = self.calls.len() as u32 >= most;
+        if deep {
+            let message =
+                format!("macro calls are nested more than {most} deep, here into macro `{}`", def.name);
+            self.stop(at, message, Some("macro-depth"));
+        }
+        deep
+    }
+
+    /// Copy the `xmlns:*` attributes of a spliced tag to the element around it.
+    pub fn lift_namespaces(&mut self, from: XId, to: XId, cx: Cx) {
+        let attrs = std::mem::take(&mut self.result.tree.get_mut(from).attrs);
+        for attr in attrs.into_iter().filter(|a| a.name.starts_with("xmlns:")) {
+            let old = self.result.tree.attr(to, &attr.name).map(|a| a.value.clone());
+            match old {
+                Some(old) if old != attr.value => {
+                    let message =
+                        format!("`{}` is bound to `{}` here and to `{old}` around it", attr.name, attr.value);
+                    let reference = format!(
+                        "inconsistent namespace redefinitions for {}:\n old: {old}\n new: {} ({})",
+                        attr.name,
+                        attr.value,
+                        self.current_file()
+                    );
+                    let at = Origin { frame: cx.frame, ..attr.origin };
+                    self.warn("XAC042", at, message, reference);
+                }
+                _ => self.result.tree.set_attr(to, attr),
+            }
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! What went wrong, where, and by which way expansion came there.
+
+use super::origin::Origin;
+use super::{Expansion, Frame, FrameKind};
+use crate::base::{FastMap, TextRange};
+
+/// How bad a problem is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Severity {
+    /// The reference refuses the file.
+    Error,
+    /// The reference prints a warning and goes on.
+    Warning,
+}
+
+/// A place in a file of the expansion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Place {
+    /// Index of [`Expansion::files`].
+    pub file: super::FileIdx,
+    /// Absolute byte range.
+    pub range: TextRange,
+}
+
+/// A step of the trace of a problem.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Step {
+    /// Where it happened.
+    pub place: Place,
+    /// What happened there, e.g. "in this call of macro `leg`".
+    pub message: String,
+}
+
+/// One cause, found once, however often expansion ran into it.
+#[derive(Clone, Debug)]
+pub struct Problem {
+    /// Code of the rule that speaks about this, e.g. `XAC001`.
+    pub code: &'static str,
+    /// Error or warning.
+    pub severity: Severity,
+    /// One line in our words: lower case, names the entity.
+    pub message: String,
+    /// What the reference says about it (may hold line feeds).
+    pub reference: String,
+    /// What to do, where there is something to say.
+    pub help: Option<String>,
+    /// Text that would mend it, in place of the text of `place`.
+    pub replacement: Option<String>,
+    /// The text that is wrong.
+    pub place: Place,
+    /// How expansion came there, innermost step first.
+    pub trace: Vec<Step>,
+    /// Further ways that lead to the same place: the calls behind the first one.
+    pub more_calls: Vec<Step>,
+}
+
+impl Problem {
+    /// A problem at `place`; the builder methods add the rest.
+    pub fn new(code: &'static str, place: Place, message: impl Into<String>) -> Self {
+        Self {
+            code,
+            severity: Severity::Error,
+            message: message.into(),
+            reference: String::new(),
+            help: None,
+            replacement: None,
+            place,
+            trace: Vec::new(),
+            more_calls: Vec::new(),
+        }
+    }
+
+    /// The same as a warning.
+    #[must_use]
+    pub fn warning(mut self) -> Self {
+        self.severity = Severity::Warning;
+        self
+    }
+
+    /// With the words of the reference.
+    #[must_use]
+    pub fn says(mut self, reference: impl Into<String>) -> Self {
+        self.reference = reference.into();
+        self
+    }
+
+    /// With advice.
+    #[must_use]
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// With a text to put in place of the wrong one.
+    #[must_use]
+    pub fn replace_with(mut self, text: impl Into<String>) -> Self {
+        self.replacement = Some(text.into());
+        self
+    }
+
+    /// With a trace.
+    #[must_use]
+    pub fn via(mut self, trace: Vec<Step>) -> Self {
+        self.trace = trace;
+        self
+    }
+}
+
+/// Collects problems; the same problem at the same place is kept once.
+#[derive(Debug, Default)]
+pub(super) struct Problems {
+    pub list: Vec<Problem>,
+    seen: FastMap<(&'static str, super::FileIdx, TextRange, String), usize>,
+}
+
+impl Problems {
+    /// Calls kept for one problem.
+    const MOST_CALLS: usize = 100;
+
+    pub fn push(&mut self, problem: Problem) {
+        let key = (problem.code, problem.place.file, problem.place.range, problem.message.clone());
+        if let Some(old) = self.seen.get(&key).and_then(|&i| self.list.get_mut(i)) {
+            if let Some(call) = problem.trace.into_iter().next()
+                && old.more_calls.len() < Self::MOST_CALLS
+                && !old.trace.contains(&call)
+                && !old.more_calls.contains(&call)
+            {
+                old.more_calls.push(call);
+            }
+            return;
+        }
+        self.seen.insert(key, self.list.len());
+        self.list.push(problem);
+    }
+}
+
+impl Expansion {
+    /// The absolute place of an origin.
+    pub fn place(&self, origin: Origin) -> Option<Place> {
+        let source = self.sources.get(origin.src.0 as usize)?;
+        Some(Place { file: source.file, range: origin.range.shift(source.base) })
+    }
+
+    /// The frame of an origin and all frames around it, innermost first, without the root.
+    pub fn frames_of(&self, origin: Origin) -> impl Iterator<Item = &Frame> {
+        let frame = |origin: Origin| self.frames.get(origin.frame.0 as usize);
+        let not_root = |frame: &&Frame| frame.kind != FrameKind::Root;
+        std::iter::successors(frame(origin).filter(not_root), move |f| frame(f.call).filter(not_root))
+    }
+
+    /// Whether the reference would have refused the file.
+    pub fn has_errors(&self) -> bool {
+        self.problems.iter().any(|p| p.severity == Severity::Error)
+    }
+}
+
+/// What a frame means in a trace.
+pub(super) fn step_message(frame: &Frame) -> String {
+    match frame.kind {
+        FrameKind::Root => "in this file".to_owned(),
+        FrameKind::Include => "included here".to_owned(),
+        FrameKind::Macro => format!("in this call of macro `{}`", frame.name),
+        FrameKind::Block => format!("in block `{}`, inserted here", frame.name),
+    }
+}

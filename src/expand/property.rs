@@ -1,0 +1,229 @@
+//! `xacro:property`.
+
+use std::borrow::Cow;
+
+use ecow::EcoString;
+
+use super::element::Tag;
+use super::machine::{Cx, Expander};
+use super::origin::Origin;
+use super::resolve::{BindingInfo, BindingKind};
+use super::scope::{Binding, Block, Place, Scopes, SrcRef, State};
+use super::tree::XId;
+use crate::base::TextRange;
+use crate::expr::{ScopeId, Value, display, is_global_symbol, is_identifier, literal};
+
+type AttrText<'a> = Option<(Cow<'a, str>, Place)>;
+
+impl Expander<'_> {
+    /// Define, default or remove a property.
+    pub fn property(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
+        self.drop_comments(out, has_next);
+        let Some((name_text, name_place)) = self.required_attr(tag, "name", cx) else { return };
+        self.check_attrs(tag, &["name", "value", "default", "remove", "scope", "lazy_eval"], cx);
+        let name = self.eval_text(&name_text, name_place, cx.scope);
+        let Some(name) = self.property_name(&name, name_place) else { return };
+        let mut value = self.attr(tag, "value", cx);
+        let default = self.attr(tag, "default", cx);
+        let Some(remove) = self.flag(tag, "remove", false, cx) else { return };
+        if usize::from(value.is_some()) + usize::from(default.is_some()) + usize::from(remove) > 1 {
+            return self.conflicting(tag, &name, cx);
+        }
+        let known = self.scopes.holder(cx.scope, &name).is_some() || is_global_symbol(&name);
+        if remove && known {
+            return self.remove_property(cx.scope, &name, name_place);
+        }
+        let scope = self.attr(tag, "scope", cx);
+        if let Some((_, place)) = &default {
+            if scope.is_some() {
+                let message = format!("`default` of property `{name}` ignores `scope`");
+                let reference = format!("{name}: default property value can only be defined on local scope");
+                let at = scope.as_ref().map_or(place.origin, |(_, p)| p.origin);
+                self.warn("XAC040", at, message, reference);
+            }
+            if known {
+                return;
+            }
+            value = default;
+        }
+        let Some(lazy) = self.flag(tag, "lazy_eval", true, cx) else { return };
+        self.store(tag, &name, name_place, value, scope, lazy, cx);
+    }
+
+    #[allow(clippy::too_many_arguments)] // the attributes of the tag, each needed once
+    fn store(
+        &mut self,
+        tag: Tag<'_>,
+        name: &EcoString,
+        name_place: Place,
+        value: AttrText<'_>,
+        scope: AttrText<'_>,
+        lazy: bool,
+        cx: Cx,
+    ) {
+        let mut at_once = !lazy;
+        let mut target = Some(cx.scope);
+        match scope.as_ref().map(|(text, _)| text.as_ref()) {
+            Some("global") => (target, at_once) = (Some(Scopes::TOP), true),
+            Some("parent") => (target, at_once) = (self.parent_scope(cx.scope), true),
+            _ => {}
+        }
+        let (key, state, origin) = match value {
+            None => {
+                let at = self.tag_origin(tag, cx);
+                let block = Block::Source(SrcRef { src: tag.src, node: tag.node.id() });
+                (EcoString::from(format!("**{name}")), State::Block(block), at)
+            }
+            Some((text, place)) if at_once => {
+                let mark = self.reads.len();
+                let value = literal_of(self.eval_text(&text, place, cx.scope));
+                let reads = self.reads.drain(mark..).collect();
+                let info = BindingInfo {
+                    reads,
+                    ..BindingInfo::new(name.clone(), BindingKind::Property, place.origin)
+                };
+                return self.put(target, name.clone(), State::Ready(value), info, name_place.origin, scope);
+            }
+            Some((text, place)) => (name.clone(), lazy_state(&text, place), place.origin),
+        };
+        let info = BindingInfo::new(name.clone(), BindingKind::Property, origin);
+        self.put(target, key, state, info, name_place.origin, scope);
+    }
+
+    fn put(
+        &mut self,
+        target: Option<ScopeId>,
+        key: EcoString,
+        state: State,
+        info: BindingInfo,
+        at: Origin,
+        scope: AttrText<'_>,
+    ) {
+        let Some(target) = target else {
+            let at = scope.map_or(at, |(_, place)| place.origin);
+            let message = format!("property `{}` is at the top: there is no parent scope", info.name);
+            let problem = self
+                .problem("XAC039", at, message)
+                .says("'dict' object has no attribute '_setitem'")
+                .help("drop scope=\"parent\"");
+            return self.push(problem);
+        };
+        self.bind(target, key, state, info, at);
+    }
+
+    /// Put a binding into a scope.
+    pub fn bind(&mut self, scope: ScopeId, key: EcoString, state: State, info: BindingInfo, at: Origin) {
+        if is_global_symbol(&key) {
+            let message = format!("`{key}` hides the built-in symbol of that name");
+            self.warn("XAC018", at, message, format!("redefining global symbol: {key}"));
+        }
+        self.defined(super::late::NameKind::Property, &key, at);
+        let info = self.add_binding(info);
+        self.scopes.get_mut(scope).vars.insert(key, Binding { state, info });
+    }
+
+    /// The scope `scope="parent"` means; none at the top.
+    fn parent_scope(&self, from: ScopeId) -> Option<ScopeId> {
+        let scope = self.scopes.get(from);
+        let mut target = scope.parent?;
+        if !scope.is_namespace {
+            // from a macro, the namespaces between it and its caller are skipped
+            while self.scopes.get(target).is_namespace {
+                target = self.scopes.get(target).parent?;
+            }
+        }
+        Some(target)
+    }
+
+    fn property_name(&mut self, name: &Value, place: Place) -> Option<EcoString> {
+        let Value::Str(name) = name else {
+            if let Some(shown) = display::to_str(name) {
+                let message = format!("property name `{shown}` is not an identifier");
+                let reference = format!("Property names must be valid python identifiers: {shown}");
+                self.error("XAC022", place.origin, message, reference);
+            }
+            return None;
+        };
+        let reference = if !is_identifier(name) {
+            format!("Property names must be valid python identifiers: {name}")
+        } else if name.starts_with("__") {
+            format!("Property names must not start with double underscore:{name}")
+        } else {
+            return Some(name.clone());
+        };
+        let message = if name.starts_with("__") {
+            format!("property name `{name}` must not start with two underscores")
+        } else {
+            format!("property name `{name}` is not an identifier")
+        };
+        let problem = self
+            .problem("XAC022", place.origin, message)
+            .says(reference)
+            .help("use letters, digits and `_`, do not start with a digit, and avoid Python's keywords");
+        self.push(problem);
+        None
+    }
+
+    /// A boolean attribute; `None` when its value is an error or unknown.
+    fn flag(&mut self, tag: Tag<'_>, name: &str, default: bool, cx: Cx) -> Option<bool> {
+        match self.attr(tag, name, cx) {
+            Some((text, place)) if !text.is_empty() => {
+                let value = self.eval_text(&text, place, cx.scope);
+                self.truth(&value, &text, place.origin)
+            }
+            _ => Some(default),
+        }
+    }
+
+    fn conflicting(&mut self, tag: Tag<'_>, name: &EcoString, cx: Cx) {
+        let given: Vec<_> =
+            tag.attrs().filter(|a| matches!(a.name(), "value" | "default" | "remove")).collect();
+        let names: Vec<String> = given.iter().map(|a| format!("`{}`", a.name())).collect();
+        let range = given.last().map_or(tag.node.name_range(), |a| a.range());
+        let at = Origin { src: tag.src, range, frame: cx.frame };
+        let problem = self
+            .problem(
+                "XAC036",
+                at,
+                format!("property `{name}` has {}: only one of them can be", names.join(" and ")),
+            )
+            .says(format!("Property attributes default, value, and remove are mutually exclusive: {name}"));
+        self.push(problem);
+        // later uses of the name are no news
+        let info = BindingInfo::new(name.clone(), BindingKind::Property, at);
+        self.bind(cx.scope, name.clone(), State::Ready(Value::Unknown), info, at);
+    }
+
+    fn remove_property(&mut self, scope: ScopeId, name: &EcoString, place: Place) {
+        self.scopes.remove_everywhere(scope, name);
+        if is_global_symbol(name) {
+            let message = format!("the built-in symbol `{name}` cannot be removed");
+            self.warn("XAC018", place.origin, message, format!("Cannot remove global symbol: {name}"));
+        }
+    }
+}
+
+/// The literal rule on the result of an expression.
+pub(super) fn literal_of(value: Value) -> Value {
+    match value {
+        Value::Str(text) => literal::from_text(&text),
+        value => value,
+    }
+}
+
+/// What a property with this text is until its first use.
+fn lazy_state(text: &str, place: Place) -> State {
+    let Value::Str(literal) = literal::from_text(text) else {
+        return State::Ready(literal::from_text(text));
+    };
+    if !literal.contains('$') {
+        // nothing to evaluate: only the literal rule is applied once more
+        return State::Ready(literal::from_text(&literal));
+    }
+    let mut place = place;
+    if literal.len() + 2 == text.len() && text.starts_with('\'') {
+        let range = place.origin.range;
+        place.origin.range = TextRange::new(range.start + 1, range.end.saturating_sub(1));
+    }
+    State::Lazy(literal, place)
+}

@@ -1,0 +1,43 @@
+//! What an expansion read: the facts its result depends on.
+
+use std::path::PathBuf;
+
+use crate::base::FastSet;
+
+/// One thing that was read, or looked for and not found.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Read {
+    /// A file, with the hash of its text.
+    File(PathBuf, u64),
+    /// A path at which a file was looked for; creating it changes the result.
+    Missing(PathBuf),
+    /// A folder listing (a wildcard include).
+    Glob(String, Vec<PathBuf>),
+    /// A package, and where it was found.
+    Package(String, Option<PathBuf>),
+    /// An environment variable, and its value.
+    Env(String, Option<String>),
+    /// An argument that was given from outside, and its value.
+    Arg(String, Option<String>),
+}
+
+/// Everything an expansion read, in the order of the first reads.
+#[derive(Clone, Debug, Default)]
+pub struct Record {
+    reads: Vec<Read>,
+    seen: FastSet<Read>,
+}
+
+impl Record {
+    /// Note a read.
+    pub fn add(&mut self, read: Read) {
+        if self.seen.insert(read.clone()) {
+            self.reads.push(read);
+        }
+    }
+
+    /// The reads in order.
+    pub fn iter(&self) -> impl Iterator<Item = &Read> {
+        self.reads.iter()
+    }
+}

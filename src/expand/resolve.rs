@@ -1,0 +1,185 @@
+//! Names to values: lazy evaluation, and what was read for it.
+
+use ecow::EcoString;
+
+use super::late::NameKind;
+use super::machine::Expander;
+use super::origin::Origin;
+use super::scope::State;
+use crate::expr::{ScopeId, Value, literal};
+use crate::workspace::nearest;
+
+/// Where a value that an expression read was given.
+#[derive(Clone, Debug)]
+pub struct BindingInfo {
+    /// Its name.
+    pub name: EcoString,
+    /// What it is.
+    pub kind: BindingKind,
+    /// The text that gives the value; none for arguments from outside.
+    pub origin: Option<Origin>,
+    /// Bindings that were read to compute it.
+    pub reads: Box<[u32]>,
+}
+
+/// The kinds of bindings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BindingKind {
+    /// `xacro:property`
+    Property,
+    /// A macro parameter.
+    Parameter,
+    /// `xacro:arg`, or an argument from outside.
+    Argument,
+    /// The name of `ns=`.
+    Namespace,
+}
+
+impl BindingInfo {
+    /// An argument given from outside.
+    pub fn given(name: &str) -> Self {
+        Self { name: name.into(), kind: BindingKind::Argument, origin: None, reads: Box::default() }
+    }
+
+    /// Something given by source text.
+    pub fn new(name: EcoString, kind: BindingKind, origin: Origin) -> Self {
+        Self { name, kind, origin: Some(origin), reads: Box::default() }
+    }
+}
+
+/// A lazy property being evaluated, and the text that asked for it.
+#[derive(Clone, Debug)]
+pub(super) struct LazyUse {
+    pub name: EcoString,
+    pub at: Origin,
+}
+
+impl Expander<'_> {
+    /// Lazy properties that need each other; far beyond what the reference's stack admits.
+    const MAX_LAZY_DEPTH: usize = 500;
+
+    /// The value of `name` seen from `scope`; `at` is the text that asks. `None`: no such property.
+    pub fn resolve(&mut self, scope: ScopeId, name: &str, at: Origin) -> Option<Value> {
+        let (holder, binding) = self.scopes.find(scope, name)?;
+        let info = binding.info;
+        match &binding.state {
+            State::Ready(value) => {
+                let value = value.clone();
+                self.reads.push(info);
+                Some(value)
+            }
+            State::Block(_) => Some(Value::Unknown),
+            State::Lazy(..) => {
+                let value = self.force(holder, name, at);
+                self.reads.push(info);
+                Some(value)
+            }
+        }
+    }
+
+    /// Evaluate a lazy property for good.
+    fn force(&mut self, holder: ScopeId, name: &str, at: Origin) -> Value {
+        let scope = self.scopes.get_mut(holder);
+        let Some((name, State::Lazy(text, place), info)) =
+            scope.vars.get_key_value(name).map(|(n, b)| (n.clone(), b.state.clone(), b.info))
+        else {
+            return Value::Unknown;
+        };
+        if scope.resolving.contains(&name) {
+            return self.circular(holder, &name, at);
+        }
+        if self.lazy_uses.len() >= Self::MAX_LAZY_DEPTH {
+            let message = format!("more than {} properties need each other here", Self::MAX_LAZY_DEPTH);
+            self.error("XAC025", at, message, "maximum recursion depth exceeded");
+            return Value::Unknown;
+        }
+        scope.resolving.push(name.clone());
+        self.lazy_uses.push(LazyUse { name: name.clone(), at });
+        let mark = self.reads.len();
+        let value = self.eval_text(&text, place, holder);
+        self.lazy_uses.pop();
+        let value = match value {
+            Value::Str(text) => literal::from_text(&text),
+            value => value,
+        };
+        let reads: Box<[u32]> = self.reads.drain(mark..).collect();
+        if let Some(info) = self.result.bindings.get_mut(info as usize) {
+            info.reads = reads;
+        }
+        let scope = self.scopes.get_mut(holder);
+        scope.resolving.retain(|n| *n != name);
+        if let Some(binding) = scope.vars.get_mut(&name) {
+            binding.state = State::Ready(value.clone());
+        }
+        value
+    }
+
+    fn circular(&mut self, holder: ScopeId, name: &EcoString, at: Origin) -> Value {
+        let mut names: Vec<&str> = self.scopes.get(holder).resolving.iter().map(EcoString::as_str).collect();
+        names.push(name);
+        let chain = names.join(" -> ");
+        let start = names.iter().position(|n| n == name).unwrap_or(0);
+        let cycle = names.get(start..).unwrap_or_default().join(" -> ");
+        let reference = format!(
+            "circular variable definition: {chain}\nConsider disabling lazy evaluation via lazy_eval=\"false\""
+        );
+        // the first property of the cycle is to blame, wherever the cycle was entered
+        let origin = self
+            .scopes
+            .find(holder, name)
+            .and_then(|(_, b)| self.result.bindings.get(b.info as usize))
+            .and_then(|info| info.origin)
+            .unwrap_or(at);
+        let message = format!("properties refer to each other: {cycle}");
+        let problem = self
+            .problem("XAC023", origin, message)
+            .says(reference)
+            .help("give one of them a value of its own, or evaluate it at once with lazy_eval=\"false\"");
+        self.push(problem);
+        Value::Unknown
+    }
+
+    /// Report a name that is no property, parameter or global symbol; `code` is the expression it stands in.
+    pub fn undefined_property(&mut self, scope: ScopeId, name: &str, code: &str, at: Origin) {
+        let names = self.scopes.visible_names(scope);
+        let near = nearest(name, names.iter().copied()).map(str::to_owned);
+        // what a missing include would have defined is no news; a near name is a typing error all the same
+        if self.include_missing && near.is_none() {
+            self.result.complete = false;
+            return;
+        }
+        let mut problem = self
+            .problem("XAC001", at, format!("property `{name}` is not defined"))
+            .says(format!("name '{name}' is not defined \nwhen evaluating expression '{code}'"));
+        if let Some(near) = near {
+            problem =
+                problem.help(format!("a property with a similar name exists: `{near}`")).replace_with(near);
+        } else if self.args.contains_key(name) {
+            problem = problem.help(format!("`{name}` is an argument: write `$(arg {name})`"));
+        } else {
+            let define = format!("<xacro:property name=\"{name}\" value=\"...\"/>");
+            problem = problem.help(format!("define it above this place: {define}"));
+        }
+        self.push_undefined(NameKind::Property, name, problem);
+    }
+
+    /// Report an argument that was neither declared nor given; `said` is how the reference shows its name.
+    pub fn undefined_arg(&mut self, name: &str, at: Origin, said: String) {
+        if self.include_missing {
+            self.result.complete = false;
+            return;
+        }
+        let names: Vec<EcoString> = self.args.keys().cloned().collect();
+        let near = nearest(name, names.iter().map(EcoString::as_str)).map(str::to_owned);
+        let mut problem = self.problem("XAC003", at, format!("argument `{name}` is not defined")).says(said);
+        problem = match near {
+            Some(near) => problem
+                .help(format!("an argument with a similar name exists: `{near}`"))
+                .replace_with(near),
+            None => problem.help(format!(
+                "declare it above this place: <xacro:arg name=\"{name}\" default=\"...\"/>, or give {name}:=..."
+            )),
+        };
+        self.push_undefined(NameKind::Arg, name, problem);
+    }
+}

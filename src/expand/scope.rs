@@ -1,0 +1,259 @@
+//! Symbol tables: chains of properties, and chains of macros.
+#![allow(clippy::indexing_slicing)] // ids are made by these tables only and never outlive them
+
+use std::sync::Arc;
+
+use ecow::EcoString;
+
+use super::origin::{Origin, SrcId};
+use super::tree::XId;
+use crate::base::{FastMap, TextRange};
+use crate::expr::{ScopeId, Value};
+use crate::xml::NodeId;
+
+/// An element of the source.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct SrcRef {
+    pub src: SrcId,
+    pub node: NodeId,
+}
+
+/// Text of the source that may hold expressions.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    /// The text as it is written, and the frame it was reached through.
+    pub origin: Origin,
+    /// Whether it is an attribute value (character data otherwise).
+    pub is_attr: bool,
+}
+
+/// What a property scope knows of a name.
+#[derive(Clone, Debug)]
+pub(super) struct Binding {
+    pub state: State,
+    /// Index in the expansion's list of bindings.
+    pub info: u32,
+}
+
+/// The life of a property.
+#[derive(Clone, Debug)]
+pub(super) enum State {
+    /// Not evaluated yet: evaluated on first use, in the scope that holds it.
+    Lazy(EcoString, Place),
+    /// Evaluated for good.
+    Ready(Value),
+    /// A block: `**name` properties and `*name` parameters.
+    Block(Block),
+}
+
+/// What `insert_block` inserts.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Block {
+    /// The unevaluated property element.
+    Source(SrcRef),
+    /// An evaluated child of a macro call.
+    Built(XId),
+}
+
+/// A property scope.
+#[derive(Debug, Default)]
+pub(super) struct Scope {
+    pub parent: Option<ScopeId>,
+    /// Made by `ns=` of an include.
+    pub is_namespace: bool,
+    pub vars: FastMap<EcoString, Binding>,
+    /// Lazy properties of this scope that are being evaluated right now.
+    pub resolving: Vec<EcoString>,
+}
+
+/// All property scopes of an expansion; none is ever dropped, since lambdas may keep one.
+#[derive(Debug)]
+pub(super) struct Scopes {
+    list: Vec<Scope>,
+}
+
+impl Scopes {
+    pub const TOP: ScopeId = ScopeId(0);
+
+    pub fn new() -> Self {
+        Self { list: vec![Scope::default()] }
+    }
+
+    pub fn push(&mut self, parent: ScopeId, is_namespace: bool) -> ScopeId {
+        let id = ScopeId(self.list.len() as u32);
+        self.list.push(Scope { parent: Some(parent), is_namespace, ..Scope::default() });
+        id
+    }
+
+    pub fn get(&self, id: ScopeId) -> &Scope {
+        &self.list[id.0 as usize]
+    }
+
+    pub fn get_mut(&mut self, id: ScopeId) -> &mut Scope {
+        &mut self.list[id.0 as usize]
+    }
+
+    /// How many scopes are around `id`.
+    pub(super) fn depth(&self, id: ScopeId) -> i64 {
+        std::iter::successors(self.get(id).parent, |&outer| self.get(outer).parent).count() as i64
+    }
+
+    /// The scope in the chain from `id` that holds `name`.
+    pub fn holder(&self, id: ScopeId, name: &str) -> Option<ScopeId> {
+        let mut at = Some(id);
+        while let Some(id) = at {
+            let scope = self.get(id);
+            if scope.vars.contains_key(name) {
+                return Some(id);
+            }
+            at = scope.parent;
+        }
+        None
+    }
+
+    /// The binding of `name` visible from `id`, and the scope that holds it.
+    pub fn find(&self, id: ScopeId, name: &str) -> Option<(ScopeId, &Binding)> {
+        let holder = self.holder(id, name)?;
+        self.get(holder).vars.get(name).map(|b| (holder, b))
+    }
+
+    /// Delete `name` from `id` and everything around it.
+    pub fn remove_everywhere(&mut self, id: ScopeId, name: &str) {
+        let mut at = Some(id);
+        while let Some(id) = at {
+            let scope = self.get_mut(id);
+            scope.vars.remove(name);
+            at = scope.parent;
+        }
+    }
+
+    /// Every name visible from `id`, for suggestions.
+    pub fn visible_names(&self, id: ScopeId) -> Vec<&str> {
+        let mut names: Vec<&str> = Vec::new();
+        let mut at = Some(id);
+        while let Some(id) = at {
+            names.extend(self.get(id).vars.keys().map(EcoString::as_str).filter(|n| !n.starts_with('*')));
+            at = self.get(id).parent;
+        }
+        names.sort_unstable();
+        names.dedup();
+        names
+    }
+}
+
+/// A macro table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct MacrosId(pub u32);
+
+#[derive(Debug)]
+enum MacroEntry {
+    Macro(Arc<MacroDef>),
+    Namespace(MacrosId),
+}
+
+#[derive(Debug, Default)]
+struct MacroTable {
+    parent: Option<MacrosId>,
+    entries: FastMap<EcoString, MacroEntry>,
+}
+
+/// A macro definition.
+#[derive(Debug)]
+pub(super) struct MacroDef {
+    pub name: EcoString,
+    pub body: SrcRef,
+    /// Where it stands: range of its `name` value.
+    pub origin: Origin,
+    pub params: Vec<Param>,
+}
+
+/// A parameter specification.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Param {
+    pub name: EcoString,
+    /// Where it stands in the (decoded) `params` text.
+    pub range: TextRange,
+    /// `^`: take the caller's property of the same name.
+    pub forward: bool,
+    /// The default, where there is one.
+    pub default: Option<(EcoString, TextRange)>,
+}
+
+impl Param {
+    pub fn is_block(&self) -> bool {
+        self.name.starts_with('*')
+    }
+}
+
+/// All macro tables of an expansion.
+#[derive(Debug)]
+pub(super) struct Macros {
+    list: Vec<MacroTable>,
+}
+
+impl Macros {
+    pub const TOP: MacrosId = MacrosId(0);
+
+    pub fn new() -> Self {
+        Self { list: vec![MacroTable::default()] }
+    }
+
+    pub fn push(&mut self, parent: Option<MacrosId>) -> MacrosId {
+        let id = MacrosId(self.list.len() as u32);
+        self.list.push(MacroTable { parent, ..MacroTable::default() });
+        id
+    }
+
+    pub fn define(&mut self, at: MacrosId, def: MacroDef) {
+        self.list[at.0 as usize].entries.insert(def.name.clone(), MacroEntry::Macro(Arc::new(def)));
+    }
+
+    pub fn define_namespace(&mut self, at: MacrosId, name: EcoString, table: MacrosId) {
+        self.list[at.0 as usize].entries.insert(name, MacroEntry::Namespace(table));
+    }
+
+    fn entry(&self, at: MacrosId, name: &str) -> Option<&MacroEntry> {
+        let mut at = Some(at);
+        while let Some(id) = at {
+            let table = &self.list[id.0 as usize];
+            if let Some(entry) = table.entries.get(name) {
+                return Some(entry);
+            }
+            at = table.parent;
+        }
+        None
+    }
+
+    /// The macro called `name` in the chain from `at`.
+    pub fn find(&self, at: MacrosId, name: &str) -> Option<Arc<MacroDef>> {
+        match self.entry(at, name)? {
+            MacroEntry::Macro(def) => Some(def.clone()),
+            MacroEntry::Namespace(_) => None,
+        }
+    }
+
+    /// The table of namespace `name` in the chain from `at`.
+    pub fn namespace(&self, at: MacrosId, name: &str) -> Option<MacrosId> {
+        match self.entry(at, name)? {
+            MacroEntry::Namespace(id) => Some(*id),
+            MacroEntry::Macro(_) => None,
+        }
+    }
+
+    /// Every macro name that can be called from `at` without a namespace, for suggestions.
+    pub fn visible_names(&self, at: MacrosId) -> Vec<&str> {
+        let mut names: Vec<&str> = Vec::new();
+        let mut at = Some(at);
+        while let Some(id) = at {
+            let table = &self.list[id.0 as usize];
+            names.extend(table.entries.iter().filter_map(|(name, entry)| match entry {
+                MacroEntry::Macro(_) => Some(name.as_str()),
+                MacroEntry::Namespace(_) => None,
+            }));
+            at = table.parent;
+        }
+        names.sort_unstable();
+        names.dedup();
+        names
+    }
+}

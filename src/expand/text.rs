@@ -1,0 +1,275 @@
+//! Text with `${...}` and `$(...)`: to values, and to strings that know their pieces.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use ecow::EcoString;
+
+use super::functions::ExprHost;
+use super::machine::{Cx, Expander};
+use super::origin::Origin;
+use super::scope::Place;
+use super::tree::Piece;
+use crate::base::TextRange;
+use crate::expr::ast::ExprKind;
+use crate::expr::{
+    self, Code, ErrorKind, EvalError, ExprErrorKind, Parsed, ScopeId, Template, Token, Value, display,
+};
+use crate::xml;
+
+/// A text of the source, split and parsed once.
+#[derive(Debug)]
+pub(super) struct CachedText {
+    pub text: EcoString,
+    pub template: Template,
+}
+
+/// The text being evaluated: its decoded form, and where it stands.
+#[derive(Clone, Copy)]
+pub(super) struct TextSite<'t> {
+    pub text: &'t str,
+    pub place: Place,
+}
+
+/// What stands for a value that could not be computed.
+pub(super) const UNKNOWN_TEXT: &str = "?";
+
+impl Expander<'_> {
+    /// The typed value of a text: one token keeps its type, several are joined as strings.
+    pub fn eval_text(&mut self, text: &str, place: Place, scope: ScopeId) -> Value {
+        if !text.contains('$') {
+            return Value::Str(text.into());
+        }
+        let cached = self.split(text, place);
+        let site = TextSite { text: &cached.text, place };
+        match cached.template.tokens.as_slice() {
+            [] => Value::Str(EcoString::new()),
+            [token] => self.eval_token(token, site, scope),
+            tokens => {
+                let mut out = EcoString::new();
+                let mut known = true;
+                for token in tokens {
+                    match display::to_str(&self.eval_token(token, site, scope)) {
+                        Some(text) => out.push_str(&text),
+                        None => known = false,
+                    }
+                }
+                if known { Value::Str(out) } else { Value::Unknown }
+            }
+        }
+    }
+
+    /// The string form of a text with the pieces that expressions made.
+    /// A piece that cannot be computed reads `?`.
+    pub fn eval_pieces(&mut self, text: &str, place: Place, cx: Cx) -> (EcoString, Box<[Piece]>) {
+        if !text.contains('$') {
+            return (text.into(), Box::default());
+        }
+        let cached = self.split(text, place);
+        let site = TextSite { text: &cached.text, place };
+        let mut out = EcoString::new();
+        let mut pieces = Vec::new();
+        for token in &cached.template.tokens {
+            let mark = self.reads.len();
+            let value = self.eval_token(token, site, cx.scope);
+            let start = out.len() as u32;
+            let shown = display::to_str(&value);
+            let unknown = shown.is_none();
+            self.result.complete &= !unknown;
+            out.push_str(shown.as_deref().unwrap_or(UNKNOWN_TEXT));
+            let reads: Box<[u32]> = self.reads.drain(mark..).collect();
+            if let Token::Expr { range, .. } | Token::Subst { range, .. } = token {
+                let source = self.origin_in(site, *range);
+                pieces.push(Piece { out: TextRange::new(start, out.len() as u32), source, reads, unknown });
+            }
+        }
+        (out, pieces.into())
+    }
+
+    /// The split form of a text, from the cache where the text is the one of its place.
+    fn split(&mut self, text: &str, place: Place) -> Arc<CachedText> {
+        let key = (place.origin.src, place.origin.range.start);
+        if let Some(cached) = self.texts.get(&key)
+            && cached.text == text
+        {
+            return cached.clone();
+        }
+        let cached = Arc::new(CachedText { text: text.into(), template: expr::split(text) });
+        self.texts.entry(key).or_insert_with(|| cached.clone());
+        cached
+    }
+
+    fn eval_token(&mut self, token: &Token, site: TextSite<'_>, scope: ScopeId) -> Value {
+        match token {
+            Token::Text(range) | Token::Escape(range) => Value::Str(range.slice(site.text).into()),
+            Token::Expr { range, inner, code } => self.eval_code(code, *range, *inner, site, scope),
+            Token::Subst { range, inner, nested } => {
+                let text = match nested {
+                    None => Cow::Borrowed(inner.slice(site.text)),
+                    Some(nested) => match self.eval_nested(nested, site, scope) {
+                        Some(text) => Cow::Owned(text.to_string()),
+                        None => return Value::Unknown,
+                    },
+                };
+                self.substitute(&text, *range, nested.is_none().then_some(*inner), site)
+            }
+            Token::Invalid { range, unclosed } => self.invalid_text(*range, *unclosed, site),
+        }
+    }
+
+    fn invalid_text(
+        &mut self,
+        range: TextRange,
+        unclosed: Option<&'static str>,
+        site: TextSite<'_>,
+    ) -> Value {
+        let rest = range.slice(site.text);
+        let at = self.origin_in(site, range);
+        let reference = format!("invalid expression: {rest}");
+        let problem = match unclosed {
+            Some(open) => {
+                let close = if open == "${" { "}" } else { ")" };
+                self.problem("XAC026", at, format!("`{open}` is not closed: `{close}` is missing"))
+                    .says(reference)
+            }
+            None => self
+                .problem("XAC024", at, format!("`{}` can stand only in front of `{{` or `(`", lead(rest)))
+                .says(reference)
+                .help("write a single `$` for a dollar sign"),
+        };
+        self.push(problem);
+        Value::Unknown
+    }
+
+    /// A text inside a token, evaluated to a string; `None` when it cannot be computed.
+    fn eval_nested(&mut self, nested: &Template, site: TextSite<'_>, scope: ScopeId) -> Option<EcoString> {
+        let mut out = EcoString::new();
+        let mut known = true;
+        for token in &nested.tokens {
+            match display::to_str(&self.eval_token(token, site, scope)) {
+                Some(text) => out.push_str(&text),
+                None => known = false,
+            }
+        }
+        known.then_some(out)
+    }
+
+    fn eval_code(
+        &mut self,
+        code: &Code,
+        whole: TextRange,
+        inner: TextRange,
+        site: TextSite<'_>,
+        scope: ScopeId,
+    ) -> Value {
+        match code {
+            Code::Static(parsed) => {
+                let at = CodeSite { whole, start: Some(inner.start), code: inner.slice(site.text), site };
+                self.eval_parsed(parsed, at, scope)
+            }
+            Code::Dynamic(nested) => {
+                let Some(text) = self.eval_nested(nested, site, scope) else { return Value::Unknown };
+                let parsed = expr::parse(&text);
+                let at = CodeSite { whole, start: None, code: inner.slice(site.text), site };
+                self.eval_parsed(&parsed, at, scope)
+            }
+        }
+    }
+
+    fn eval_parsed(&mut self, parsed: &Parsed, at: CodeSite<'_>, scope: ScopeId) -> Value {
+        if let Some(error) = parsed.errors.first() {
+            return self.syntax_error(error, at);
+        }
+        // the most common expression by far needs no evaluator
+        if let ExprKind::Name(name) = &parsed.expr.kind
+            && let Some(value) = self.resolve(scope, name, self.origin_of(at, parsed.expr.range))
+        {
+            return value;
+        }
+        let mut budget = self.budget.clone();
+        let result = expr::evaluate(&parsed.expr, &mut ExprHost { machine: self, scope, at }, &mut budget);
+        self.budget.steps = self.budget.steps.min(budget.steps);
+        self.budget.bytes = self.budget.bytes.min(budget.bytes);
+        match result {
+            Ok(value) => value,
+            Err(error) => {
+                self.evaluation_error(&error, at);
+                Value::Unknown
+            }
+        }
+    }
+
+    fn syntax_error(&mut self, error: &expr::ExprError, at: CodeSite<'_>) -> Value {
+        let whole = self.origin_in(at.site, at.whole);
+        let reference = format!("{} \nwhen evaluating expression '{}'", error.reference, at.code);
+        let code = at.code.trim();
+        let mut problem = match error.kind {
+            ExprErrorKind::ForbiddenName => self.problem("XAC024", whole, error.message.clone()),
+            _ if code.is_empty() => self.problem("XAC024", whole, "the expression is empty"),
+            _ => self.problem("XAC024", whole, format!("`{code}` is not an expression: {}", error.message)),
+        }
+        .says(reference);
+        if let Some(name) = code.strip_prefix("arg ") {
+            problem = problem
+                .help(format!("an argument is read with round brackets: `$(arg {})`", name.trim()))
+                .replace_with(format!("$(arg {})", name.trim()));
+        }
+        self.push(problem);
+        Value::Unknown
+    }
+
+    fn evaluation_error(&mut self, error: &EvalError, at: CodeSite<'_>) {
+        let reference = format!("{} \nwhen evaluating expression '{}'", error.message, at.code);
+        let (code, place) = match error.kind {
+            ErrorKind::Reported => return,
+            ErrorKind::YamlKey => ("XAC001", self.origin_of(at, error.range)),
+            ErrorKind::Syntax | ErrorKind::ForbiddenName => ("XAC024", self.origin_in(at.site, at.whole)),
+            _ => ("XAC025", self.origin_in(at.site, at.whole)),
+        };
+        let message = match code {
+            "XAC001" => error.message.clone(),
+            _ => format!("`{}` cannot be evaluated: {}", at.code.trim(), error.message),
+        };
+        self.error(code, place, message, reference);
+    }
+
+    /// The origin of a range of decoded text.
+    pub fn origin_in(&self, site: TextSite<'_>, range: TextRange) -> Origin {
+        let Place { origin, is_attr } = site.place;
+        let Some(source) = self.result.sources.get(origin.src.0 as usize) else { return origin };
+        let raw = origin.range.slice(source.item.text());
+        if raw.len() == site.text.len() && raw == site.text {
+            return Origin { range: range.shift(origin.range.start), ..origin };
+        }
+        let Some(file) = self.result.files.get(source.file.0 as usize) else { return origin };
+        let entities = file.source.document.entities();
+        let map = |offset: u32| xml::source_offset(raw, entities, is_attr, offset as usize) as u32;
+        let mapped = TextRange::new(map(range.start), map(range.end));
+        Origin { range: mapped.shift(origin.range.start), ..origin }
+    }
+
+    /// The origin of a range of an expression; the whole `${...}` when its text was made at run time.
+    pub fn origin_of(&self, at: CodeSite<'_>, range: TextRange) -> Origin {
+        match at.start {
+            Some(start) => self.origin_in(at.site, range.shift(start)),
+            None => self.origin_in(at.site, at.whole),
+        }
+    }
+}
+
+/// An expression being evaluated.
+#[derive(Clone, Copy)]
+pub(super) struct CodeSite<'t> {
+    /// The `${...}` in the decoded text.
+    pub whole: TextRange,
+    /// Where its code starts there; none when the code was put together at run time.
+    pub start: Option<u32>,
+    /// The code as it is written.
+    pub code: &'t str,
+    pub site: TextSite<'t>,
+}
+
+/// The dollar signs a text starts with.
+fn lead(text: &str) -> &str {
+    text.get(..text.len() - text.trim_start_matches('$').len()).unwrap_or("")
+}

@@ -1,0 +1,261 @@
+//! The expanded document: a flat arena of nodes that can still be moved while it grows.
+//!
+//! Expansion splices finished subtrees (macro bodies, blocks, includes) into place, so siblings
+//! are linked lists and moving a subtree costs nothing.
+#![allow(clippy::indexing_slicing)] // ids are made by this arena only and never outlive it
+
+use ecow::EcoString;
+
+use super::origin::Origin;
+use crate::base::TextRange;
+
+/// A node of the expanded document.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct XId(u32);
+
+impl XId {
+    /// The document itself: parent of the prolog, the root element and the epilog.
+    pub const DOCUMENT: XId = XId(0);
+    const NIL: XId = XId(u32::MAX);
+
+    fn some(self) -> Option<XId> {
+        (self != XId::NIL).then_some(self)
+    }
+
+    /// Place in the arena, for tables beside it.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// The kinds of nodes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum XKind {
+    /// The document, or a container that is spliced away.
+    Container,
+    /// An element; `text` is its tag name.
+    Element,
+    /// Character data.
+    Text,
+    /// A comment, without its delimiters.
+    Comment,
+    /// A CDATA section, without its delimiters.
+    CData,
+    /// A processing instruction: target, blank, data.
+    Pi,
+    /// A document type declaration, as it is written.
+    Doctype,
+}
+
+/// A node: what it is, what it says, and the source text it came from.
+#[derive(Clone, Debug)]
+pub struct XNode {
+    /// What it is.
+    pub kind: XKind,
+    /// Tag name or data.
+    pub text: EcoString,
+    /// Attributes in source order.
+    pub attrs: Vec<XAttr>,
+    /// The source text that made this node, and how it got here.
+    pub origin: Origin,
+    parent: XId,
+    first: XId,
+    last: XId,
+    prev: XId,
+    next: XId,
+}
+
+/// An attribute of an expanded element.
+#[derive(Clone, Debug)]
+pub struct XAttr {
+    /// Its qualified name.
+    pub name: EcoString,
+    /// Its value after evaluation.
+    pub value: EcoString,
+    /// The value's text in the source (without quotes).
+    pub origin: Origin,
+    /// Which slices of the value came from which expressions; empty for text taken over verbatim.
+    pub pieces: Box<[Piece]>,
+}
+
+/// A slice of an evaluated text that an expression produced.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Piece {
+    /// Byte range in the evaluated text.
+    pub out: TextRange,
+    /// The `${...}` or `$(...)` it came from.
+    pub source: Origin,
+    /// Properties, parameters and arguments read on the way: indices of
+    /// [`Expansion::bindings`](super::Expansion::bindings).
+    pub reads: Box<[u32]>,
+    /// The expression could not be computed; the text reads `?` there.
+    pub unknown: bool,
+}
+
+/// The arena.
+#[derive(Clone, Debug)]
+pub struct XTree {
+    nodes: Vec<XNode>,
+}
+
+impl Default for XTree {
+    fn default() -> Self {
+        let mut tree = Self { nodes: Vec::with_capacity(256) };
+        tree.add(XKind::Container, EcoString::new(), Origin::NOWHERE);
+        tree
+    }
+}
+
+impl XTree {
+    /// A new node without parent.
+    pub fn add(&mut self, kind: XKind, text: EcoString, origin: Origin) -> XId {
+        let id = XId(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX - 1));
+        let nil = XId::NIL;
+        self.nodes.push(XNode {
+            kind,
+            text,
+            attrs: Vec::new(),
+            origin,
+            parent: nil,
+            first: nil,
+            last: nil,
+            prev: nil,
+            next: nil,
+        });
+        id
+    }
+
+    /// How many nodes were ever made.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Whether nothing was made but the document itself.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.len() <= 1
+    }
+
+    /// The node of an id.
+    pub fn get(&self, id: XId) -> &XNode {
+        &self.nodes[id.index()]
+    }
+
+    /// The node of an id, to be changed.
+    pub fn get_mut(&mut self, id: XId) -> &mut XNode {
+        &mut self.nodes[id.index()]
+    }
+
+    /// The node's parent.
+    pub fn parent(&self, id: XId) -> Option<XId> {
+        self.get(id).parent.some()
+    }
+
+    /// The first child.
+    pub fn first_child(&self, id: XId) -> Option<XId> {
+        self.get(id).first.some()
+    }
+
+    /// The last child.
+    pub fn last_child(&self, id: XId) -> Option<XId> {
+        self.get(id).last.some()
+    }
+
+    /// The sibling behind.
+    pub fn next_sibling(&self, id: XId) -> Option<XId> {
+        self.get(id).next.some()
+    }
+
+    /// The sibling in front.
+    pub fn prev_sibling(&self, id: XId) -> Option<XId> {
+        self.get(id).prev.some()
+    }
+
+    /// The children in order.
+    pub fn children(&self, id: XId) -> impl Iterator<Item = XId> + '_ {
+        std::iter::successors(self.first_child(id), |&c| self.next_sibling(c))
+    }
+
+    /// The child elements in order.
+    pub fn elements(&self, id: XId) -> impl Iterator<Item = XId> + '_ {
+        self.children(id).filter(|&c| self.get(c).kind == XKind::Element)
+    }
+
+    /// The root element.
+    pub fn root(&self) -> Option<XId> {
+        self.elements(XId::DOCUMENT).next()
+    }
+
+    /// An attribute by name.
+    pub fn attr(&self, id: XId, name: &str) -> Option<&XAttr> {
+        self.get(id).attrs.iter().find(|a| a.name == name)
+    }
+
+    /// Set or replace an attribute.
+    pub fn set_attr(&mut self, id: XId, attr: XAttr) {
+        let attrs = &mut self.get_mut(id).attrs;
+        match attrs.iter_mut().find(|a| a.name == attr.name) {
+            Some(old) => *old = attr,
+            None => attrs.push(attr),
+        }
+    }
+
+    /// Put a node without parent behind the last child of `parent`.
+    pub fn append(&mut self, parent: XId, id: XId) {
+        let last = self.get(parent).last;
+        {
+            let node = self.get_mut(id);
+            node.parent = parent;
+            node.prev = last;
+            node.next = XId::NIL;
+        }
+        match last.some() {
+            Some(last) => self.get_mut(last).next = id,
+            None => self.get_mut(parent).first = id,
+        }
+        self.get_mut(parent).last = id;
+    }
+
+    /// Take a node out of its parent; its subtree stays with it.
+    pub fn detach(&mut self, id: XId) {
+        let (parent, prev, next) = {
+            let node = self.get(id);
+            (node.parent, node.prev, node.next)
+        };
+        let Some(parent) = parent.some() else { return };
+        match prev.some() {
+            Some(prev) => self.get_mut(prev).next = next,
+            None => self.get_mut(parent).first = next,
+        }
+        match next.some() {
+            Some(next) => self.get_mut(next).prev = prev,
+            None => self.get_mut(parent).last = prev,
+        }
+        let node = self.get_mut(id);
+        node.parent = XId::NIL;
+        node.prev = XId::NIL;
+        node.next = XId::NIL;
+    }
+
+    /// Move all children of `from` behind the last child of `to`.
+    pub fn move_children(&mut self, from: XId, to: XId) {
+        let mut next = self.first_child(from);
+        while let Some(child) = next {
+            next = self.next_sibling(child);
+            self.get_mut(child).parent = to;
+        }
+        let (first, last) = (self.get(from).first, self.get(from).last);
+        if first == XId::NIL {
+            return;
+        }
+        let tail = self.get(to).last;
+        self.get_mut(first).prev = tail;
+        match tail.some() {
+            Some(tail) => self.get_mut(tail).next = first,
+            None => self.get_mut(to).first = first,
+        }
+        self.get_mut(to).last = last;
+        let from = self.get_mut(from);
+        from.first = XId::NIL;
+        from.last = XId::NIL;
+    }
+}

@@ -1,0 +1,190 @@
+//! General entities: what the internal DTD subset declares, and what references to them stand for.
+
+use std::borrow::Cow;
+
+use super::decode::{Piece, Place, Reference, pieces, references};
+use crate::base::FastMap;
+
+/// Bytes one entity may grow to: the size from which expat starts to watch.
+const MAX_VALUE: usize = 8 << 20;
+/// Bytes all entities together may grow to.
+const MAX_TOTAL: usize = 32 << 20;
+/// Entities nested in each other at most.
+const MAX_DEPTH: u32 = 256;
+
+/// The general entities a document declares, and the five it need not declare.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Entities {
+    declared: FastMap<Box<str>, Declared>,
+    /// Declarations may hide in places that are not read, so an unknown entity is no error but empty.
+    pub(super) incomplete: bool,
+    /// The XML declaration says that there are no such declarations.
+    pub(super) standalone: bool,
+    /// Bytes all values take.
+    total: usize,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Declared {
+    entity: Entity,
+    /// Values in text and in an attribute, once they are known.
+    values: [Option<Result<Box<str>, EntityFault>>; 2],
+}
+
+/// A declared entity.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Entity {
+    /// Its replacement text: character references resolved, others not.
+    Internal(Box<str>),
+    /// `SYSTEM`, `PUBLIC`: never read.
+    External,
+    /// `NDATA`.
+    Unparsed,
+}
+
+/// Why a reference to an entity has no value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum EntityFault {
+    Undefined,
+    Recursive,
+    TooLarge,
+    Unparsed,
+    ExternalInAttribute,
+    /// Its replacement text is not well-formed by itself, or has a `<` in an attribute value.
+    Malformed,
+    /// Its replacement text ends inside a reference.
+    Unfinished,
+    /// Its replacement text refers to a forbidden character.
+    BadCharacter,
+}
+
+impl Entities {
+    pub(super) fn declare(&mut self, name: &str, entity: Entity) {
+        // The first declaration counts.
+        let declared = Declared { entity, values: [None, None] };
+        self.declared.entry(name.into()).or_insert(declared);
+    }
+
+    /// Work out all values; to be called when all declarations are known.
+    pub(super) fn resolve(&mut self) {
+        let mut names: Vec<Box<str>> = self.declared.keys().cloned().collect();
+        names.sort();
+        for name in &names {
+            for is_attr in [false, true] {
+                let _ = self.resolve_one(name, is_attr, 0);
+            }
+        }
+    }
+
+    fn resolve_one(&mut self, name: &str, is_attr: bool, depth: u32) -> Result<Cow<'_, str>, EntityFault> {
+        let place = usize::from(is_attr);
+        let known = |entry: &Declared| entry.values.get(place).is_some_and(Option::is_some);
+        if self.declared.get(name).is_some_and(|entry| !known(entry)) {
+            // Seen again while its own value is under way, the entity is recursive.
+            self.store(name, place, Err(EntityFault::Recursive));
+            let value = self.compute(name, is_attr, depth);
+            self.store(name, place, value);
+        }
+        self.value(name, is_attr)
+    }
+
+    fn store(&mut self, name: &str, place: usize, value: Result<Box<str>, EntityFault>) {
+        self.total += value.as_ref().map_or(0, |text| text.len());
+        if let Some(slot) = self.declared.get_mut(name).and_then(|entry| entry.values.get_mut(place)) {
+            *slot = Some(value);
+        }
+    }
+
+    fn compute(&mut self, name: &str, is_attr: bool, depth: u32) -> Result<Box<str>, EntityFault> {
+        let text = match self.declared.get(name).map(|entry| &entry.entity) {
+            Some(Entity::Internal(text)) => text.clone(),
+            Some(Entity::External) if is_attr => return Err(EntityFault::ExternalInAttribute),
+            Some(Entity::External) => return Ok("".into()),
+            Some(Entity::Unparsed) | None => return Err(EntityFault::Unparsed),
+        };
+        if depth > MAX_DEPTH {
+            return Err(EntityFault::TooLarge);
+        }
+        check_replacement(&text, is_attr)?;
+        let mut out = String::new();
+        for (piece, _) in pieces(&text, if is_attr { Place::Attribute } else { Place::Replacement }) {
+            match piece {
+                Piece::Text(text) => out.push_str(text),
+                Piece::Char(c) => out.push(c),
+                Piece::Entity(name) => out.push_str(&self.resolve_one(name, is_attr, depth + 1)?),
+            }
+            if out.len() > MAX_VALUE || self.total + out.len() > MAX_TOTAL {
+                return Err(EntityFault::TooLarge);
+            }
+        }
+        Ok(out.into())
+    }
+
+    /// The value of `&name;`, or why it has none.
+    pub(super) fn value(&self, name: &str, is_attr: bool) -> Result<Cow<'_, str>, EntityFault> {
+        if let Some(text) = predefined(name) {
+            return Ok(Cow::Borrowed(text));
+        }
+        match self.declared.get(name).and_then(|entry| entry.values.get(usize::from(is_attr))?.as_ref()) {
+            Some(Ok(text)) => Ok(Cow::Borrowed(text)),
+            Some(Err(fault)) => Err(*fault),
+            None if self.incomplete => Ok(Cow::Borrowed("")),
+            None => Err(EntityFault::Undefined),
+        }
+    }
+
+    /// Whether the document declares no entity.
+    pub fn is_empty(&self) -> bool {
+        self.declared.is_empty()
+    }
+
+    /// The first entity named in `raw` whose replacement text holds markup. The tree does not show such
+    /// markup: the value has it as text.
+    pub fn markup_entity<'r>(&self, raw: &'r str) -> Option<&'r str> {
+        if self.declared.is_empty() {
+            return None;
+        }
+        references(raw).find_map(|(_, reference)| match reference {
+            Reference::Entity { name, .. } => self.holds_markup(name).then_some(name),
+            _ => None,
+        })
+    }
+
+    fn holds_markup(&self, name: &str) -> bool {
+        // Faults are transitive, and `<` in the text of any entity below is one for attributes.
+        let Some(entry) = self.declared.get(name) else { return false };
+        let [text, attribute] = &entry.values;
+        matches!((text, attribute), (Some(Ok(text)), Some(Err(EntityFault::Malformed))) if text.contains('<'))
+    }
+}
+
+/// Whether the replacement text can stand where a reference to it does.
+fn check_replacement(text: &str, is_attr: bool) -> Result<(), EntityFault> {
+    if if is_attr { text.contains('<') } else { text.contains("]]>") && !text.contains('<') } {
+        return Err(EntityFault::Malformed);
+    }
+    if !is_attr && text.contains('<') {
+        return Ok(());
+    }
+    for (_, reference) in references(text) {
+        match reference {
+            Reference::Bad(stop) if stop >= text.len() && !is_attr => return Err(EntityFault::Unfinished),
+            Reference::Bad(_) => return Err(EntityFault::Malformed),
+            Reference::Char(None, _) => return Err(EntityFault::BadCharacter),
+            Reference::Char(..) | Reference::Entity { .. } => {}
+        }
+    }
+    Ok(())
+}
+
+/// The entities every document has.
+pub(super) fn predefined(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "amp" => "&",
+        "lt" => "<",
+        "gt" => ">",
+        "quot" => "\"",
+        "apos" => "'",
+        _ => return None,
+    })
+}

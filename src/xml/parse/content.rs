@@ -1,0 +1,80 @@
+//! The main loop: everything between the tags of the root.
+
+use super::{Parser, Stop};
+use crate::xml::chars::name_char;
+use crate::xml::error::{SyntaxErrorKind as Kind, expat};
+use crate::xml::node::NodeKind;
+
+impl Parser<'_> {
+    /// Read up to the end of one top-level element, the root's end tag, or the end of the text.
+    pub(super) fn content(&mut self) -> Stop {
+        loop {
+            let stop = match self.peek() {
+                None => {
+                    let end = self.pos;
+                    self.cut_item();
+                    self.close_unclosed(0, None, (expat::NO_ELEMENT, end));
+                    return Stop::End;
+                }
+                Some(b'<') => self.markup(),
+                Some(_) => {
+                    self.text_run();
+                    None
+                }
+            };
+            if let Some(stop) = stop {
+                return stop;
+            }
+        }
+    }
+
+    fn markup(&mut self) -> Option<Stop> {
+        match self.bytes.get(self.pos + 1) {
+            Some(b'/') => self.end_tag(),
+            Some(b'!') => {
+                self.bang();
+                None
+            }
+            Some(b'?') => {
+                self.instruction();
+                None
+            }
+            Some(b':') => self.start_tag(),
+            Some(_) if name_char(self.text, self.pos + 1, true) > 0 => self.start_tag(),
+            _ => {
+                self.stray_lt();
+                None
+            }
+        }
+    }
+
+    /// A `<` that begins nothing.
+    fn stray_lt(&mut self) {
+        let start = self.pos;
+        if self.is_conflict_marker(start) {
+            return self.conflict_marker();
+        }
+        self.pos += 1;
+        if self.peek().is_none() {
+            self.push_node(NodeKind::Junk, start, 0);
+            let message = "an element name is missing behind `<`";
+            self.error(Kind::StrayLt, (start, self.pos), (expat::UNCLOSED_TOKEN, start), message);
+            return;
+        }
+        self.push_node(NodeKind::Junk, start, 0);
+        let message = "`<` begins no tag: write `&lt;` for a plain one";
+        self.error(Kind::StrayLt, (start, self.pos), (expat::INVALID, self.pos), message);
+    }
+
+    /// A `<<<<<<<` line.
+    pub(super) fn conflict_marker(&mut self) {
+        let start = self.pos;
+        self.pos += memchr::memchr2(b'\n', b'\r', self.bytes.get(start..).unwrap_or(&[]))
+            .unwrap_or(self.bytes.len() - start);
+        self.hit_end |= self.pos == self.bytes.len();
+        self.push_node(NodeKind::Junk, start, 0);
+        let message =
+            "a merge conflict was left unresolved: keep one of the two versions and remove the markers";
+        self.error(Kind::MergeConflict, (start, self.pos), (expat::INVALID, start + 1), message);
+    }
+}
