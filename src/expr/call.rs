@@ -7,7 +7,7 @@ use super::ast::{Expr, ExprKind, Keyword, Param, ParamKind};
 use super::builtins::{self, Function};
 use super::interp::Interp;
 use super::stop::{Eval, Stop};
-use super::value::{Bound, Closure, DictMap, Key, Str, Tuple, Value};
+use super::value::{Bound, Closure, DictMap, Key, Str, Tuple, Type, Value};
 use super::{builtins::types, methods};
 use crate::base::TextRange;
 
@@ -122,7 +122,9 @@ impl Interp<'_> {
             Value::Method(bound) if bound.unbound => self.call_unbound(bound, args),
             Value::Method(bound) => self.invoke(bound.function, &bound.receiver, args),
             Value::Type(kind) => {
-                if args.has_unknown() {
+                // An entry may be unknown, but not what a conversion looks at.
+                let entries = kind.is_subclass(Type::Dict) || *kind == Type::YamlDict;
+                if args.pos.iter().any(Value::is_unknown) || (args.has_unknown() && !entries) {
                     return Err(Stop::Unknown);
                 }
                 types::construct(self, *kind, args)
@@ -135,7 +137,7 @@ impl Interp<'_> {
         if args.has_unknown() && !function.stores_unknown() {
             return Err(Stop::Unknown);
         }
-        let args = bind(function, args)?;
+        let args = bind(function, receiver, args)?;
         (function.run)(self, receiver, &args)
     }
 
@@ -148,7 +150,7 @@ impl Interp<'_> {
             return Err(Stop::typ(format!("unbound method {owner}.{name}() needs an argument")));
         }
         let object = args.pos.remove(0).known()?;
-        if !super::value::Type::of(&object).is_subclass(*kind) {
+        if !Type::of(&object).is_subclass(*kind) {
             let got = object.type_name();
             return Err(Stop::typ(format!(
                 "descriptor '{name}' for '{owner}' objects doesn't apply to a '{got}' object"
@@ -177,7 +179,7 @@ fn callee_name(func: &Expr) -> String {
     match &func.kind {
         ExprKind::Name(name) => match builtins::global(name) {
             Some(Value::Builtin(builtin)) if builtin.deprecated.is_none() => {
-                builtin.function.qualified_name()
+                builtin.function.qualified_name(&Value::None)
             }
             Some(Value::Builtin(_)) => {
                 "xacro.create_global_symbols.<locals>.deprecate.<locals>.wrapper".to_owned()

@@ -4,6 +4,8 @@ use std::fmt::Write;
 
 use super::budget::MAX_VALUE_BYTES;
 use super::float_repr;
+use super::host::ErrorKind;
+use super::interp::Interp;
 use super::numeric::MAX_STR_DIGITS;
 use super::stop::{Eval, Stop};
 use super::value::{DateValue, Str, Type, Value, ViewKind};
@@ -13,49 +15,83 @@ const MAX_DEPTH: usize = 150;
 /// The address shown for objects, which in Python differs from run to run.
 const ADDRESS: &str = "0x7f0000000000";
 
+/// How long the part of a message may be that shows a value.
+const MAX_SHOWN: u64 = 1 << 20;
+
 /// Python's `str()`; none if the value is unknown, has an unknown part or no text of reasonable size.
 pub fn to_str(value: &Value) -> Option<Str> {
-    text_of(value).ok()
+    text_of(value, MAX_VALUE_BYTES).ok()
 }
 
 /// Python's `repr()`; none in the same cases.
 pub fn repr(value: &Value) -> Option<Str> {
-    repr_of(value).ok()
+    repr_of(value, MAX_VALUE_BYTES).ok()
 }
 
-/// [`to_str`] with the reason of a failure.
-pub(crate) fn text_of(value: &Value) -> Eval<Str> {
-    match value {
-        Value::Str(text) => Ok(text.clone()),
-        Value::Date(date) => Ok(date_text(date, " ").into()),
-        other => repr_of(other),
+/// The `repr` of a value for a message.
+pub(crate) fn shown(value: &Value) -> Eval<Str> {
+    repr_of(value, MAX_SHOWN)
+}
+
+impl Interp<'_> {
+    /// Python's `str()`, paid for.
+    pub(crate) fn text(&mut self, value: &Value) -> Eval<Str> {
+        let text = text_of(value, self.budget.text_limit());
+        self.paid(text)
+    }
+
+    /// Python's `repr()`, paid for.
+    pub(crate) fn repr(&mut self, value: &Value) -> Eval<Str> {
+        let text = repr_of(value, self.budget.text_limit());
+        self.paid(text)
+    }
+
+    /// A text that became too long has cost as much as is allowed.
+    fn paid(&mut self, text: Eval<Str>) -> Eval<Str> {
+        let cost = match &text {
+            Ok(text) => text.len() as u128,
+            Err(stop) if stop.is(&ErrorKind::Budget) => u128::from(self.budget.text_limit()),
+            Err(_) => 0,
+        };
+        self.budget.text(cost)?;
+        text
     }
 }
 
-/// [`repr`] with the reason of a failure.
-pub(crate) fn repr_of(value: &Value) -> Eval<Str> {
+/// [`to_str`] within `limit` bytes, with the reason of a failure.
+pub(crate) fn text_of(value: &Value, limit: u64) -> Eval<Str> {
+    match value {
+        Value::Str(text) => Ok(text.clone()),
+        Value::Date(date) => Ok(date_text(date, " ").into()),
+        other => repr_of(other, limit),
+    }
+}
+
+fn repr_of(value: &Value, limit: u64) -> Eval<Str> {
     if let Value::Int(int) = value {
         let mut out = Str::new();
         let _ = write!(out, "{int}");
         return Ok(out);
     }
-    let mut writer = Writer { out: String::new(), active: Vec::new() };
+    let mut writer = Writer { out: String::new(), limit, active: Vec::new() };
     writer.value(value)?;
     Ok(writer.out.into())
 }
 
 struct Writer {
     out: String,
+    /// Bytes it may have.
+    limit: u64,
     /// Addresses of the containers being written, to notice one inside itself.
     active: Vec<usize>,
 }
 
 impl Writer {
     fn value(&mut self, value: &Value) -> Eval<()> {
-        if self.out.len() as u64 > MAX_VALUE_BYTES {
+        if self.out.len() as u64 > self.limit {
+            let limit = self.limit;
             return Err(Stop::budget(format!(
-                "text of a value is longer than the limit of {} MB",
-                MAX_VALUE_BYTES >> 20
+                "the text of a value would be longer than the limit of {limit} bytes"
             )));
         }
         match value {

@@ -157,7 +157,15 @@ pub(super) static FUNCTIONS: &[Function] = &[
         |_, _, a| super::math_gamma::lgamma(real(a.at(0))?),
         "The logarithm of the gamma function."
     ),
-    other!("log", "x, base=e", Arity::Positional, log, "The logarithm, natural without a base."),
+    // An older way of taking arguments: its messages name no module.
+    Function {
+        name: "log",
+        owner: "",
+        params: "x, base=e",
+        doc: "The logarithm, natural without a base.",
+        arity: Arity::Positional,
+        run: log,
+    },
     other!(
         "log10",
         "x",

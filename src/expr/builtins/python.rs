@@ -5,7 +5,6 @@ use std::cmp::Ordering;
 use super::{Function, sorting};
 use crate::expr::args::{Args, Arity};
 use crate::expr::ast::BinOp;
-use crate::expr::display;
 use crate::expr::host::ErrorKind;
 use crate::expr::interp::Interp;
 use crate::expr::numeric::{Num, float_to_int};
@@ -84,6 +83,23 @@ pub(crate) fn integer(value: &Value) -> Eval<i128> {
     ops::as_index(value).ok_or_else(|| {
         Stop::typ(format!("'{}' object cannot be interpreted as an integer", value.type_name()))
     })
+}
+
+/// An integer that fits an index or count of CPython.
+pub(crate) fn index_sized(value: &Value) -> Eval<i128> {
+    let number = integer(value)?;
+    match i64::try_from(number) {
+        Ok(_) => Ok(number),
+        Err(_) => Err(Stop::overflow("Python int too large to convert to C ssize_t")),
+    }
+}
+
+/// The type of an argument as messages about a wrong one name it.
+pub(crate) fn argument_type(value: &Value) -> &'static str {
+    match value {
+        Value::None => "None",
+        other => other.type_name(),
+    }
 }
 
 fn abs(_: &mut Interp, _: &Value, args: &Args) -> Eval {
@@ -215,9 +231,7 @@ fn ord(_: &mut Interp, _: &Value, args: &Args) -> Eval {
 }
 
 fn repr(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
-    let text = display::repr_of(args.at(0))?;
-    interp.budget.text(text.len() as u128)?;
-    Ok(Value::Str(text))
+    interp.repr(args.at(0)).map(Value::Str)
 }
 
 fn round(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
@@ -251,8 +265,8 @@ fn round_int(interp: &mut Interp, value: &Value, digits: i128) -> Eval {
     if digits < -(i128::from(number.bits()) / 3 + 2) {
         return Ok(Value::Int(0));
     }
-    // Ten has fewer than four binary digits; the length of the number bounds this.
-    interp.budget.int_bits(digits.unsigned_abs() * 4)?;
+    // A decimal digit has 3.32 bits; the length of the number bounds this.
+    interp.budget.int_bits(digits.unsigned_abs() * 10 / 3)?;
     let unit = num_bigint::BigInt::from(10).pow(u32::try_from(digits.unsigned_abs()).unwrap_or(0));
     let (mut quotient, rest) = ops::int::div_mod(&number, &unit);
     match (&rest * 2u32).cmp(&unit) {
@@ -264,14 +278,13 @@ fn round_int(interp: &mut Interp, value: &Value, digits: i128) -> Eval {
 }
 
 fn sum(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
-    let start = args.get(1).cloned().unwrap_or(Value::Int(0));
-    match &start {
+    let mut cursor = interp.iter(args.at(0))?;
+    let mut total = args.get(1).cloned().unwrap_or(Value::Int(0));
+    match &total {
         Value::Str(_) => return Err(Stop::typ("sum() can't sum strings [use ''.join(seq) instead]")),
         Value::Bytes(_) => return Err(Stop::typ("sum() can't sum bytes [use b''.join(seq) instead]")),
         _ => {}
     }
-    let mut total = start;
-    let mut cursor = interp.iter(args.at(0))?;
     while let Some(item) = interp.next(&mut cursor)? {
         total = ops::binary(interp, BinOp::Add, &total, &item)?;
     }

@@ -5,12 +5,14 @@ use std::sync::Arc;
 use ecow::EcoVec;
 
 use super::Function;
-use super::python::integer;
+use super::python::{argument_type, integer};
 use crate::expr::args::{Args, Arity, bind_named, check_count};
+use crate::expr::ast::UnaryOp;
 use crate::expr::display;
 use crate::expr::interp::Interp;
 use crate::expr::iter::{Cursor, Iter, IterKind};
 use crate::expr::numeric::{Num, ParsedInt, float_to_int, parse_float, parse_int};
+use crate::expr::ops;
 use crate::expr::stop::{Eval, Stop};
 use crate::expr::value::{Dict, DictMap, Key, List, Range, Set, SetMap, Slice, Tuple, Type, Value};
 
@@ -74,12 +76,18 @@ pub(crate) fn construct(interp: &mut Interp, kind: Type, args: Args) -> Eval {
         Type::Dict => Ok(Value::Dict(Dict::new(entries(interp, args)?, false))),
         Type::YamlDict => Ok(Value::Dict(Dict::new(entries(interp, args)?, true))),
         Type::Complex => super::math::complex(&bind_named("complex", &["real", "imag"], 0, 2, args)?),
-        Type::Enumerate if args.pos.is_empty() && args.named.is_empty() => {
+        Type::Enumerate if args.pos.is_empty() && args.named("iterable").is_none() => {
+            if let Some((name, _)) = args.named.iter().find(|(name, _)| name != "start") {
+                return Err(Stop::typ(format!("'{name}' is an invalid keyword argument for enumerate()")));
+            }
             Err(Stop::typ("enumerate() missing required argument 'iterable'"))
         }
         Type::Enumerate => enumerate(interp, &bind_named("enumerate", &["iterable", "start"], 1, 2, args)?),
         Type::Zip => zip(interp, &args),
         _ => {
+            if !args.named.is_empty() && kind == Type::Type {
+                return Err(Stop::typ("type() takes 1 or 3 arguments"));
+            }
             if !args.named.is_empty() {
                 return Err(Stop::typ(format!("{}() takes no keyword arguments", kind.name())));
             }
@@ -132,7 +140,7 @@ fn items(interp: &mut Interp, args: &Args) -> Eval<EcoVec<Value>> {
 }
 
 fn bind_int(args: Args) -> Eval<Args> {
-    let given = args.len();
+    let given = args.len() + args.named.len();
     if given > 2 {
         return Err(Stop::typ(format!("int() takes at most 2 arguments ({given} given)")));
     }
@@ -181,7 +189,7 @@ fn int_of_text(text: &str, base: u32, value: &Value) -> Eval {
              use sys.set_int_max_str_digits() to increase the limit"
         ))),
         ParsedInt::Invalid => {
-            let shown: String = display::repr_of(value)?.chars().take(200).collect();
+            let shown: String = display::shown(value)?.chars().take(200).collect();
             Err(Stop::value(format!("invalid literal for int() with base {base}: {shown}")))
         }
     }
@@ -205,7 +213,7 @@ pub(crate) fn float(value: &Value) -> Eval<f64> {
     match parse_float(&text) {
         Some(float) => Ok(float),
         None => {
-            let shown = display::repr_of(value)?;
+            let shown = display::shown(value)?;
             Err(Stop::value(format!("could not convert string to float: {shown}")))
         }
     }
@@ -214,11 +222,15 @@ pub(crate) fn float(value: &Value) -> Eval<f64> {
 /// `str(object, encoding, errors)`
 fn text(interp: &mut Interp, args: Args) -> Eval {
     let args = bind_named("str", &["object", "encoding", "errors"], 0, 3, args)?;
+    for (place, name) in [(1, "encoding"), (2, "errors")] {
+        if let Some(other) = args.get(place).filter(|value| value.as_str().is_none()) {
+            let kind = argument_type(other);
+            return Err(Stop::typ(format!("str() argument '{name}' must be str, not {kind}")));
+        }
+    }
     let Some(value) = args.get(0) else { return Ok(Value::from("")) };
     if args.get(1).is_none() && args.get(2).is_none() {
-        let text = display::text_of(value)?;
-        interp.budget.text(text.len() as u128)?;
-        return Ok(Value::Str(text));
+        return interp.text(value).map(Value::Str);
     }
     match value {
         Value::Bytes(bytes) => crate::expr::methods::decode(bytes, args.get(1), args.get(2)),
@@ -329,8 +341,8 @@ fn enumerate(interp: &mut Interp, args: &Args) -> Eval {
     let count = match args.get(1) {
         None => Value::Int(0),
         Some(value) => {
-            integer(value)?;
-            value.clone()
+            let _: i128 = integer(value)?;
+            ops::unary(UnaryOp::Pos, value)?
         }
     };
     let source = Box::new(interp.iter(args.at(0))?);

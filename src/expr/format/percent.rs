@@ -23,6 +23,7 @@ pub(crate) fn percent(interp: &mut Interp, format: &Value, values: &Value) -> Ev
         let directive = run.directive(interp)?;
         let text = run.convert(interp, &directive)?;
         interp.budget.text(text.len().max(directive.width) as u128 * 2)?;
+        interp.budget.grown(out.len() + text.len())?;
         out.push_str(&text);
     }
     run.finish()?;
@@ -217,9 +218,9 @@ fn padded(interp: &mut Interp, text: String, directive: &Directive) -> Eval<Stri
 
 fn text(interp: &mut Interp, value: &Value, directive: &Directive) -> Eval<String> {
     let text = match directive.kind {
-        's' => display::text_of(value)?,
-        'r' => display::repr_of(value)?,
-        _ => ascii(&display::repr_of(value)?),
+        's' => interp.text(value)?,
+        'r' => interp.repr(value)?,
+        _ => ascii(&interp.repr(value)?),
     };
     let text: String = text.chars().take(directive.precision.unwrap_or(usize::MAX)).collect();
     padded(interp, text, directive)
