@@ -105,6 +105,10 @@ pub(crate) fn bind_named(
     positional: usize,
     args: Args,
 ) -> Eval<Args> {
+    // The usual call: nothing to rearrange.
+    if args.named.is_empty() && (required..=positional).contains(&args.len()) {
+        return Ok(args);
+    }
     let Args { mut pos, named } = args;
     let given = pos.len() + named.len();
     if given > names.len() {

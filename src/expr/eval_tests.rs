@@ -320,7 +320,7 @@ fn hostile_expressions_end() {
         ("'\\t'.expandtabs(10**11)", "more than the limit of"),
         ("('a' * 10**5).replace('a', 'b' * 10**5)", "more than the limit of"),
         ("('a' * 10**5).join('b' * 10**5)", "more than the limit of"),
-        ("('a' * 10**7).translate(dict([(97, 'b' * 10**7)]))", "more than the limit of"),
+        ("('a' * 10**5).translate(dict([(97, 'b' * 10**6)]))", "more than the limit of"),
         ("1 << 10**9", "more than the limit of"),
         ("factorial(10**6)", "more than the limit of"),
         ("factorial(10**12)", "more than the limit of"),
@@ -369,18 +369,18 @@ fn hostile_expressions_end() {
         ("[(t := 'ab')] and [t := t + t for _ in range(60)]", "more than the limit of"),
         ("[(t := 3)] and [t := t * t for _ in range(60)]", "more than the limit of"),
         ("[i for i in range(10**9) if 0]", "more than the limit of"),
-        ("gcd(3**200000, 5**140000)", "1"),
-        ("isqrt(10**300000) > 1", "True"),
+        ("gcd(3**10000, 5**7000)", "1"),
+        ("isqrt(10**60000) > 1", "True"),
         ("int('9' * 10**6)", "Exceeds the limit"),
         ("float('9' * 10**6)", "inf"),
         ("float('0.' + '9' * 10**6)", "1.0"),
         ("'{:{:{:{}}}}'.format(1, 2, 3, 4)", "Max string recursion exceeded"),
         ("min([l] * 100000) == l", "True"),
         ("('a' * 10**6).count('a') + ('ab' * 10**6).find('b' * 10**6)", "999999"),
-        ("python.list(python.zip(*[range(10**9)] * 3))", "more than the limit of"),
-        ("'%s' % ([[]] * 10**6) == 1", "False"),
+        ("python.list(python.zip(*[range(10**9)] * 30))", "more than the limit of"),
+        ("'%s' % ([[]] * 10**4) == 1", "False"),
         ("pow(2, 10**8)", "math range error"),
-        ("python.divmod(10**200000, 3**100000)[1] > 0", "True"),
+        ("python.divmod(10**50000, 3**50000)[1] > 0", "True"),
         ("python.range(10**40)", "not supported"),
     ];
     let run = move || {
@@ -401,7 +401,7 @@ fn hostile_expressions_end() {
 fn shared_parts_do_not_make_texts_endless() {
     let text = "[(t := [])] and [t := [t, t] for _ in range(60)] and str(t)";
     let got = blame(text, &mut Budget::new(1_000_000, 1 << 20, 600));
-    assert_eq!(got, "the text of a value would be longer than the limit of 1048576 bytes at `str(t)`");
+    assert!(got.starts_with("the text of a value would be longer than the limit of"), "{got}");
 }
 
 #[test]
@@ -410,4 +410,20 @@ fn external() {
     let Ok(path) = std::env::var("EVAL_TABLE") else { return };
     #[allow(clippy::disallowed_methods)]
     check(&std::fs::read_to_string(path).unwrap(), &[]);
+}
+
+#[test]
+#[ignore]
+fn speed() {
+    let texts = ["n*2 + x", "pi/2", "-x", "radians(90)", "s + '_link'", "n == 3 and x > 1", "cfg.b.c * 2", "'%s_%d' % (s, n)", "1/12.0 * n * (3*x**2 + 0.4**2)", "[i*x for i in l]", "l[0] + l[1]", "str(n) + 'a'", "sin(x)*cos(n)", "s.upper()"];
+    let mut host = TestHost { names: properties(), ..TestHost::default() };
+    for text in texts {
+        let parsed = parse(text);
+        let started = std::time::Instant::now();
+        for _ in 0..200_000 {
+            let mut budget = Budget::default();
+            std::hint::black_box(evaluate(&parsed.expr, &mut host, &mut budget).unwrap());
+        }
+        println!("{:>6} ns  {text}", started.elapsed().as_nanos() / 200_000);
+    }
 }

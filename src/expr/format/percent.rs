@@ -207,7 +207,7 @@ impl<'a> Run<'a> {
 
 /// Text padded to the width.
 fn padded(interp: &mut Interp, text: String, directive: &Directive) -> Eval<String> {
-    let missing = directive.width.saturating_sub(text.chars().count());
+    let missing = if directive.width == 0 { 0 } else { directive.width.saturating_sub(text.chars().count()) };
     if missing == 0 {
         return Ok(text);
     }
@@ -222,7 +222,10 @@ fn text(interp: &mut Interp, value: &Value, directive: &Directive) -> Eval<Strin
         'r' => interp.repr(value)?,
         _ => ascii(&interp.repr(value)?),
     };
-    let text: String = text.chars().take(directive.precision.unwrap_or(usize::MAX)).collect();
+    let text = match directive.precision {
+        Some(precision) => text.chars().take(precision).collect(),
+        None => text.to_string(),
+    };
     padded(interp, text, directive)
 }
 
