@@ -415,7 +415,22 @@ fn external() {
 #[test]
 #[ignore]
 fn speed() {
-    let texts = ["n*2 + x", "pi/2", "-x", "radians(90)", "s + '_link'", "n == 3 and x > 1", "cfg.b.c * 2", "'%s_%d' % (s, n)", "1/12.0 * n * (3*x**2 + 0.4**2)", "[i*x for i in l]", "l[0] + l[1]", "str(n) + 'a'", "sin(x)*cos(n)", "s.upper()"];
+    let texts = [
+        "n*2 + x",
+        "pi/2",
+        "-x",
+        "radians(90)",
+        "s + '_link'",
+        "n == 3 and x > 1",
+        "cfg.b.c * 2",
+        "'%s_%d' % (s, n)",
+        "1/12.0 * n * (3*x**2 + 0.4**2)",
+        "[i*x for i in l]",
+        "l[0] + l[1]",
+        "str(n) + 'a'",
+        "sin(x)*cos(n)",
+        "s.upper()",
+    ];
     let mut host = TestHost { names: properties(), ..TestHost::default() };
     for text in texts {
         let parsed = parse(text);

@@ -7,6 +7,8 @@ mod budget;
 mod builtins;
 mod call;
 pub mod display;
+#[cfg(test)]
+mod dump;
 mod escape;
 mod eval;
 mod float_repr;
@@ -27,6 +29,7 @@ mod stop;
 mod substitution;
 mod syntax;
 mod template;
+mod token;
 mod value;
 pub mod visit;
 
@@ -35,7 +38,7 @@ pub use builtins::{GlobalSymbol, SymbolKind, global_symbols, is_global_symbol};
 pub use host::{ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId};
 pub use interp::evaluate;
 pub use methods::method_names;
-pub use substitution::{Subst, SubstArg, SubstError, parse_substitution, resolve};
+pub use substitution::{Subst, SubstArg, SubstError, parse_substitution, resolve_substitution};
 pub use syntax::{ExprError, ExprErrorKind, NameUse, Parsed, is_identifier, is_python_space, names, parse};
 pub use template::{Code, Template, Token, split};
 pub use value::{DateValue, Dict, List, Module, Range, Set, Slice, Str, Tuple, Type, Value, View, ViewKind};
