@@ -1,19 +1,23 @@
 //! The global symbols: functions and constants that every expression can use.
 
 mod catalog;
+mod complex;
+mod convert;
+mod iterators;
 pub(crate) mod math;
 mod math_exact;
 mod math_float;
 mod math_gamma;
 mod python;
+mod rounding;
 mod sorting;
 pub(crate) mod types;
 mod xacro;
 
 pub use catalog::{GlobalSymbol, SymbolKind, global_symbols};
+pub(crate) use convert::add_entries;
 pub(crate) use python::{argument_type, index_sized, integer};
 pub(crate) use sorting::sort;
-pub(crate) use types::add_entries;
 
 use super::args::{Args, Arity};
 use super::interp::Interp;

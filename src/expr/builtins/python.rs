@@ -1,13 +1,11 @@
 //! The functions of the `python` namespace that are no types.
 
-use std::cmp::Ordering;
-
 use super::{Function, sorting};
 use crate::expr::args::{Args, Arity};
 use crate::expr::ast::BinOp;
 use crate::expr::host::ErrorKind;
 use crate::expr::interp::Interp;
-use crate::expr::numeric::{Num, float_to_int};
+use crate::expr::numeric::Num;
 use crate::expr::ops;
 use crate::expr::stop::{Eval, Stop};
 use crate::expr::value::{Dict, DictMap, Key, List, Type, Value, hash_value};
@@ -58,7 +56,7 @@ pub(super) static FUNCTIONS: &[Function] = &[
         "round",
         "number, ndigits=None",
         Arity::Named { names: &["number", "ndigits"], required: 1, positional: 2 },
-        round,
+        super::rounding::round,
         "The number rounded, halves to the even side.",
     ),
     function(
@@ -232,49 +230,6 @@ fn ord(_: &mut Interp, _: &Value, args: &Args) -> Eval {
 
 fn repr(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
     interp.repr(args.at(0)).map(Value::Str)
-}
-
-fn round(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
-    let value = args.at(0);
-    let digits = match args.get(1) {
-        None | Some(Value::None) => None,
-        Some(digits) => Some(digits),
-    };
-    match (Num::of(value), digits) {
-        (Some(Num::Float(f)), None) => float_to_int(f.round_ties_even()),
-        (Some(Num::Float(f)), Some(digits)) => {
-            super::math::round_float(f, integer(digits)?).map(Value::Float)
-        }
-        (Some(Num::Int(i)), None) => Ok(Value::Int(i)),
-        (Some(Num::Big(_)), None) => Ok(value.clone()),
-        (Some(Num::Int(_) | Num::Big(_)), Some(digits)) => round_int(interp, value, integer(digits)?),
-        _ => {
-            let kind = value.type_name();
-            Err(Stop::typ(format!("type {kind} doesn't define __round__ method")))
-        }
-    }
-}
-
-/// An integer rounded to a power of ten, halves to even.
-fn round_int(interp: &mut Interp, value: &Value, digits: i128) -> Eval {
-    let Some(number) = Num::of(value).and_then(Num::big) else { return Ok(Value::Unknown) };
-    if digits >= 0 {
-        return Ok(Value::int(number.into_owned()));
-    }
-    // Far beyond the number's own digits the result is zero.
-    if digits < -(i128::from(number.bits()) / 3 + 2) {
-        return Ok(Value::Int(0));
-    }
-    // A decimal digit has 3.32 bits; the length of the number bounds this.
-    interp.budget.int_bits(digits.unsigned_abs() * 10 / 3)?;
-    let unit = num_bigint::BigInt::from(10).pow(u32::try_from(digits.unsigned_abs()).unwrap_or(0));
-    let (mut quotient, rest) = ops::int::div_mod(&number, &unit);
-    match (&rest * 2u32).cmp(&unit) {
-        Ordering::Greater => quotient += 1,
-        Ordering::Equal if quotient.bit(0) => quotient += 1,
-        _ => {}
-    }
-    Ok(Value::int(quotient * unit))
 }
 
 fn sum(interp: &mut Interp, _: &Value, args: &Args) -> Eval {

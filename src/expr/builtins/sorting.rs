@@ -71,9 +71,9 @@ fn merge_sort(interp: &mut Interp, mut items: Vec<Keyed>) -> Eval<Vec<Keyed>> {
 
 /// Compares in the order CPython does for short lists, so that the first pair that cannot be compared is the same.
 fn insertion_sort(interp: &mut Interp, mut items: Vec<Keyed>) -> Eval<Vec<Keyed>> {
-    let mut sorted = run_length(interp, &mut items)?;
-    let mut rest = items.split_off(sorted).into_iter();
-    while let Some(item) = rest.next() {
+    let sorted = run_length(interp, &mut items)?;
+    let rest = items.split_off(sorted);
+    for (sorted, item) in (sorted..).zip(rest) {
         let (mut low, mut high) = (0, sorted);
         while low < high {
             let middle = low + (high - low) / 2;
@@ -81,7 +81,6 @@ fn insertion_sort(interp: &mut Interp, mut items: Vec<Keyed>) -> Eval<Vec<Keyed>
             if sort_before(interp, &item.0, key)? { high = middle } else { low = middle + 1 }
         }
         items.insert(low, item);
-        sorted += 1;
     }
     Ok(items)
 }

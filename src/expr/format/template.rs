@@ -3,10 +3,10 @@
 use super::value::format;
 use crate::expr::args::Args;
 use crate::expr::ast::FPart;
-use crate::expr::display;
 use crate::expr::host::ErrorKind;
 use crate::expr::interp::Interp;
 use crate::expr::ops;
+use crate::expr::quote;
 use crate::expr::stop::{Eval, Stop};
 use crate::expr::value::{Str, Value};
 
@@ -51,7 +51,7 @@ fn convert(interp: &mut Interp, value: Value, conversion: Option<char>) -> Eval 
 pub(super) fn ascii(text: &str) -> Str {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
-        if c.is_ascii() { out.push(c) } else { display::push_escape(&mut out, c) }
+        if c.is_ascii() { out.push(c) } else { quote::push_escape(&mut out, c) }
     }
     out.into()
 }

@@ -129,7 +129,7 @@ pub(super) fn encode(interp: &mut Interp, text: &Value, args: &Args) -> Eval {
 }
 
 fn display_escape(out: &mut String, c: char) {
-    crate::expr::display::push_escape(out, c);
+    crate::expr::quote::push_escape(out, c);
 }
 
 /// `bytes.decode(encoding, errors)`

@@ -12,7 +12,7 @@ use crate::expr::interp::Interp;
 use crate::expr::numeric::{Num, decode};
 use crate::expr::ops::int::scale_by;
 use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::Value;
+use crate::expr::value::{Value, date_text};
 
 /// Sorted by name.
 pub(super) static INT: &[Function] = methods! { "int":
@@ -52,7 +52,7 @@ pub(super) static COMPLEX: &[Function] = methods! { "complex":
 /// Sorted by name.
 pub(super) static DATE: &[Function] = methods! { "datetime.date":
     "isoformat" up_to(0, 1) => |_, s, _| match s {
-        Value::Date(date) => Ok(Value::from(display::date_text(date, "T"))),
+        Value::Date(date) => Ok(Value::from(date_text(date, "T"))),
         _ => Err(Stop::Unknown),
     },
 };
