@@ -56,7 +56,7 @@ pub(crate) enum Arity {
 }
 
 /// The arguments in the order of the parameters.
-pub(crate) fn bind(function: &Function, args: Args) -> Eval<Args> {
+pub(crate) fn bind(function: &Function, receiver: &Value, args: Args) -> Eval<Args> {
     let given = args.len();
     match function.arity {
         Arity::Any => return Ok(args),
@@ -64,15 +64,15 @@ pub(crate) fn bind(function: &Function, args: Args) -> Eval<Args> {
             return bind_named(function.name, names, required, positional, args);
         }
         _ if !args.named.is_empty() => {
-            let name = function.qualified_name();
+            let name = function.qualified_name(receiver);
             return Err(Stop::typ(format!("{name} takes no keyword arguments")));
         }
         Arity::Zero if given != 0 => {
-            let name = function.qualified_name();
+            let name = function.qualified_name(receiver);
             Err(Stop::typ(format!("{name} takes no arguments ({given} given)")))
         }
         Arity::One if given != 1 => {
-            let name = function.qualified_name();
+            let name = function.qualified_name(receiver);
             Err(Stop::typ(format!("{name} takes exactly one argument ({given} given)")))
         }
         Arity::Range(min, max) => check_count(function.name, given, min, max),
@@ -105,6 +105,10 @@ pub(crate) fn bind_named(
     positional: usize,
     args: Args,
 ) -> Eval<Args> {
+    // The usual call: nothing to rearrange.
+    if args.named.is_empty() && (required..=positional).contains(&args.len()) {
+        return Ok(args);
+    }
     let Args { mut pos, named } = args;
     let given = pos.len() + named.len();
     if given > names.len() {

@@ -49,9 +49,9 @@ impl Interp<'_> {
 fn data(value: &Value, name: &str) -> Option<Value> {
     match (value, name) {
         (Value::Dict(dict), _) if dict.is_yaml() => dict.get(&Key::text(name)).map(Value::wrapped),
-        (Value::Range(range), "start") => Some(Value::int(range.start)),
-        (Value::Range(range), "stop") => Some(Value::int(range.stop)),
-        (Value::Range(range), "step") => Some(Value::int(range.step)),
+        (Value::Range(range), "start") => Some(Value::wide(range.start)),
+        (Value::Range(range), "stop") => Some(Value::wide(range.stop)),
+        (Value::Range(range), "step") => Some(Value::wide(range.step)),
         (Value::Slice(slice), "start") => Some(slice.start.clone()),
         (Value::Slice(slice), "stop") => Some(slice.stop.clone()),
         (Value::Slice(slice), "step") => Some(slice.step.clone()),

@@ -80,6 +80,22 @@ impl Budget {
         self.spend(bits / 8, bits, "bits")
     }
 
+    /// How long a text may still be, in bytes.
+    pub(crate) fn text_limit(&self) -> u64 {
+        MAX_VALUE_BYTES.min(self.bytes)
+    }
+
+    /// Refuse a text that has grown to `len` bytes, whose parts were paid for.
+    pub(crate) fn grown(&self, len: usize) -> Eval<()> {
+        if len as u64 > MAX_VALUE_BYTES {
+            let limit = MAX_VALUE_BYTES >> 20;
+            return Err(Stop::budget(format!(
+                "value would have {len} characters, more than the limit of {limit} MB"
+            )));
+        }
+        Ok(())
+    }
+
     fn spend(&mut self, bytes: u128, count: u128, unit: &str) -> Eval<()> {
         if bytes > u128::from(MAX_VALUE_BYTES) {
             let limit = MAX_VALUE_BYTES >> 20;

@@ -4,58 +4,95 @@ use std::fmt::Write;
 
 use super::budget::MAX_VALUE_BYTES;
 use super::float_repr;
+use super::host::ErrorKind;
+use super::interp::Interp;
 use super::numeric::MAX_STR_DIGITS;
+use super::quote::{quote, quote_bytes};
 use super::stop::{Eval, Stop};
-use super::value::{DateValue, Str, Type, Value, ViewKind};
+use super::value::{Str, Type, Value, ViewKind, date_repr, date_text};
 
 /// How deep containers may nest in a text.
 const MAX_DEPTH: usize = 150;
 /// The address shown for objects, which in Python differs from run to run.
 const ADDRESS: &str = "0x7f0000000000";
 
+/// How long the part of a message may be that shows a value.
+const MAX_SHOWN: u64 = 1 << 20;
+
 /// Python's `str()`; none if the value is unknown, has an unknown part or no text of reasonable size.
 pub fn to_str(value: &Value) -> Option<Str> {
-    text_of(value).ok()
+    text_of(value, MAX_VALUE_BYTES).ok()
 }
 
 /// Python's `repr()`; none in the same cases.
 pub fn repr(value: &Value) -> Option<Str> {
-    repr_of(value).ok()
+    repr_of(value, MAX_VALUE_BYTES).ok()
 }
 
-/// [`to_str`] with the reason of a failure.
-pub(crate) fn text_of(value: &Value) -> Eval<Str> {
-    match value {
-        Value::Str(text) => Ok(text.clone()),
-        Value::Date(date) => Ok(date_text(date, " ").into()),
-        other => repr_of(other),
+/// The `repr` of a value for a message.
+pub(crate) fn shown(value: &Value) -> Eval<Str> {
+    repr_of(value, MAX_SHOWN)
+}
+
+impl Interp<'_> {
+    /// Python's `str()`, paid for.
+    pub(crate) fn text(&mut self, value: &Value) -> Eval<Str> {
+        let text = text_of(value, self.budget.text_limit());
+        self.paid(text)
+    }
+
+    /// Python's `repr()`, paid for.
+    pub(crate) fn repr(&mut self, value: &Value) -> Eval<Str> {
+        let text = repr_of(value, self.budget.text_limit());
+        self.paid(text)
+    }
+
+    /// A text that became too long has cost as much as is allowed.
+    fn paid(&mut self, text: Eval<Str>) -> Eval<Str> {
+        let cost = match &text {
+            Ok(text) => text.len() as u128,
+            Err(stop) if stop.is(&ErrorKind::Budget) => u128::from(self.budget.text_limit()),
+            Err(_) => 0,
+        };
+        self.budget.text(cost)?;
+        text
     }
 }
 
-/// [`repr`] with the reason of a failure.
-pub(crate) fn repr_of(value: &Value) -> Eval<Str> {
+/// [`to_str`] within `limit` bytes, with the reason of a failure.
+pub(crate) fn text_of(value: &Value, limit: u64) -> Eval<Str> {
+    match value {
+        Value::Str(text) => Ok(text.clone()),
+        Value::Date(date) => Ok(date_text(date, " ").into()),
+        other => repr_of(other, limit),
+    }
+}
+
+fn repr_of(value: &Value, limit: u64) -> Eval<Str> {
     if let Value::Int(int) = value {
         let mut out = Str::new();
         let _ = write!(out, "{int}");
         return Ok(out);
     }
-    let mut writer = Writer { out: String::new(), active: Vec::new() };
+    let mut writer = Writer { out: String::new(), limit, active: Vec::new() };
     writer.value(value)?;
     Ok(writer.out.into())
 }
 
 struct Writer {
     out: String,
+    /// Bytes it may have.
+    limit: u64,
     /// Addresses of the containers being written, to notice one inside itself.
     active: Vec<usize>,
 }
 
 impl Writer {
     fn value(&mut self, value: &Value) -> Eval<()> {
-        if self.out.len() as u64 > MAX_VALUE_BYTES {
+        if self.out.len() as u64 > self.limit {
+            let limit = self.limit;
             return Err(Stop::budget(format!(
-                "text of a value is longer than the limit of {} MB",
-                MAX_VALUE_BYTES >> 20
+                "the text of a value would be longer than the limit of {limit} bytes"
             )));
         }
         match value {
@@ -176,7 +213,8 @@ impl Writer {
     }
 }
 
-fn push(out: &mut String, text: std::fmt::Arguments<'_>) {
+/// Add formatted text.
+pub(crate) fn push(out: &mut String, text: std::fmt::Arguments<'_>) {
     // Writing to a string cannot fail.
     let _ = out.write_fmt(text);
 }
@@ -247,123 +285,4 @@ pub(crate) fn complex_text(re: f64, im: f64) -> String {
     }
     let sign = if im.is_nan() || im.is_sign_positive() { "+" } else { "" };
     format!("({}{sign}{}j)", short_float(re), short_float(im))
-}
-
-/// Python prefers single quotes unless the text holds only single ones.
-fn quote_for(single: bool, double: bool) -> char {
-    if single && !double { '"' } else { '\'' }
-}
-
-/// A string with quotes and escapes.
-pub(crate) fn quote(out: &mut String, text: &str) {
-    let quote = quote_for(text.contains('\''), text.contains('"'));
-    out.push(quote);
-    for c in text.chars() {
-        match c {
-            '\n' => out.push_str("\\n"),
-            '\r' => out.push_str("\\r"),
-            '\t' => out.push_str("\\t"),
-            '\\' => out.push_str("\\\\"),
-            c if c == quote => {
-                out.push('\\');
-                out.push(c);
-            }
-            ' '..='~' => out.push(c),
-            c if is_printable(c) => out.push(c),
-            c => push_escape(out, c),
-        }
-    }
-    out.push(quote);
-}
-
-/// `\x7f`, `\u200b` or `\U000e0001`
-pub(crate) fn push_escape(out: &mut String, c: char) {
-    match u32::from(c) {
-        code @ 0..=0xff => push(out, format_args!("\\x{code:02x}")),
-        code @ 0x100..=0xffff => push(out, format_args!("\\u{code:04x}")),
-        code => push(out, format_args!("\\U{code:08x}")),
-    }
-}
-
-/// Whether `repr()` shows the character itself: neither control, format, unassigned nor a separator other than the blank.
-///
-/// The standard library escapes for `Debug` by the same definition; in front of the character a letter keeps
-/// combining marks as they are.
-pub(crate) fn is_printable(c: char) -> bool {
-    if c.is_ascii() {
-        return (' '..='~').contains(&c);
-    }
-    let mut buffer = [b'a'; 5];
-    let len = 1 + c.len_utf8();
-    if let Some(rest) = buffer.get_mut(1..) {
-        c.encode_utf8(rest);
-    }
-    let text = buffer.get(..len).and_then(|bytes| std::str::from_utf8(bytes).ok()).unwrap_or("");
-    text.escape_debug().nth(1) == Some(c)
-}
-
-fn quote_bytes(out: &mut String, bytes: &[u8]) {
-    let quote = quote_for(bytes.contains(&b'\''), bytes.contains(&b'"'));
-    out.push('b');
-    out.push(quote);
-    for &byte in bytes {
-        match byte {
-            b'\n' => out.push_str("\\n"),
-            b'\r' => out.push_str("\\r"),
-            b'\t' => out.push_str("\\t"),
-            b'\\' => out.push_str("\\\\"),
-            byte if char::from(byte) == quote => {
-                out.push('\\');
-                out.push(quote);
-            }
-            b' '..=b'~' => out.push(char::from(byte)),
-            byte => push(out, format_args!("\\x{byte:02x}")),
-        }
-    }
-    out.push(quote);
-}
-
-/// `2001-12-14` or `2001-12-14 21:59:43.100000+01:00`
-pub(crate) fn date_text(date: &DateValue, separator: &str) -> String {
-    let (year, month, day) = date.date;
-    let mut out = format!("{year:04}-{month:02}-{day:02}");
-    let Some((hour, minute, second, micro)) = date.time else { return out };
-    push(&mut out, format_args!("{separator}{hour:02}:{minute:02}:{second:02}"));
-    if micro != 0 {
-        push(&mut out, format_args!(".{micro:06}"));
-    }
-    if let Some(offset) = date.utc_offset {
-        let sign = if offset < 0 { '-' } else { '+' };
-        let (hours, minutes) = (offset.unsigned_abs() / 3600, offset.unsigned_abs() / 60 % 60);
-        push(&mut out, format_args!("{sign}{hours:02}:{minutes:02}"));
-    }
-    out
-}
-
-fn date_repr(date: &DateValue) -> String {
-    let (year, month, day) = date.date;
-    let Some((hour, minute, second, micro)) = date.time else {
-        return format!("datetime.date({year}, {month}, {day})");
-    };
-    let mut out = format!("datetime.datetime({year}, {month}, {day}, {hour}, {minute}");
-    if second != 0 || micro != 0 {
-        push(&mut out, format_args!(", {second}"));
-    }
-    if micro != 0 {
-        push(&mut out, format_args!(", {micro}"));
-    }
-    match date.utc_offset {
-        None => {}
-        Some(0) => out.push_str(", tzinfo=datetime.timezone.utc"),
-        Some(offset) => {
-            let days = if offset < 0 { "days=-1, " } else { "" };
-            let seconds = offset.rem_euclid(86_400);
-            push(
-                &mut out,
-                format_args!(", tzinfo=datetime.timezone(datetime.timedelta({days}seconds={seconds}))"),
-            );
-        }
-    }
-    out.push(')');
-    out
 }

@@ -143,6 +143,7 @@ impl Interp<'_> {
 
     /// The items of a display, `*x` spread out.
     fn items(&mut self, exprs: &[Expr]) -> Eval<EcoVec<Value>> {
+        self.budget.items(exprs.len() as u128 + 2)?;
         let mut items = EcoVec::with_capacity(exprs.len());
         for expr in exprs {
             match &expr.kind {
@@ -213,6 +214,8 @@ impl Interp<'_> {
     }
 
     fn lambda(&mut self, lambda: &Arc<Lambda>) -> Eval {
+        // About the size of the function object.
+        self.budget.items(lambda.params.len() as u128 + 4)?;
         let mut defaults = Vec::with_capacity(lambda.params.len());
         for param in &lambda.params {
             defaults.push(match &param.default {

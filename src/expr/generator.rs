@@ -25,6 +25,8 @@ impl Interp<'_> {
         let Some(first) = comprehension.clauses.first() else { return Ok(Value::Unknown) };
         let source = self.eval(&first.iter)?;
         let cursor = self.iter(&source).map_err(|stop| stop.at(self.place(first.iter.range)))?;
+        // About the size of the variables and the result.
+        self.budget.items(6)?;
         let frame = Arc::new(Frame::new(self.env.clone(), true, Vec::new()));
         if comprehension.kind == CompKind::Generator {
             let context = Context { env: Some(frame), ..self.context() };

@@ -151,7 +151,7 @@ impl Interp<'_> {
                 let item = *next;
                 *left -= 1;
                 *next = next.saturating_add(*step);
-                Some(Value::int(item))
+                Some(Value::wide(item))
             }
             Cursor::Entries { dict, kind, index, len } => {
                 if dict.len() != *len {

@@ -8,9 +8,8 @@ use num_traits::Signed;
 use super::python::integer;
 use super::{Function, math_exact as exact, math_float as float};
 use crate::expr::args::{Args, Arity};
-use crate::expr::float_repr;
 use crate::expr::interp::Interp;
-use crate::expr::numeric::{Num, decode, float_to_int, parse_float};
+use crate::expr::numeric::{Num, float_to_int};
 use crate::expr::ops::int::scale_by;
 use crate::expr::stop::{Eval, Stop};
 use crate::expr::value::Value;
@@ -157,7 +156,15 @@ pub(super) static FUNCTIONS: &[Function] = &[
         |_, _, a| super::math_gamma::lgamma(real(a.at(0))?),
         "The logarithm of the gamma function."
     ),
-    other!("log", "x, base=e", Arity::Positional, log, "The logarithm, natural without a base."),
+    // An older way of taking arguments: its messages name no module.
+    Function {
+        name: "log",
+        owner: "",
+        params: "x, base=e",
+        doc: "The logarithm, natural without a base.",
+        arity: Arity::Positional,
+        run: log,
+    },
     other!(
         "log10",
         "x",
@@ -267,99 +274,6 @@ fn split(big: &BigInt) -> (u64, i64) {
     let high = (big >> cut).iter_u64_digits().next().unwrap_or(0);
     let exact = cut == 0 || big.trailing_zeros().is_some_and(|zeros| zeros >= cut);
     (high | u64::from(!exact), i64::try_from(cut).unwrap_or(i64::MAX))
-}
-
-/// `round(f, digits)`: the decimal text of `f` is exact, so it is rounded once.
-pub(super) fn round_float(f: f64, digits: i128) -> Eval<f64> {
-    // More digits change nothing, fewer leave nothing.
-    if !f.is_finite() || f == 0.0 || digits > 323 {
-        return Ok(f);
-    }
-    if digits < -308 {
-        return Ok(0.0 * f);
-    }
-    let rounded = match usize::try_from(digits) {
-        Ok(digits) => float_repr::fixed(f, digits).parse(),
-        Err(_) => Ok(round_to_tens(f, usize::try_from(-digits).unwrap_or(0))),
-    };
-    match rounded {
-        Ok(rounded) if rounded.is_infinite() => Err(Stop::overflow("rounded value too large to represent")),
-        Ok(rounded) => Ok(rounded),
-        Err(_) => Ok(f),
-    }
-}
-
-/// `f` rounded to a multiple of ten to the power of `places`, halves to even.
-fn round_to_tens(f: f64, places: usize) -> f64 {
-    let (mantissa, exponent, negative) = decode(f);
-    let unit = BigInt::from(10).pow(u32::try_from(places).unwrap_or(0));
-    // Scaled by a power of two so that everything is whole.
-    let down = u64::try_from(-exponent).unwrap_or(0);
-    let up = u64::try_from(exponent).unwrap_or(0);
-    let (value, unit) = (BigInt::from(mantissa) << up, unit << down);
-    let (mut quotient, rest) = (&value / &unit, &value % &unit);
-    let twice: BigInt = rest * 2;
-    if twice > unit || (twice == unit && quotient.bit(0)) {
-        quotient += 1;
-    }
-    let text = format!("{quotient}e{places}");
-    let rounded: f64 = text.parse().unwrap_or(f64::NAN);
-    if negative { -rounded } else { rounded }
-}
-
-/// `complex(real, imag)`
-pub(super) fn complex(args: &Args) -> Eval {
-    let (first, second) = (args.get(0), args.get(1));
-    if let Some(Value::Str(text)) = first {
-        if second.is_some() {
-            return Err(Stop::typ("complex() can't take second arg if first is a string"));
-        }
-        let malformed = || Stop::value("complex() arg is a malformed string");
-        return parse_complex(text).map(|(re, im)| Value::Complex(re, im)).ok_or_else(malformed);
-    }
-    if let Some(Value::Str(_)) = second {
-        return Err(Stop::typ("complex() second arg can't be a string"));
-    }
-    let part = |value: Option<&Value>, place: &str| match value {
-        None => Ok((0.0, 0.0)),
-        Some(value) => match Num::of(value) {
-            Some(number) => number.complex(),
-            None => {
-                let kind = value.type_name();
-                let a = if place == "first" { "a string or a number" } else { "a number" };
-                Err(Stop::typ(format!("complex() {place} argument must be {a}, not '{kind}'")))
-            }
-        },
-    };
-    let (re, im) = (part(first, "first")?, part(second, "second")?);
-    // A complex argument brings along a part for the other side: x + (a + bj)j.
-    let is_complex = |value| matches!(value, Some(&Value::Complex(..)));
-    let real = if is_complex(second) { re.0 - im.1 } else { re.0 };
-    let imaginary = if is_complex(first) { re.1 + im.0 } else { im.0 };
-    Ok(Value::Complex(real, imaginary))
-}
-
-fn parse_complex(text: &str) -> Option<(f64, f64)> {
-    let text = text.trim_matches(crate::expr::numeric::is_space);
-    let text = match text.strip_prefix('(') {
-        Some(inner) => inner.strip_suffix(')')?.trim_matches(crate::expr::numeric::is_space),
-        None => text,
-    };
-    let Some(body) = text.strip_suffix(['j', 'J']) else { return parse_float(text).map(|re| (re, 0.0)) };
-    let imaginary = |part: &str| match part {
-        "" | "+" => Some(1.0),
-        "-" => Some(-1.0),
-        part => parse_float(part),
-    };
-    // The last sign that does not belong to an exponent separates the parts.
-    let sign = body.char_indices().rev().find(|&(i, c)| {
-        let exponent = body.get(..i).is_some_and(|before| before.ends_with(['e', 'E']));
-        i > 0 && (c == '+' || c == '-') && !exponent
-    });
-    match sign {
-        Some((at, _)) => Some((parse_float(body.get(..at)?)?, imaginary(body.get(at..)?)?)),
-        None => Some((0.0, imaginary(body)?)),
-    }
 }
 
 /// The whole number an argument of an integer function is.

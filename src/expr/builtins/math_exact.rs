@@ -21,7 +21,9 @@ fn product(interp: &mut Interp, first: u64, last: u64) -> Eval<BigInt> {
     let bits = u128::from(64 - last.leading_zeros());
     interp.budget.int_bits(count * (bits.max(2) - 1))?;
     let words = u64::try_from(count * bits / 64 + 1).unwrap_or(u64::MAX);
-    interp.budget.steps(words.saturating_mul(words) / 32)?;
+    interp
+        .budget
+        .steps(u64::try_from(count).unwrap_or(u64::MAX).saturating_add(words * words.isqrt() / 8))?;
     Ok(multiply_range(first, last))
 }
 
@@ -137,7 +139,7 @@ pub(super) fn isqrt(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
         return Err(Stop::value("isqrt() argument must be nonnegative"));
     }
     let words = n.bits() / 64 + 1;
-    interp.budget.steps(words.saturating_mul(words) / 8)?;
+    interp.budget.steps(words.saturating_mul(words) / 256)?;
     Ok(Value::int(n.sqrt()))
 }
 

@@ -1,19 +1,23 @@
 //! The global symbols: functions and constants that every expression can use.
 
 mod catalog;
+mod complex;
+mod convert;
+mod iterators;
 pub(crate) mod math;
 mod math_exact;
 mod math_float;
 mod math_gamma;
 mod python;
+mod rounding;
 mod sorting;
 pub(crate) mod types;
 mod xacro;
 
 pub use catalog::{GlobalSymbol, SymbolKind, global_symbols};
-pub(crate) use python::integer;
+pub(crate) use convert::add_entries;
+pub(crate) use python::{argument_type, index_sized, integer};
 pub(crate) use sorting::sort;
-pub(crate) use types::add_entries;
 
 use super::args::{Args, Arity};
 use super::interp::Interp;
@@ -45,8 +49,12 @@ impl Function {
     }
 
     /// `len()`, `math.sin()`, `str.upper()`
-    pub(crate) fn qualified_name(&self) -> String {
-        match self.owner {
+    pub(crate) fn qualified_name(&self, receiver: &Value) -> String {
+        let owner = match receiver {
+            Value::Dict(dict) if dict.is_yaml() => receiver.type_name(),
+            _ => self.owner,
+        };
+        match owner {
             "" | "xacro" => format!("{}()", self.name),
             owner => format!("{owner}.{}()", self.name),
         }
@@ -59,7 +67,11 @@ impl Function {
 
     /// Whether it keeps its argument without looking at it, so that an unknown one may pass.
     pub(crate) fn stores_unknown(&self) -> bool {
-        self.owner == "list" && matches!(self.name, "append" | "insert")
+        match self.owner {
+            "list" => matches!(self.name, "append" | "insert"),
+            "dict" => self.name == "setdefault",
+            _ => false,
+        }
     }
 }
 

@@ -1,14 +1,11 @@
 //! The functions of the `python` namespace that are no types.
 
-use std::cmp::Ordering;
-
 use super::{Function, sorting};
 use crate::expr::args::{Args, Arity};
 use crate::expr::ast::BinOp;
-use crate::expr::display;
 use crate::expr::host::ErrorKind;
 use crate::expr::interp::Interp;
-use crate::expr::numeric::{Num, float_to_int};
+use crate::expr::numeric::Num;
 use crate::expr::ops;
 use crate::expr::stop::{Eval, Stop};
 use crate::expr::value::{Dict, DictMap, Key, List, Type, Value, hash_value};
@@ -59,7 +56,7 @@ pub(super) static FUNCTIONS: &[Function] = &[
         "round",
         "number, ndigits=None",
         Arity::Named { names: &["number", "ndigits"], required: 1, positional: 2 },
-        round,
+        super::rounding::round,
         "The number rounded, halves to the even side.",
     ),
     function(
@@ -84,6 +81,23 @@ pub(crate) fn integer(value: &Value) -> Eval<i128> {
     ops::as_index(value).ok_or_else(|| {
         Stop::typ(format!("'{}' object cannot be interpreted as an integer", value.type_name()))
     })
+}
+
+/// An integer that fits an index or count of CPython.
+pub(crate) fn index_sized(value: &Value) -> Eval<i128> {
+    let number = integer(value)?;
+    match i64::try_from(number) {
+        Ok(_) => Ok(number),
+        Err(_) => Err(Stop::overflow("Python int too large to convert to C ssize_t")),
+    }
+}
+
+/// The type of an argument as messages about a wrong one name it.
+pub(crate) fn argument_type(value: &Value) -> &'static str {
+    match value {
+        Value::None => "None",
+        other => other.type_name(),
+    }
 }
 
 fn abs(_: &mut Interp, _: &Value, args: &Args) -> Eval {
@@ -215,63 +229,17 @@ fn ord(_: &mut Interp, _: &Value, args: &Args) -> Eval {
 }
 
 fn repr(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
-    let text = display::repr_of(args.at(0))?;
-    interp.budget.text(text.len() as u128)?;
-    Ok(Value::Str(text))
-}
-
-fn round(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
-    let value = args.at(0);
-    let digits = match args.get(1) {
-        None | Some(Value::None) => None,
-        Some(digits) => Some(digits),
-    };
-    match (Num::of(value), digits) {
-        (Some(Num::Float(f)), None) => float_to_int(f.round_ties_even()),
-        (Some(Num::Float(f)), Some(digits)) => {
-            super::math::round_float(f, integer(digits)?).map(Value::Float)
-        }
-        (Some(Num::Int(i)), None) => Ok(Value::Int(i)),
-        (Some(Num::Big(_)), None) => Ok(value.clone()),
-        (Some(Num::Int(_) | Num::Big(_)), Some(digits)) => round_int(interp, value, integer(digits)?),
-        _ => {
-            let kind = value.type_name();
-            Err(Stop::typ(format!("type {kind} doesn't define __round__ method")))
-        }
-    }
-}
-
-/// An integer rounded to a power of ten, halves to even.
-fn round_int(interp: &mut Interp, value: &Value, digits: i128) -> Eval {
-    let Some(number) = Num::of(value).and_then(Num::big) else { return Ok(Value::Unknown) };
-    if digits >= 0 {
-        return Ok(Value::int(number.into_owned()));
-    }
-    // Far beyond the number's own digits the result is zero.
-    if digits < -(i128::from(number.bits()) / 3 + 2) {
-        return Ok(Value::Int(0));
-    }
-    // Ten has fewer than four binary digits; the length of the number bounds this.
-    interp.budget.int_bits(digits.unsigned_abs() * 4)?;
-    let unit = num_bigint::BigInt::from(10).pow(u32::try_from(digits.unsigned_abs()).unwrap_or(0));
-    let (mut quotient, rest) = ops::int::div_mod(&number, &unit);
-    match (&rest * 2u32).cmp(&unit) {
-        Ordering::Greater => quotient += 1,
-        Ordering::Equal if quotient.bit(0) => quotient += 1,
-        _ => {}
-    }
-    Ok(Value::int(quotient * unit))
+    interp.repr(args.at(0)).map(Value::Str)
 }
 
 fn sum(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
-    let start = args.get(1).cloned().unwrap_or(Value::Int(0));
-    match &start {
+    let mut cursor = interp.iter(args.at(0))?;
+    let mut total = args.get(1).cloned().unwrap_or(Value::Int(0));
+    match &total {
         Value::Str(_) => return Err(Stop::typ("sum() can't sum strings [use ''.join(seq) instead]")),
         Value::Bytes(_) => return Err(Stop::typ("sum() can't sum bytes [use b''.join(seq) instead]")),
         _ => {}
     }
-    let mut total = start;
-    let mut cursor = interp.iter(args.at(0))?;
     while let Some(item) = interp.next(&mut cursor)? {
         total = ops::binary(interp, BinOp::Add, &total, &item)?;
     }

@@ -47,13 +47,13 @@ fn key_of(interp: &mut Interp, key: Option<&Value>, item: &Value) -> Eval {
 
 type Keyed = (Value, Value);
 
-/// The comparison may fail or contradict itself, which the standard library's sort does not allow.
+/// Lists up to this length are sorted by insertion.
+const SHORT: usize = 64;
+
+/// Stable. The comparison may fail or contradict itself, which the standard library's sort does not allow.
 fn merge_sort(interp: &mut Interp, mut items: Vec<Keyed>) -> Eval<Vec<Keyed>> {
-    if items.len() < 2 {
-        if let Some((key, _)) = items.first().filter(|(key, _)| key.is_unknown()) {
-            return Err(key.clone().known().err().unwrap_or(Stop::Unknown));
-        }
-        return Ok(items);
+    if items.len() < SHORT {
+        return insertion_sort(interp, items);
     }
     let right = items.split_off(items.len() / 2);
     let left = merge_sort(interp, items)?;
@@ -69,15 +69,52 @@ fn merge_sort(interp: &mut Interp, mut items: Vec<Keyed>) -> Eval<Vec<Keyed>> {
     Ok(merged)
 }
 
+/// Compares in the order CPython does for short lists, so that the first pair that cannot be compared is the same.
+fn insertion_sort(interp: &mut Interp, mut items: Vec<Keyed>) -> Eval<Vec<Keyed>> {
+    let sorted = run_length(interp, &mut items)?;
+    let rest = items.split_off(sorted);
+    for (sorted, item) in (sorted..).zip(rest) {
+        let (mut low, mut high) = (0, sorted);
+        while low < high {
+            let middle = low + (high - low) / 2;
+            let Some((key, _)) = items.get(middle) else { break };
+            if sort_before(interp, &item.0, key)? { high = middle } else { low = middle + 1 }
+        }
+        items.insert(low, item);
+    }
+    Ok(items)
+}
+
+/// How many items at the start are in order; a falling start is turned around.
+fn run_length(interp: &mut Interp, items: &mut [Keyed]) -> Eval<usize> {
+    let mut falling = false;
+    let mut length = items.len().min(1);
+    while let (Some((before, _)), Some((key, _))) = (items.get(length.wrapping_sub(1)), items.get(length)) {
+        let less = sort_before(interp, key, before)?;
+        if length == 1 {
+            falling = less;
+        } else if less != falling {
+            break;
+        }
+        length += 1;
+    }
+    if falling && let Some(run) = items.get_mut(..length) {
+        run.reverse();
+    }
+    Ok(length)
+}
+
 /// `min(...)`, `max(...)`
 pub(super) fn extreme(interp: &mut Interp, args: &Args, largest: bool) -> Eval {
     let name = if largest { "max" } else { "min" };
+    if args.pos.is_empty() {
+        return Err(Stop::typ(format!("{name} expected at least 1 argument, got 0")));
+    }
     if let Some((wrong, _)) = args.named.iter().find(|(given, _)| given != "key" && given != "default") {
         return Err(Stop::typ(format!("'{wrong}' is an invalid keyword argument for {name}()")));
     }
     let default = args.named("default");
     let candidates = match args.pos.as_slice() {
-        [] => return Err(Stop::typ(format!("{name} expected at least 1 argument, got 0"))),
         [iterable] => iterable.clone(),
         _ if default.is_some() => {
             return Err(Stop::typ(format!(

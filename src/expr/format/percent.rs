@@ -23,6 +23,7 @@ pub(crate) fn percent(interp: &mut Interp, format: &Value, values: &Value) -> Ev
         let directive = run.directive(interp)?;
         let text = run.convert(interp, &directive)?;
         interp.budget.text(text.len().max(directive.width) as u128 * 2)?;
+        interp.budget.grown(out.len() + text.len())?;
         out.push_str(&text);
     }
     run.finish()?;
@@ -206,7 +207,7 @@ impl<'a> Run<'a> {
 
 /// Text padded to the width.
 fn padded(interp: &mut Interp, text: String, directive: &Directive) -> Eval<String> {
-    let missing = directive.width.saturating_sub(text.chars().count());
+    let missing = if directive.width == 0 { 0 } else { directive.width.saturating_sub(text.chars().count()) };
     if missing == 0 {
         return Ok(text);
     }
@@ -217,11 +218,14 @@ fn padded(interp: &mut Interp, text: String, directive: &Directive) -> Eval<Stri
 
 fn text(interp: &mut Interp, value: &Value, directive: &Directive) -> Eval<String> {
     let text = match directive.kind {
-        's' => display::text_of(value)?,
-        'r' => display::repr_of(value)?,
-        _ => ascii(&display::repr_of(value)?),
+        's' => interp.text(value)?,
+        'r' => interp.repr(value)?,
+        _ => ascii(&interp.repr(value)?),
     };
-    let text: String = text.chars().take(directive.precision.unwrap_or(usize::MAX)).collect();
+    let text = match directive.precision {
+        Some(precision) => text.chars().take(precision).collect(),
+        None => text.to_string(),
+    };
     padded(interp, text, directive)
 }
 

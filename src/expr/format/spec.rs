@@ -94,7 +94,7 @@ pub(super) fn parse(text: &str, kind: &str, numeric: bool) -> Eval<Spec> {
         precision,
         kind: presentation,
     };
-    check_grouping(&spec)?;
+    check_grouping(&spec, numeric)?;
     Ok(spec)
 }
 
@@ -116,17 +116,18 @@ fn grouping(chars: &mut Chars<'_>) -> Eval<Option<char>> {
     }
 }
 
-fn check_grouping(spec: &Spec) -> Eval<()> {
+fn check_grouping(spec: &Spec, numeric: bool) -> Eval<()> {
     let Some(grouping) = spec.grouping else { return Ok(()) };
     let allowed = match spec.kind {
-        None | Some('d' | 'e' | 'f' | 'g' | 'E' | 'G' | '%' | 'F') => true,
+        None => numeric,
+        Some('d' | 'e' | 'f' | 'g' | 'E' | 'G' | '%' | 'F') => true,
         Some('b' | 'o' | 'x' | 'X') => grouping == '_',
         Some(_) => false,
     };
     if allowed {
         return Ok(());
     }
-    let kind = spec.kind.unwrap_or('d');
+    let kind = spec.kind.unwrap_or('s');
     Err(Stop::value(if (' '..='\u{7f}').contains(&kind) {
         format!("Cannot specify '{grouping}' with '{kind}'.")
     } else {

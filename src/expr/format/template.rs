@@ -3,10 +3,10 @@
 use super::value::format;
 use crate::expr::args::Args;
 use crate::expr::ast::FPart;
-use crate::expr::display;
 use crate::expr::host::ErrorKind;
 use crate::expr::interp::Interp;
 use crate::expr::ops;
+use crate::expr::quote;
 use crate::expr::stop::{Eval, Stop};
 use crate::expr::value::{Str, Value};
 
@@ -22,22 +22,22 @@ pub(crate) fn fstring(interp: &mut Interp, parts: &[FPart]) -> Eval<Str> {
                 let spec = fstring(interp, spec)?;
                 // The debugging form shows the repr unless told otherwise.
                 let conversion = conversion.or((debug.is_some() && spec.is_empty()).then_some('r'));
-                let value = convert(value, conversion)?;
+                let value = convert(interp, value, conversion)?;
                 out.push_str(&format(interp, &value, &spec)?);
             }
         }
-        interp.budget.text(out.len() as u128 / 16)?;
+        interp.budget.grown(out.len())?;
     }
     Ok(out)
 }
 
 /// `!s`, `!r`, `!a`
-fn convert(value: Value, conversion: Option<char>) -> Eval {
+fn convert(interp: &mut Interp, value: Value, conversion: Option<char>) -> Eval {
     Ok(match conversion {
         None => value,
-        Some('s') => Value::Str(display::text_of(&value)?),
-        Some('r') => Value::Str(display::repr_of(&value)?),
-        Some('a') => Value::Str(ascii(&display::repr_of(&value)?)),
+        Some('s') => Value::Str(interp.text(&value)?),
+        Some('r') => Value::Str(interp.repr(&value)?),
+        Some('a') => Value::Str(ascii(&interp.repr(&value)?)),
         Some(other) if other.is_ascii_graphic() => {
             return Err(Stop::value(format!("Unknown conversion specifier {other}")));
         }
@@ -51,7 +51,7 @@ fn convert(value: Value, conversion: Option<char>) -> Eval {
 pub(super) fn ascii(text: &str) -> Str {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
-        if c.is_ascii() { out.push(c) } else { display::push_escape(&mut out, c) }
+        if c.is_ascii() { out.push(c) } else { quote::push_escape(&mut out, c) }
     }
     out.into()
 }
@@ -117,7 +117,9 @@ impl Template<'_> {
                 }
                 '{' => {
                     let field = parse_field(text, at + 1)?;
-                    out.push_str(&self.field(interp, &field, depth)?);
+                    let text = self.field(interp, &field, depth)?;
+                    interp.budget.grown(out.len() + text.len())?;
+                    out.push_str(&text);
                     at = field.behind;
                 }
                 c => {
@@ -132,7 +134,7 @@ impl Template<'_> {
 
     fn field(&mut self, interp: &mut Interp, field: &Field<'_>, depth: u32) -> Eval<Str> {
         let value = self.value(interp, field.name)?;
-        let value = convert(value, field.conversion)?;
+        let value = convert(interp, value, field.conversion)?;
         let spec = if field.spec.contains(&'{') {
             self.expand(interp, field.spec, depth - 1)?
         } else {

@@ -2,7 +2,6 @@
 
 use super::spec::{Spec, parse, unknown_code};
 use super::{float, int};
-use crate::expr::display;
 use crate::expr::interp::Interp;
 use crate::expr::numeric::Num;
 use crate::expr::stop::{Eval, Stop};
@@ -14,9 +13,7 @@ pub(super) fn format(interp: &mut Interp, value: &Value, spec: &str) -> Eval<Str
         return Err(Stop::Unknown);
     }
     if spec.is_empty() {
-        let text = display::text_of(value)?;
-        interp.budget.text(text.len() as u128)?;
-        return Ok(text);
+        return interp.text(value);
     }
     let kind = value.type_name();
     let text = match (value, Num::of(value)) {
@@ -57,9 +54,6 @@ fn format_text(interp: &mut Interp, text: &str, spec: &Spec) -> Eval<String> {
     }
     if spec.alternate {
         return Err(Stop::value("Alternate form (#) not allowed in string format specifier"));
-    }
-    if let Some(grouping) = spec.grouping {
-        return Err(Stop::value(format!("Cannot specify '{grouping}' with 's'.")));
     }
     if spec.align == Some('=') {
         return Err(Stop::value("'=' alignment not allowed in string format specifier"));

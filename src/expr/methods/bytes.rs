@@ -3,7 +3,7 @@
 use super::{methods, optional, up_to};
 use crate::expr::args::Args;
 use crate::expr::args::Arity::{One, Zero};
-use crate::expr::builtins::Function;
+use crate::expr::builtins::{Function, argument_type};
 use crate::expr::interp::Interp;
 use crate::expr::stop::{Eval, Stop};
 use crate::expr::value::Value;
@@ -85,7 +85,7 @@ fn encoding(name: Option<&Value>) -> Eval<Encoding> {
         None => return Ok(Encoding::Utf8),
         Some(Value::Str(name)) => name,
         Some(other) => {
-            let kind = other.type_name();
+            let kind = argument_type(other);
             return Err(Stop::typ(format!("encode() argument 'encoding' must be str, not {kind}")));
         }
     };
@@ -129,7 +129,7 @@ pub(super) fn encode(interp: &mut Interp, text: &Value, args: &Args) -> Eval {
 }
 
 fn display_escape(out: &mut String, c: char) {
-    crate::expr::display::push_escape(out, c);
+    crate::expr::quote::push_escape(out, c);
 }
 
 /// `bytes.decode(encoding, errors)`

@@ -10,7 +10,7 @@ use crate::expr::host::ErrorKind;
 use crate::expr::interp::Interp;
 use crate::expr::ops::{key_error, sets::elements};
 use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::{Dict, DictMap, Key, Value, View, ViewKind};
+use crate::expr::value::{Dict, DictMap, Key, Type, Value, View, ViewKind};
 
 /// Sorted by name.
 pub(super) static METHODS: &[Function] = methods! { "dict":
@@ -63,6 +63,10 @@ fn get(_: &mut Interp, dict: &Value, args: &Args) -> Eval {
 
 fn pop(interp: &mut Interp, dict: &Value, args: &Args) -> Eval {
     let dict = this(dict)?;
+    if dict.is_empty() {
+        // An empty dict does not even hash the key.
+        return args.get(1).cloned().ok_or_else(|| key_error(args.at(0)));
+    }
     let key = Key::new(args.at(0).clone())?;
     interp.budget.steps(dict.len() as u64 / 16)?;
     match (dict.edit(|map| map.shift_remove(&key)), args.get(1)) {
@@ -82,7 +86,7 @@ fn pop_item(_: &mut Interp, dict: &Value, _: &Args) -> Eval {
 fn set_default(interp: &mut Interp, dict: &Value, args: &Args) -> Eval {
     interp.budget.items(1)?;
     let key = Key::new(args.at(0).clone())?;
-    let default = args.at(1).clone();
+    let default = args.pos.get(1).cloned().unwrap_or(Value::None);
     Ok(this(dict)?.edit(|map| map.entry(key).or_insert(default).clone()))
 }
 
@@ -98,12 +102,13 @@ fn update(interp: &mut Interp, dict: &Value, args: &Args) -> Eval {
     Ok(Value::None)
 }
 
-fn from_keys(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
+fn from_keys(interp: &mut Interp, class: &Value, args: &Args) -> Eval {
     let mut map = DictMap::default();
     let mut cursor = interp.iter(args.at(0))?;
     while let Some(key) = interp.next(&mut cursor)? {
         interp.budget.items(1)?;
         map.insert(Key::new(key)?, args.at(1).clone());
     }
-    Ok(Value::Dict(Dict::new(map, false)))
+    let yaml = matches!(class, Value::Type(Type::YamlDict)) || Type::of(class) == Type::YamlDict;
+    Ok(Value::Dict(Dict::new(map, yaml)))
 }

@@ -3,7 +3,7 @@
 use super::{methods, up_to};
 use crate::expr::args::Arity::{Any, One, Zero};
 use crate::expr::args::{Args, check_count};
-use crate::expr::builtins::{Function, integer, sort};
+use crate::expr::builtins::{Function, index_sized, integer, sort};
 use crate::expr::display;
 use crate::expr::interp::Interp;
 use crate::expr::ops::{as_index, clamp_index, identical_or_equal, slice_bounds};
@@ -78,7 +78,7 @@ fn insert(interp: &mut Interp, list: &Value, args: &Args) -> Eval {
     let list = this(list)?;
     interp.budget.items(1)?;
     interp.budget.steps(list.len() as u64 / 16)?;
-    let place = integer(args.at(0))?;
+    let place = index_sized(args.at(0))?;
     let item = args.pos.get(1).cloned().unwrap_or_default();
     list.edit(|items| {
         let len = items.len() as i128;
@@ -90,7 +90,7 @@ fn insert(interp: &mut Interp, list: &Value, args: &Args) -> Eval {
 
 fn pop(interp: &mut Interp, list: &Value, args: &Args) -> Eval {
     let list = this(list)?;
-    let place = args.get(0).map_or(Ok(-1), integer)?;
+    let place = args.get(0).map_or(Ok(-1), index_sized)?;
     interp.budget.steps(if place == -1 { 1 } else { list.len() as u64 / 16 })?;
     list.edit(|items| {
         let len = items.len();
@@ -116,6 +116,10 @@ fn remove(interp: &mut Interp, list: &Value, args: &Args) -> Eval {
 }
 
 fn list_sort(interp: &mut Interp, list: &Value, args: &Args) -> Eval {
+    let given = args.len() + args.named.len();
+    if given > 2 {
+        return Err(Stop::typ(format!("sort() takes at most 2 arguments ({given} given)")));
+    }
     if !args.pos.is_empty() {
         return Err(Stop::typ("sort() takes no positional arguments"));
     }
@@ -131,12 +135,15 @@ fn list_index(interp: &mut Interp, list: &Value, args: &Args) -> Eval {
     let items = this(list)?.snapshot();
     match index(interp, &items, args)? {
         Some(place) => Ok(place),
-        None => Err(Stop::value(format!("{} is not in list", display::repr_of(args.at(0))?))),
+        None => Err(Stop::value(format!("{} is not in list", display::shown(args.at(0))?))),
     }
 }
 
 /// The place of the first argument between the optional others.
 fn index(interp: &mut Interp, items: &[Value], args: &Args) -> Eval<Option<Value>> {
+    if args.pos.iter().skip(1).any(|bound| as_index(bound).is_none()) {
+        return Err(Stop::typ("slice indices must be integers or have an __index__ method"));
+    }
     let start = clamp_index(args.get(1), items.len(), 0)?;
     let end = clamp_index(args.get(2), items.len(), items.len())?;
     for (place, item) in items.iter().enumerate().take(end).skip(start) {
@@ -157,15 +164,23 @@ fn count(interp: &mut Interp, items: &[Value], wanted: &Value) -> Eval {
     Ok(Value::Int(count))
 }
 
-fn range_index(_: &mut Interp, range: &Value, args: &Args) -> Eval {
-    let Value::Range(range) = range else { return Err(Stop::Unknown) };
-    match as_index(args.at(0)).and_then(|number| range.position(number)) {
-        Some(place) => Ok(Value::int(place)),
-        None if as_index(args.at(0)).is_some() => {
-            Err(Stop::value(format!("{} is not in range", display::repr_of(args.at(0))?)))
-        }
-        None => Err(Stop::value("sequence.index(x): x not in sequence")),
+fn range_index(interp: &mut Interp, value: &Value, args: &Args) -> Eval {
+    let Value::Range(range) = value else { return Err(Stop::Unknown) };
+    if let Some(number) = as_index(args.at(0)) {
+        return match range.position(number) {
+            Some(place) => Ok(Value::int(place)),
+            None => Err(Stop::value(format!("{} is not in range", display::shown(args.at(0))?))),
+        };
     }
+    let mut cursor = interp.iter(value)?;
+    let mut place = 0;
+    while let Some(item) = interp.next(&mut cursor)? {
+        if identical_or_equal(interp, &item, args.at(0))? {
+            return Ok(Value::Int(place));
+        }
+        place += 1;
+    }
+    Err(Stop::value("sequence.index(x): x not in sequence"))
 }
 
 fn indices(_: &mut Interp, slice: &Value, args: &Args) -> Eval {
@@ -174,5 +189,5 @@ fn indices(_: &mut Interp, slice: &Value, args: &Args) -> Eval {
     let len = integer(args.at(0))?;
     let Ok(len) = usize::try_from(len) else { return Err(Stop::value("length should not be negative")) };
     let bounds = slice_bounds(slice, len)?;
-    Ok(Value::tuple_from([bounds.start, bounds.stop, bounds.step].map(Value::int)))
+    Ok(Value::tuple_from([bounds.start, bounds.stop, bounds.step].map(Value::wide)))
 }

@@ -14,7 +14,7 @@ mod text_split;
 pub(crate) use bytes::decode;
 
 use super::args::Arity;
-use super::builtins::{Function, find as find_in};
+use super::builtins::{Function, argument_type, find as find_in};
 use super::stop::{Eval, Stop};
 use super::value::{Type, Value};
 
@@ -95,9 +95,11 @@ fn string<'a>(value: &'a Value, what: &str) -> Eval<&'a str> {
     match value {
         Value::Str(text) => Ok(text),
         other => {
-            let kind = other.type_name();
-            let what = if what.is_empty() { String::new() } else { format!("{what} ") };
-            Err(Stop::typ(format!("{what}must be str, not {kind}")))
+            let (kind, named) = (other.type_name(), argument_type(other));
+            Err(Stop::typ(match what {
+                "" => format!("must be str, not {kind}"),
+                what => format!("{what} must be str, not {named}"),
+            }))
         }
     }
 }

@@ -6,13 +6,13 @@ use num_traits::{One as _, Signed, Zero as _};
 use super::{methods, up_to};
 use crate::expr::args::Arity::{Any, One, Zero};
 use crate::expr::args::{Args, bind_named};
-use crate::expr::builtins::{Function, integer};
+use crate::expr::builtins::{Function, argument_type, index_sized, integer};
 use crate::expr::display;
 use crate::expr::interp::Interp;
 use crate::expr::numeric::{Num, decode};
 use crate::expr::ops::int::scale_by;
 use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::Value;
+use crate::expr::value::{Value, date_text};
 
 /// Sorted by name.
 pub(super) static INT: &[Function] = methods! { "int":
@@ -52,7 +52,7 @@ pub(super) static COMPLEX: &[Function] = methods! { "complex":
 /// Sorted by name.
 pub(super) static DATE: &[Function] = methods! { "datetime.date":
     "isoformat" up_to(0, 1) => |_, s, _| match s {
-        Value::Date(date) => Ok(Value::from(display::date_text(date, "T"))),
+        Value::Date(date) => Ok(Value::from(date_text(date, "T"))),
         _ => Err(Stop::Unknown),
     },
 };
@@ -69,11 +69,16 @@ fn float(value: &Value) -> Eval<f64> {
 }
 
 /// Whether the byte order is the one with the most significant byte first.
-fn is_big_endian(value: Option<&Value>) -> Eval<bool> {
-    match value.map(Value::as_str) {
-        None | Some(Some("big")) => Ok(true),
-        Some(Some("little")) => Ok(false),
-        _ => Err(Stop::value("byteorder must be either 'little' or 'big'")),
+fn is_big_endian(value: Option<&Value>, function: &str) -> Eval<bool> {
+    match value {
+        None => Ok(true),
+        Some(Value::Str(order)) if order == "big" => Ok(true),
+        Some(Value::Str(order)) if order == "little" => Ok(false),
+        Some(Value::Str(_)) => Err(Stop::value("byteorder must be either 'little' or 'big'")),
+        Some(other) => {
+            let kind = argument_type(other);
+            Err(Stop::typ(format!("{function}() argument 'byteorder' must be str, not {kind}")))
+        }
     }
 }
 
@@ -87,8 +92,8 @@ fn rebind(name: &str, names: &[&str], required: usize, args: &Args) -> Eval<Args
 
 fn to_bytes(interp: &mut Interp, number: &Value, args: &Args) -> Eval {
     let args = rebind("to_bytes", &["length", "byteorder", "signed"], 0, args)?;
-    let length = args.get(0).map_or(Ok(1), integer)?;
-    let big_endian = is_big_endian(args.get(1))?;
+    let length = args.get(0).map_or(Ok(1), index_sized)?;
+    let big_endian = is_big_endian(args.get(1), "to_bytes")?;
     let Ok(length) = u64::try_from(length) else {
         return Err(Stop::value("length argument must be non-negative"));
     };
@@ -115,10 +120,11 @@ fn to_bytes(interp: &mut Interp, number: &Value, args: &Args) -> Eval {
 
 fn from_bytes(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
     let args = rebind("from_bytes", &["bytes", "byteorder", "signed"], 1, args)?;
+    let big_endian = is_big_endian(args.get(1), "from_bytes")?;
     let mut bytes: Vec<u8> = match args.at(0) {
         Value::Bytes(bytes) => bytes.to_vec(),
-        Value::Str(_) | Value::Int(_) | Value::Float(_) | Value::None => {
-            let kind = args.at(0).type_name();
+        other if matches!(other, Value::Str(_)) || interp.iter(other).is_err() => {
+            let kind = other.type_name();
             return Err(Stop::typ(format!("cannot convert '{kind}' object to bytes")));
         }
         other => {
@@ -129,7 +135,6 @@ fn from_bytes(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
             items.iter().map(byte).collect::<Eval<_>>()?
         }
     };
-    let big_endian = is_big_endian(args.get(1))?;
     interp.budget.int_bits(bytes.len() as u128 * 8)?;
     if big_endian {
         bytes.reverse();

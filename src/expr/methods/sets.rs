@@ -18,7 +18,7 @@ pub(super) static SET: &[Function] = methods! { "set":
     "copy" Zero => copy,
     "difference" Positional => |i, s, a| fold(i, s, a, BinOp::Sub),
     "difference_update" Positional => |i, s, a| update(i, s, a, BinOp::Sub),
-    "discard" One => |_, s, a| { this(s)?.edit(|items| Key::new(a.at(0).clone()).map(|key| items.shift_remove(&key)))?; Ok(Value::None) },
+    "discard" One => |_, s, a| { this(s)?.edit(|items| Key::sought(a.at(0)).map(|key| items.shift_remove(&key)))?; Ok(Value::None) },
     "intersection" Positional => |i, s, a| fold(i, s, a, BinOp::BitAnd),
     "intersection_update" Positional => |i, s, a| update(i, s, a, BinOp::BitAnd),
     "isdisjoint" One => |i, s, a| relation(i, s, a, SetMap::is_disjoint),
@@ -104,7 +104,7 @@ fn copy(_: &mut Interp, set: &Value, _: &Args) -> Eval {
 }
 
 fn remove(_: &mut Interp, set: &Value, args: &Args) -> Eval {
-    let key = Key::new(args.at(0).clone())?;
+    let key = Key::sought(args.at(0))?;
     if this(set)?.edit(|items| items.shift_remove(&key)) {
         Ok(Value::None)
     } else {

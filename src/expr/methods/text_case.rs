@@ -1,9 +1,10 @@
 //! Upper and lower case, and the classes of characters.
 
-use crate::expr::display;
 use crate::expr::interp::Interp;
 use crate::expr::numeric::decimal_digit;
+use crate::expr::quote;
 use crate::expr::stop::{Eval, Stop};
+use crate::expr::syntax::{is_name_continue, is_name_start};
 use crate::expr::value::Value;
 
 /// Apply a mapping that may at most triple the text.
@@ -163,12 +164,11 @@ pub(super) fn is_numeric(c: char) -> bool {
 }
 
 pub(super) fn is_printable(text: &str) -> bool {
-    text.chars().all(display::is_printable)
+    text.chars().all(quote::is_printable)
 }
 
-/// A letter or underscore, then letters, digits and underscores.
+/// Whether it is a name, keywords included.
 pub(super) fn is_identifier(text: &str) -> bool {
     let mut chars = text.chars();
-    let start = |c: char| c == '_' || c.is_alphabetic();
-    chars.next().is_some_and(start) && chars.all(|c| start(c) || decimal_digit(c).is_some())
+    chars.next().is_some_and(is_name_start) && chars.all(is_name_continue)
 }

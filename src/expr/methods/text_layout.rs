@@ -2,7 +2,7 @@
 
 use super::string;
 use crate::expr::args::Args;
-use crate::expr::builtins::integer;
+use crate::expr::builtins::{index_sized, integer};
 use crate::expr::interp::Interp;
 use crate::expr::numeric::is_space;
 use crate::expr::ops;
@@ -19,11 +19,8 @@ pub(super) enum Side {
 
 /// How many characters are missing to the width asked for.
 fn missing(interp: &mut Interp, text: &str, width: &Value, unit: usize) -> Eval<u64> {
-    let width = integer(width)?;
+    let width = index_sized(width)?;
     let missing = width.saturating_sub(text.chars().count() as i128).max(0);
-    if i64::try_from(width).is_err() {
-        return Err(Stop::overflow("Python int too large to convert to C ssize_t"));
-    }
     interp.budget.text(text.len() as u128 + missing.unsigned_abs() * unit as u128)?;
     Ok(u64::try_from(missing).unwrap_or(0))
 }
@@ -31,6 +28,7 @@ fn missing(interp: &mut Interp, text: &str, width: &Value, unit: usize) -> Eval<
 /// `center`, `ljust`, `rjust`
 pub(super) fn pad(interp: &mut Interp, text: &Value, args: &Args, side: Side) -> Eval {
     let text = text.as_str().ok_or(Stop::Unknown)?;
+    index_sized(args.at(0))?;
     let fill = match args.get(1) {
         None => " ",
         Some(Value::Str(fill)) if fill.chars().count() == 1 => fill,
@@ -140,6 +138,7 @@ pub(super) fn make_translation(_: &mut Interp, _: &Value, args: &Args) -> Eval {
         return Ok(Value::Dict(Dict::new(map, false)));
     }
     let to = string(args.at(1), "maketrans() argument 2")?;
+    let gone = args.get(2).map_or(Ok(""), |gone| string(gone, "maketrans() argument 3"))?;
     let Value::Str(from) = args.at(0) else {
         return Err(Stop::typ("first maketrans argument must be a string if there is a second argument"));
     };
@@ -149,10 +148,8 @@ pub(super) fn make_translation(_: &mut Interp, _: &Value, args: &Args) -> Eval {
     for (a, b) in from.chars().zip(to.chars()) {
         map.insert(code(a)?, Value::Int(i64::from(u32::from(b))));
     }
-    if let Some(gone) = args.get(2) {
-        for c in string(gone, "maketrans() argument 3")?.chars() {
-            map.insert(code(c)?, Value::None);
-        }
+    for c in gone.chars() {
+        map.insert(code(c)?, Value::None);
     }
     Ok(Value::Dict(Dict::new(map, false)))
 }
@@ -172,6 +169,7 @@ pub(super) fn translate(interp: &mut Interp, text: &Value, args: &Args) -> Eval 
             Value::None => {}
             Value::Str(text) => {
                 interp.budget.text(text.len() as u128)?;
+                interp.budget.grown(out.len() + text.len())?;
                 out.push_str(&text);
             }
             Value::Int(code) => match u32::try_from(code).ok().and_then(char::from_u32) {

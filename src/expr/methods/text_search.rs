@@ -2,7 +2,7 @@
 
 use super::string;
 use crate::expr::args::Args;
-use crate::expr::builtins::integer;
+use crate::expr::builtins::index_sized;
 use crate::expr::interp::Interp;
 use crate::expr::ops::clamp_index;
 use crate::expr::stop::{Eval, Stop};
@@ -53,9 +53,10 @@ fn check_args(args: &Args, name: &str) -> Eval<()> {
 pub(super) fn find(interp: &mut Interp, text: &Value, args: &Args, name: &str) -> Eval {
     let text = text.as_str().ok_or(Stop::Unknown)?;
     check_args(args, name)?;
+    let window = window(text, args.get(1), args.get(2))?;
     let part = string(args.at(0), "")?;
     interp.budget.steps(text.len() as u64 / 256)?;
-    let place = window(text, args.get(1), args.get(2))?.and_then(|window| {
+    let place = window.and_then(|window| {
         let at = if name.starts_with('r') { window.text.rfind(part) } else { window.text.find(part) }?;
         Some(window.first + window.text.get(..at)?.chars().count())
     });
@@ -69,9 +70,10 @@ pub(super) fn find(interp: &mut Interp, text: &Value, args: &Args, name: &str) -
 pub(super) fn count(interp: &mut Interp, text: &Value, args: &Args) -> Eval {
     let text = text.as_str().ok_or(Stop::Unknown)?;
     check_args(args, "count")?;
+    let window = window(text, args.get(1), args.get(2))?;
     let part = string(args.at(0), "")?;
     interp.budget.steps(text.len() as u64 / 64)?;
-    let count = window(text, args.get(1), args.get(2))?.map_or(0, |window| match part {
+    let count = window.map_or(0, |window| match part {
         "" => window.text.chars().count() + 1,
         part => window.text.matches(part).count(),
     });
@@ -112,7 +114,7 @@ pub(super) fn replace(interp: &mut Interp, text: &Value, args: &Args) -> Eval {
     let text = text.as_str().ok_or(Stop::Unknown)?;
     let old = string(args.at(0), "replace() argument 1")?;
     let new = string(args.at(1), "replace() argument 2")?;
-    let limit = args.get(2).map_or(Ok(-1), integer)?;
+    let limit = args.get(2).map_or(Ok(-1), index_sized)?;
     let limit = usize::try_from(limit).unwrap_or(usize::MAX);
     interp.budget.steps(text.len() as u64 / 64)?;
     let found = if old.is_empty() { text.chars().count() + 1 } else { text.matches(old).count() };

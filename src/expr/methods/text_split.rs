@@ -2,7 +2,7 @@
 
 use super::string;
 use crate::expr::args::Args;
-use crate::expr::builtins::integer;
+use crate::expr::builtins::{index_sized, integer};
 use crate::expr::interp::Interp;
 use crate::expr::numeric::is_space;
 use crate::expr::stop::{Eval, Stop};
@@ -11,7 +11,7 @@ use crate::expr::value::{Str, Value};
 /// `split`, `rsplit`
 pub(super) fn split(interp: &mut Interp, text: &Value, args: &Args, from_right: bool) -> Eval {
     let text = text.as_str().ok_or(Stop::Unknown)?;
-    let limit = args.get(1).map_or(Ok(-1), integer)?;
+    let limit = args.get(1).map_or(Ok(-1), index_sized)?;
     let limit = usize::try_from(limit).unwrap_or(usize::MAX);
     let separator = match args.get(0) {
         None | Some(Value::None) => None,
@@ -83,7 +83,7 @@ fn is_line_end(c: char) -> bool {
 
 pub(super) fn lines(interp: &mut Interp, text: &Value, args: &Args) -> Eval {
     let text = text.as_str().ok_or(Stop::Unknown)?;
-    let keep = args.get(0).map_or(Ok(false), |value| interp.truth(value))?;
+    let keep = args.get(0).map_or(Ok(0), integer)? != 0;
     let mut lines = Vec::new();
     let mut rest = text;
     while !rest.is_empty() {

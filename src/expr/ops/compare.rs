@@ -130,6 +130,10 @@ fn ordered(interp: &mut Interp, op: CmpOp, a: &Value, b: &Value) -> Eval<bool> {
         (Value::Complex(..), _) | (_, Value::Complex(..)) => return Err(unordered()),
         (Value::Str(x), Value::Str(y)) => Some(x.cmp(y)),
         (Value::Bytes(x), Value::Bytes(y)) => Some(x.cmp(y)),
+        // The more special type is asked first.
+        (Value::List(x), Value::List(y)) if y.is_yaml() && !x.is_yaml() => {
+            return ordered_items(interp, reflected(op), &y.snapshot(), &x.snapshot());
+        }
         (Value::List(x), Value::List(y)) => return ordered_items(interp, op, &x.snapshot(), &y.snapshot()),
         (Value::Tuple(x), Value::Tuple(y)) => return ordered_items(interp, op, x.items(), y.items()),
         (Value::Date(x), Value::Date(y)) => return ordered_dates(op, x, y),
@@ -139,6 +143,17 @@ fn ordered(interp: &mut Interp, op: CmpOp, a: &Value, b: &Value) -> Eval<bool> {
         },
     };
     Ok(holds(op, order))
+}
+
+/// The operator with its sides exchanged.
+fn reflected(op: CmpOp) -> CmpOp {
+    match op {
+        CmpOp::Lt => CmpOp::Gt,
+        CmpOp::Le => CmpOp::Ge,
+        CmpOp::Gt => CmpOp::Lt,
+        CmpOp::Ge => CmpOp::Le,
+        other => other,
+    }
 }
 
 fn ordered_dates(
@@ -203,17 +218,8 @@ pub(crate) fn contains(interp: &mut Interp, container: &Value, item: &Value) -> 
         },
         Value::Bytes(bytes) => bytes_contain(bytes, item),
         Value::Dict(dict) => Ok(dict.get(&Key::new(item.clone())?).is_some()),
-        Value::Set(set) => {
-            // A set is looked up as if it were frozen.
-            let key = match item {
-                Value::Set(inner) => {
-                    Key::new(Value::Set(crate::expr::value::Set::new((*inner.snapshot()).clone(), true)))
-                }
-                other => Key::new(other.clone()),
-            };
-            Ok(set.snapshot().contains(&key?))
-        }
-        Value::Range(range) if matches!(item, Value::Int(_) | Value::Bool(_)) => {
+        Value::Set(set) => Ok(set.snapshot().contains(&Key::sought(item)?)),
+        Value::Range(range) if matches!(item, Value::Int(_) | Value::Bool(_) | Value::Big(_)) => {
             let number = super::as_index(item).unwrap_or(0);
             Ok(range.position(number).is_some())
         }

@@ -87,10 +87,7 @@ pub(crate) fn repeat_text(interp: &mut Interp, text: &str, count: u64) -> Eval<S
     if text.is_empty() {
         return Ok(Str::new());
     }
-    let count = usize::try_from(count).unwrap_or(0);
-    let mut out = Str::with_capacity(text.len() * count);
-    (0..count).for_each(|_| out.push_str(text));
-    Ok(out)
+    Ok(text.repeat(usize::try_from(count).unwrap_or(0)).into())
 }
 
 fn repeat_items(interp: &mut Interp, items: &[Value], count: u64) -> Eval<EcoVec<Value>> {

@@ -65,7 +65,7 @@ fn lookup(dict: &Dict, key: &Value) -> Eval {
         return Ok(if dict.is_yaml() { value.wrapped() } else { value });
     }
     if dict.is_yaml() {
-        let key = display::text_of(key)?;
+        let key = display::to_str(key).ok_or(Stop::Unknown)?;
         return Err(Stop::new(ErrorKind::YamlKey, format!("The yaml dictionary has no key '{key}'")));
     }
     Err(key_error(key))
@@ -73,7 +73,7 @@ fn lookup(dict: &Dict, key: &Value) -> Eval {
 
 /// `KeyError`, whose text is the key's `repr`.
 pub(crate) fn key_error(key: &Value) -> Stop {
-    display::repr_of(key).map_or_else(|stop| stop, |key| Stop::new(ErrorKind::Key, key))
+    display::shown(key).map_or_else(|stop| stop, |key| Stop::new(ErrorKind::Key, key))
 }
 
 /// Namespaces are dicts too.
@@ -143,7 +143,7 @@ fn range_item(range: &Range, key: &Value) -> Eval {
     };
     let place = if index < 0 { index.saturating_add_unsigned(len) } else { index };
     match u128::try_from(place) {
-        Ok(place) if place < len => Ok(Value::int(range.nth(place))),
+        Ok(place) if place < len => Ok(Value::wide(range.nth(place))),
         _ => Err(Stop::index("range object index out of range")),
     }
 }

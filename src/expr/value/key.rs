@@ -4,7 +4,7 @@ use std::hash::{Hash, Hasher};
 
 use rustc_hash::FxHasher;
 
-use super::{SetMap, Str, Value};
+use super::{Set, SetMap, Str, Value};
 use crate::expr::numeric::{Num, hash_num};
 use crate::expr::stop::{Eval, Stop};
 
@@ -28,6 +28,14 @@ impl Key {
             }
         }
         Ok(Self(value))
+    }
+
+    /// A key to look up in a set, where a set counts as if it were frozen.
+    pub(crate) fn sought(value: &Value) -> Eval<Self> {
+        match value {
+            Value::Set(set) => Self::new(Value::Set(Set::new((*set.snapshot()).clone(), true))),
+            other => Self::new(other.clone()),
+        }
     }
 
     /// A string key.

@@ -2,6 +2,7 @@
 
 mod bury;
 mod containers;
+mod date;
 mod key;
 mod object;
 mod types;
@@ -17,9 +18,11 @@ use super::stop::{Eval, Stop};
 pub(crate) use bury::bury;
 pub use containers::{Dict, List, Set, Tuple};
 pub(crate) use containers::{DictMap, SetMap};
+pub use date::DateValue;
+pub(crate) use date::{date_repr, date_text};
 pub(crate) use key::{Key, hash_value};
 pub(crate) use object::{Bound, Closure, Frame};
-pub use object::{DateValue, Module, Range, Slice, View, ViewKind};
+pub use object::{Module, Range, Slice, View, ViewKind};
 pub use types::Type;
 
 use super::builtins::Function;
@@ -113,6 +116,11 @@ impl Value {
             Some(small) => Self::Int(small),
             None => Self::Big(Arc::new(number)),
         }
+    }
+
+    /// An integer.
+    pub(crate) fn wide(number: i128) -> Self {
+        i64::try_from(number).map_or_else(|_| Self::int(number), Self::Int)
     }
 
     /// A list; `yaml` gives its nested lists and dicts the behaviour of values from a YAML file.

@@ -82,17 +82,6 @@ pub enum ViewKind {
     Items,
 }
 
-/// A date, or date and time.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct DateValue {
-    /// Year, month, day.
-    pub date: (i32, u32, u32),
-    /// Hour, minute, second, microsecond; none for a plain date.
-    pub time: Option<(u32, u32, u32, u32)>,
-    /// Offset from UTC in seconds, if given.
-    pub utc_offset: Option<i32>,
-}
-
 /// The namespaces of global names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs)]
@@ -195,23 +184,4 @@ impl Drop for Frame {
         let vars = std::mem::take(&mut *self.vars());
         bury((vars, self.parent.take()));
     }
-}
-
-impl DateValue {
-    /// Microseconds since year zero in UTC (local time where there is no offset), for comparison.
-    pub(crate) fn instant(&self) -> i64 {
-        let (year, month, day) = self.date;
-        let (hour, minute, second, micro) = self.time.unwrap_or_default();
-        let days = days_before(year, month) + i64::from(day);
-        let seconds = days * 86_400 + i64::from(hour) * 3600 + i64::from(minute) * 60 + i64::from(second);
-        (seconds - i64::from(self.utc_offset.unwrap_or(0))) * 1_000_000 + i64::from(micro)
-    }
-}
-
-/// Days of the Gregorian calendar before the first of a month.
-fn days_before(year: i32, month: u32) -> i64 {
-    // Counting years from March puts the leap day last.
-    let (year, month) =
-        if month <= 2 { (i64::from(year) - 1, month + 9) } else { (i64::from(year), month - 3) };
-    year * 365 + year / 4 - year / 100 + year / 400 + (i64::from(month) * 153 + 2) / 5
 }
