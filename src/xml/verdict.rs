@@ -5,6 +5,9 @@ use super::entities::EntityFault;
 use super::error::{Condition, ItemError, Namespace, SyntaxError, SyntaxErrorKind, expat};
 use crate::base::{FastSet, TextRange};
 
+/// Errors reported of one document, and those looked at to find the first ones.
+const MAX_REPORTED: usize = 1000;
+const MAX_COLLECTED: usize = 10_000;
 /// Bytes that entities may add before anybody asks, and how many times the file's own size after that:
 /// the limits of expat.
 const MAX_EXPANSION: u64 = 8 << 20;
@@ -12,7 +15,7 @@ const MAX_FACTOR: u64 = 100;
 
 impl Document {
     /// Everything a conforming, non-validating, namespace-aware parser rejects, in the order expat would
-    /// meet it: the first error is the one expat reports. Ranges are absolute.
+    /// meet it: the first error is the one expat reports. Ranges are absolute. At most 1000 errors.
     pub fn errors(&self) -> Vec<SyntaxError> {
         let mut out: Vec<SyntaxError> = Vec::new();
         let mut reported = FastSet::default();
@@ -33,10 +36,14 @@ impl Document {
                 }
                 out.push(error);
             }
+            if out.len() > MAX_COLLECTED {
+                break;
+            }
         }
         out.extend(self.amplification());
         // That nothing more comes, expat notices last.
         out.sort_by_key(|error| (error.expat_offset, error.expat == expat::NO_ELEMENT));
+        out.truncate(MAX_REPORTED);
         out
     }
 }
