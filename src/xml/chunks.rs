@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use super::error::Condition;
 use super::item::Item;
 
 /// Items per chunk when a list is built.
@@ -24,6 +25,10 @@ struct Chunk {
     lines: u32,
     /// Whether an item depends on text behind its end.
     far: bool,
+    /// Whether an item has errors that do not depend on the prefixes the root declares.
+    loud: bool,
+    /// Prefixes the root must declare for the rest.
+    prefixes: Vec<Box<str>>,
 }
 
 /// A position in the list: an item, and the bytes and line ends before it.
@@ -36,7 +41,14 @@ pub(super) struct Mark {
 
 impl Chunk {
     fn new(items: Vec<Arc<Item>>) -> Self {
-        let mut chunk = Self { items: Arc::new(items), bytes: 0, lines: 0, far: false };
+        let mut chunk = Self {
+            items: Arc::new(items),
+            bytes: 0,
+            lines: 0,
+            far: false,
+            loud: false,
+            prefixes: Vec::new(),
+        };
         chunk.sum();
         chunk
     }
@@ -45,6 +57,17 @@ impl Chunk {
         self.bytes = self.items.iter().map(|item| item.len()).sum();
         self.lines = self.items.iter().map(|item| item.lines).sum();
         self.far = self.items.iter().any(|item| item.reach() > item.len());
+        self.loud = false;
+        self.prefixes.clear();
+        for error in self.items.iter().flat_map(|item| item.errors()) {
+            match &error.condition {
+                Condition::UnlessBound(prefix) if !self.prefixes.contains(prefix) => {
+                    self.prefixes.push(prefix.clone());
+                }
+                Condition::UnlessBound(_) => {}
+                _ => self.loud = true,
+            }
+        }
     }
 }
 
@@ -127,6 +150,25 @@ impl Chunks {
         }
         let chunks = self.list.get(first..).unwrap_or(&[]);
         chunks.iter().flat_map(|chunk| chunk.items.iter()).skip(skip)
+    }
+
+    /// The items, with their offsets, of the chunks that may have errors if `bound` says which prefixes the
+    /// root declares.
+    pub(super) fn iter_loud(&self, bound: impl Fn(&str) -> bool) -> impl Iterator<Item = (u32, &Arc<Item>)> {
+        let mut next = 0;
+        let chunks = self.list.iter().filter_map(move |chunk| {
+            let start = next;
+            next += chunk.bytes;
+            let loud = chunk.loud || !chunk.prefixes.iter().all(|prefix| bound(prefix));
+            loud.then_some((start, chunk))
+        });
+        chunks.flat_map(|(mut start, chunk)| {
+            chunk.items.iter().map(move |item| {
+                let at = start;
+                start += item.len();
+                (at, item)
+            })
+        })
     }
 
     /// The items before `index`, last first.

@@ -121,7 +121,7 @@ fn check_positions(document: &Document, text: &str) {
 }
 
 proptest! {
-    #![proptest_config(Config { cases: 1500, failure_persistence: None, ..Config::default() })]
+    #![proptest_config(Config { cases: 400, failure_persistence: None, ..Config::default() })]
 
     #[test]
     fn edited_equals_fresh((seed, script) in edits()) {

@@ -3,8 +3,12 @@
 use super::document::{Context, Document};
 use super::entities::EntityFault;
 use super::error::{Condition, ItemError, Namespace, SyntaxError, SyntaxErrorKind, expat};
+use super::item::Item;
 use crate::base::{FastSet, TextRange};
 
+/// Errors reported of one document, and those looked at to find the first ones.
+const MAX_REPORTED: usize = 1000;
+const MAX_COLLECTED: usize = 10_000;
 /// Bytes that entities may add before anybody asks, and how many times the file's own size after that:
 /// the limits of expat.
 const MAX_EXPANSION: u64 = 8 << 20;
@@ -12,32 +16,71 @@ const MAX_FACTOR: u64 = 100;
 
 impl Document {
     /// Everything a conforming, non-validating, namespace-aware parser rejects, in the order expat would
-    /// meet it: the first error is the one expat reports. Ranges are absolute.
+    /// meet it: the first error is the one expat reports. Ranges are absolute. At most 1000 errors.
     pub fn errors(&self) -> Vec<SyntaxError> {
-        let mut out: Vec<SyntaxError> = Vec::new();
-        let mut reported = FastSet::default();
-        let mut floor = 0;
-        for (start, item) in self.parts() {
-            for stored in item.errors() {
-                let Some(mut error) = self.context.judge(stored) else { continue };
-                if let Condition::UnlessBound(prefix) = &stored.condition
-                    && !reported.insert(prefix)
-                {
-                    continue;
-                }
-                error.range = error.range.shift(start);
-                error.related = error.related.map(|(range, label)| (range.shift(start), label));
-                error.expat_offset = (error.expat_offset + start).max(floor);
-                if stored.diverges {
-                    floor = error.expat_offset;
-                }
-                out.push(error);
+        let mut found = Found::default();
+        let head = self.header.len();
+        found.add(&self.context, 0, &self.header);
+        let quiet = |prefix: &str| self.context.namespaces.contains_key(prefix);
+        for (start, item) in self.items.iter_loud(&quiet) {
+            found.add(&self.context, head + start, item);
+            if found.errors.len() > MAX_COLLECTED {
+                break;
             }
         }
-        out.extend(self.amplification());
-        // That nothing more comes, expat notices last.
-        out.sort_by_key(|error| (error.expat_offset, error.expat == expat::NO_ELEMENT));
-        out
+        found.add(&self.context, self.footer_start(), &self.footer.item);
+        found.errors.extend(self.amplification());
+        found.finish()
+    }
+}
+
+/// Errors on their way into the order in which expat would meet them.
+#[derive(Default)]
+struct Found<'a> {
+    errors: Vec<SyntaxError>,
+    /// Prefixes reported so far.
+    prefixes: FastSet<&'a str>,
+    /// Where the tree becomes a guess, and where expat stops because of that: the first such place and the
+    /// last one so far.
+    divergence: Option<(u32, u32)>,
+    floor: u32,
+}
+
+impl<'a> Found<'a> {
+    fn add(&mut self, context: &Context, start: u32, item: &'a Item) {
+        for stored in item.errors() {
+            let Some(mut error) = context.judge(stored) else { continue };
+            if let Condition::UnlessBound(prefix) = &stored.condition
+                && !self.prefixes.insert(prefix)
+            {
+                continue;
+            }
+            error.range = error.range.shift(start);
+            error.related = error.related.map(|(range, label)| (range.shift(start), label));
+            error.expat_offset = (error.expat_offset + start).max(self.floor);
+            if stored.diverges {
+                self.floor = error.expat_offset;
+                self.divergence.get_or_insert((error.range.start, error.expat_offset));
+            }
+            self.errors.push(error);
+        }
+    }
+
+    fn finish(mut self) -> Vec<SyntaxError> {
+        let (from, stop) = self.divergence.unwrap_or((u32::MAX, u32::MAX));
+        let place = |error: &SyntaxError| {
+            // The end of an element that began before a guess lies behind it: expat never sees it. And that
+            // nothing more comes, it notices last.
+            let hidden = error.expat_offset > from && error.range.start < from;
+            let offset = if hidden { error.expat_offset.max(stop) } else { error.expat_offset };
+            (offset, hidden, error.expat == expat::NO_ELEMENT)
+        };
+        for error in &mut self.errors {
+            error.expat_offset = place(error).0;
+        }
+        self.errors.sort_by_key(place);
+        self.errors.truncate(MAX_REPORTED);
+        self.errors
     }
 }
 

@@ -3,7 +3,7 @@
 
 use std::collections::HashSet;
 
-use super::Parser;
+use super::{MAX_ERRORS, Parser};
 use crate::xml::decode::{Reference, decode, references};
 use crate::xml::entities::Entities;
 use crate::xml::error::{Condition, Namespace, SyntaxError, SyntaxErrorKind as Kind, expat};
@@ -59,6 +59,9 @@ impl<'t> Parser<'t> {
     }
 
     fn duplicate(&mut self, first: usize, at: usize, name: &str) {
+        if self.errors.len() >= MAX_ERRORS {
+            return;
+        }
         let before = self.attrs[first..at].iter().find(|other| self.attr_name(other) == name).copied();
         let attr = self.attrs[at];
         let range = crate::base::TextRange::new(attr.name, attr.name + attr.name_len);
@@ -113,11 +116,11 @@ impl<'t> Parser<'t> {
     /// `name`, at `start` inside the tag at `tag`, has a prefix that must be bound.
     fn check_prefix(&mut self, tag: usize, start: usize, name: &'t str) {
         let Some((prefix, _)) = name.split_once(':') else { return };
-        if prefix == "xml" || self.scopes.lookup(prefix).is_some() || self.scopes.outer.contains(&prefix) {
+        if prefix == "xml" || self.scopes.lookup(prefix).is_some() || self.scopes.outer.contains(prefix) {
             return;
         }
         // One report per item is plenty: whatever uses the prefix later is wrong for the same reason.
-        self.scopes.outer.push(prefix);
+        self.scopes.outer.insert(prefix);
         let error = SyntaxError {
             kind: Kind::UnboundPrefix,
             range: self.range(start, start + prefix.len()),

@@ -18,6 +18,7 @@ impl<'t> Parser<'t> {
     pub(super) fn doctype(&mut self, entities: &mut Entities) {
         let start = self.pos;
         let first_error = self.errors.len();
+        self.has_doctype = true;
         self.pos += "<!DOCTYPE".len();
         match self.doctype_grammar(entities) {
             Ok(()) => {
@@ -66,6 +67,7 @@ impl<'t> Parser<'t> {
             return Err(self.skip_markup().err().unwrap_or((expat::SYNTAX, start)));
         }
         let (token, end) = self.token(start);
+        self.look(end + 1);
         self.pos = end;
         match token {
             Token::End => {
@@ -76,7 +78,10 @@ impl<'t> Parser<'t> {
                 self.hit_end = true;
                 Err((expat::UNCLOSED_TOKEN, start))
             }
-            Token::Invalid(at) => Err((expat::INVALID, at)),
+            Token::Invalid(at) => {
+                self.look(at + 1);
+                Err((expat::INVALID, at))
+            }
             _ => Ok((token, start, self.slice(start, end))),
         }
     }

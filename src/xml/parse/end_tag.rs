@@ -6,7 +6,7 @@ use crate::xml::error::{Condition, SyntaxError, SyntaxErrorKind as Kind, expat};
 use crate::xml::node::NodeKind;
 
 /// Open elements an end tag looks through for its start tag.
-const MAX_LOOK: usize = 512;
+const MAX_LOOK: usize = 64;
 /// Unclosed elements reported where one end tag closes many.
 const MAX_UNCLOSED: usize = 8;
 

@@ -31,17 +31,38 @@ impl Parser<'_> {
         self.floor = None;
     }
 
-    fn find(&self, from: usize, needle: &[u8]) -> Option<usize> {
-        memchr::memmem::find(self.bytes.get(from..)?, needle).map(|at| from + at)
+    /// Where `needle` occurs from `from` on. What is nowhere is looked for once only: each piece of unclosed
+    /// markup would look through all the rest.
+    fn find(&mut self, from: usize, needle: &'static str) -> Option<usize> {
+        if self.absent.iter().any(|&(absent, since)| absent == needle && since <= from) {
+            return None;
+        }
+        let found = memchr::memmem::find(self.bytes.get(from..)?, needle.as_bytes());
+        if found.is_none() {
+            self.absent.push((needle, from));
+        }
+        found.map(|at| from + at)
+    }
+
+    /// The first forbidden character from `from` on.
+    fn next_illegal(&mut self, from: usize) -> Option<usize> {
+        if self.clean {
+            return None;
+        }
+        if !self.illegal.is_some_and(|(since, at)| since <= from && at.is_none_or(|at| from <= at)) {
+            let found = first_illegal(self.slice(from, self.bytes.len()));
+            self.illegal = Some((from, found.map(|at| from + at)));
+        }
+        self.illegal.and_then(|(_, at)| at)
     }
 
     /// Read a comment.
     fn comment(&mut self) {
         let start = self.pos;
-        let mut from = start + 4;
+        let (mut from, mut searched) = (start + 4, start + 4);
         let first_error = self.errors.len();
         loop {
-            let dashes = self.find(from, b"--").filter(|dashes| dashes + 2 < self.bytes.len());
+            let dashes = self.find(from, "--").filter(|dashes| dashes + 2 < self.bytes.len());
             let Some(dashes) = dashes else { return self.unclosed_markup(&COMMENT, start, first_error) };
             self.check_characters(from, dashes);
             if self.bytes.get(dashes + 2) == Some(&b'>') {
@@ -51,10 +72,13 @@ impl Parser<'_> {
             }
             // A second `<!--` says that the first one was never closed, if markup stands between them.
             let opens = self.bytes.get(..dashes).is_some_and(|before| before.ends_with(b"<!"));
-            if let Some(next) = self.next_line_markup(start + 4, dashes + 2).filter(|_| opens) {
-                let verdict = (expat::INVALID, dashes + 2);
-                self.reach = self.reach.max(dashes + 3);
-                return self.resume_at(&COMMENT, start, (next, first_error), verdict);
+            if opens {
+                if let Some(next) = self.next_line_markup(searched, dashes + 2) {
+                    let verdict = (expat::INVALID, dashes + 2);
+                    self.look(dashes + 3);
+                    return self.resume_at(&COMMENT, start, (next, first_error), verdict);
+                }
+                searched = dashes;
             }
             if self.errors.len() == first_error {
                 let message = "`--` may not stand in a comment: write `- -`";
@@ -66,7 +90,7 @@ impl Parser<'_> {
 
     fn cdata(&mut self) {
         let start = self.pos;
-        match self.find(start + 9, b"]]>") {
+        match self.find(start + 9, "]]>") {
             Some(end) => {
                 self.check_characters(start, end);
                 self.pos = end + 3;
@@ -80,8 +104,8 @@ impl Parser<'_> {
     fn unclosed_markup(&mut self, shape: &Shape, start: usize, first_error: usize) {
         self.hit_end = true;
         let (inner, end) = (start + shape.open, self.bytes.len());
-        let verdict = match first_illegal(self.slice(inner, end)) {
-            Some(at) => (expat::INVALID, inner + at),
+        let verdict = match self.next_illegal(inner) {
+            Some(at) => (expat::INVALID, at),
             None if shape.kind == NodeKind::CData => (expat::UNCLOSED_CDATA, self.cdata_stop(inner)),
             None => (expat::UNCLOSED_TOKEN, start),
         };
@@ -152,7 +176,7 @@ impl Parser<'_> {
         if let Some((at, message)) = fault {
             self.error(Kind::BadName, (start, name_end), (expat::INVALID, at), message);
         }
-        match self.find(name_end, b"?>") {
+        match self.find(name_end, "?>") {
             Some(end) => {
                 self.check_characters(name_end, end);
                 self.pos = end + 2;
@@ -202,7 +226,7 @@ impl Parser<'_> {
         };
         let text = self.bytes.get(start..).unwrap_or(&[]);
         let at = start + expected.iter().zip(text).take_while(|(a, b)| a == b).count();
-        let stop = memchr::memchr3(b'>', b'\n', b'<', self.bytes.get(at..).unwrap_or(&[]));
+        let stop = self.bytes.get(at..).unwrap_or(&[]).iter().position(|b| b"<>\r\n".contains(b));
         self.pos = stop.map_or(self.bytes.len(), |n| at + n);
         if self.peek() == Some(b'>') {
             self.pos += 1;

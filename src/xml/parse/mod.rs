@@ -73,6 +73,11 @@ pub(super) struct Parser<'t> {
     clean: bool,
     /// `]]>` occurs in the text.
     has_cdata_end: bool,
+    /// Delimiters that do not occur from an offset on.
+    absent: Vec<(&'static str, usize)>,
+    /// The first forbidden character from an offset on.
+    illegal: Option<(usize, Option<usize>)>,
+    has_doctype: bool,
     nodes: Vec<NodeData>,
     attrs: Vec<AttrData>,
     errors: Vec<ItemError>,
@@ -99,6 +104,9 @@ impl<'t> Parser<'t> {
             root_name,
             clean: super::chars::first_illegal(text).is_none(),
             has_cdata_end: memchr::memmem::find(bytes, b"]]>").is_some(),
+            absent: Vec::new(),
+            illegal: None,
+            has_doctype: false,
             nodes: Vec::new(),
             attrs: Vec::new(),
             errors: Vec::new(),

@@ -1,5 +1,7 @@
 //! Qualified names and namespace scopes.
 
+use std::collections::HashSet;
+
 use super::Parser;
 use crate::base::FastMap;
 use crate::xml::chars::{is_space, name_char};
@@ -56,7 +58,7 @@ pub(super) struct Scopes<'t> {
     bindings: Vec<Binding<'t>>,
     current: FastMap<&'t str, usize>,
     /// Prefixes used without a declaration inside the item.
-    pub(super) outer: Vec<&'t str>,
+    pub(super) outer: HashSet<&'t str>,
 }
 
 struct Binding<'t> {

@@ -185,9 +185,7 @@ impl<'t> Parser<'t> {
     /// Whether a DOCTYPE begins here; there can be only one.
     fn at_doctype(&self) -> bool {
         let (token, end) = self.token(self.pos);
-        token == Token::DeclarationOpen
-            && self.slice(self.pos, end) == "<!DOCTYPE"
-            && self.nodes.iter().all(|node| node.kind != NodeKind::Doctype)
+        !self.has_doctype && token == Token::DeclarationOpen && self.slice(self.pos, end) == "<!DOCTYPE"
     }
 
     /// The current item has no element: it is the footer. Read the rest of the file.

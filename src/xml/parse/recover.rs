@@ -8,6 +8,8 @@ use crate::xml::node::NodeKind;
 /// Unclosed elements up to which a whole item is cut at its indentation. A limit, so that a file of
 /// nothing but start tags is not read again and again.
 const MAX_CUT: usize = 4;
+/// Columns an indentation may have, and bytes one line is looked at.
+const MAX_LINE: usize = 1024;
 
 impl Parser<'_> {
     /// The first `<` from `from` on, before `to`, that begins a line and looks like markup.
@@ -25,7 +27,7 @@ impl Parser<'_> {
     /// the file).
     pub(super) fn indent(&self, at: usize) -> Option<usize> {
         let before = self.bytes.get(self.base..at)?;
-        let blanks = before.iter().rev().take_while(|&&b| b == b' ' || b == b'\t').count();
+        let blanks = before.iter().rev().take(MAX_LINE).take_while(|&&b| b == b' ' || b == b'\t').count();
         match before.get(..before.len() - blanks)?.last() {
             Some(b'\n' | b'\r') => Some(blanks),
             None if self.in_header => Some(blanks),
@@ -78,7 +80,7 @@ impl Parser<'_> {
         }
         let tag = self.base + self.nodes[id as usize].start as usize;
         let between = self.bytes.get(tag..start).unwrap_or(&[]);
-        memchr::memchr2(b'\n', b'\r', between).is_none()
+        (between.len() <= MAX_LINE && memchr::memchr2(b'\n', b'\r', between).is_none())
             || self.indent(tag).is_some_and(|indent| self.indent(start) == Some(indent))
     }
 

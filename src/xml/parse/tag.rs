@@ -54,6 +54,7 @@ impl Parser<'_> {
 
     /// Read attributes up to the end of the tag. Gives the flags of the element.
     fn tag_rest(&mut self, start: usize, mut bad: bool) -> u8 {
+        let mut slash = false;
         loop {
             let gap = self.pos;
             self.skip_space();
@@ -61,7 +62,7 @@ impl Parser<'_> {
             match self.peek() {
                 Some(b'>') => {
                     self.pos += 1;
-                    return 0;
+                    return if slash { NO_CONTENT | SELF_CLOSING } else { 0 };
                 }
                 Some(b'/') if self.bytes.get(at + 1) == Some(&b'>') => {
                     self.pos += 2;
@@ -76,6 +77,8 @@ impl Parser<'_> {
                         self.error(Kind::BadAttribute, (at, at + 1), (expat::INVALID, at + 1), message);
                     }
                     bad = true;
+                    slash = true;
+                    continue;
                 }
                 Some(_) => {
                     if gap == at && !bad {
@@ -84,6 +87,7 @@ impl Parser<'_> {
                         self.error(Kind::BadAttribute, (at, end), (expat::INVALID, at), message);
                     }
                     bad = !self.attribute();
+                    slash = false;
                 }
             }
         }

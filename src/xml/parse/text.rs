@@ -53,7 +53,7 @@ impl<'t> Parser<'t> {
         }
     }
 
-    /// Report forbidden characters in a part of the text, the first of each run.
+    /// Report the forbidden characters in a part of the text.
     pub(super) fn check_characters(&mut self, start: usize, end: usize) {
         if self.clean {
             return;

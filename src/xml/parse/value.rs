@@ -6,6 +6,9 @@ use crate::xml::decode::{Reference, read_reference};
 use crate::xml::error::{SyntaxErrorKind as Kind, expat};
 use crate::xml::node::{HAS_DOLLAR, NEEDS_DECODING, QUOTED};
 
+/// Bytes one line is looked at for a closing quote.
+const MAX_LINE: usize = 1024;
+
 impl Parser<'_> {
     /// Read a value in quotes; the position is on the opening one. Gives whether it is sound.
     pub(super) fn quoted_value(&mut self, name: (usize, usize), quote: u8, mut flags: u8) -> bool {
@@ -80,6 +83,7 @@ impl Parser<'_> {
     fn broken_value(&mut self, name: (usize, usize), start: usize, quote: u8, flags: u8) -> bool {
         let stop = self.pos;
         let line = self.bytes.get(stop..).unwrap_or(&[]);
+        let line = line.get(..MAX_LINE).unwrap_or(line);
         let line_end = stop + memchr::memchr2(b'\n', b'\r', line).unwrap_or(line.len());
         self.look(line_end + 1);
         if stop < self.bytes.len() && !self.begins_line(stop) {
