@@ -1,9 +1,11 @@
 //! Ids, text ranges, positions and cancellation: the vocabulary all other modules share.
 
 mod cancel;
+mod position;
 mod range;
 
 pub use cancel::CancelFlag;
+pub use position::{Encoding, LineCol, count_line_ends, last_line_start, line_end, nth_line_start};
 pub use range::{FileId, Span, TextRange};
 
 /// The hash map used throughout: fast, not resistant to chosen keys, never iterated into output.

@@ -8,7 +8,7 @@ use super::origin::Origin;
 use super::scope::Place;
 use crate::base::TextRange;
 use crate::expr::{Value, display, literal};
-use crate::workspace::similar;
+use crate::workspace::nearest;
 
 impl Expander<'_> {
     /// An attribute as it is written (entities decoded), and where.
@@ -43,7 +43,7 @@ impl Expander<'_> {
                 let list = names.join(", ");
                 problem = problem.says(format!("{}: unknown attribute(s): {list}", tag.name));
             }
-            if let Some(near) = similar::nearest(attr.name(), allowed.iter().copied()) {
+            if let Some(near) = nearest(attr.name(), allowed.iter().copied()) {
                 problem = problem.help(format!("rename it to `{near}`")).replace_with(near);
             }
             self.push(problem);

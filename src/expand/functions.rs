@@ -9,7 +9,7 @@ use super::record::Read;
 use super::text::CodeSite;
 use crate::base::TextRange;
 use crate::expr::{
-    self, Budget, ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display,
+    self, ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display,
 };
 use crate::vfs::LoadError;
 use crate::yaml;
@@ -195,7 +195,7 @@ fn text_argument(
         Value::Str(text) => Ok(text.clone()),
         Value::Unknown => Err(EvalError::new(ErrorKind::Reported, "")),
         other => {
-            let kind = expr::type_name(other);
+            let kind = other.type_name();
             let message = format!("expected str, bytes or os.PathLike object, not {kind}");
             Err(EvalError::new(ErrorKind::Type, message))
         }
@@ -214,7 +214,7 @@ fn yaml_value(node: &yaml::Node, top: bool) -> Result<Value, EvalError> {
     Ok(match &node.kind {
         yaml::Kind::Null => Value::None,
         yaml::Kind::Bool(value) => Value::Bool(*value),
-        yaml::Kind::Int(value) => Value::from(value.clone()),
+        yaml::Kind::Int(value) => Value::int(value.clone()),
         yaml::Kind::Float(value) => Value::Float(*value),
         yaml::Kind::Str(text) => Value::Str(text.as_str().into()),
         yaml::Kind::List(items) => {

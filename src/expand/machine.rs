@@ -198,6 +198,8 @@ impl<'w> Expander<'w> {
     pub const MAX_NESTING: u32 = 5000;
     /// Blocks inserted inside blocks.
     pub const MAX_BLOCK_DEPTH: u32 = 500;
+    /// Nodes and calls inside one expression.
+    const EVAL_DEPTH: u32 = 600;
 
     fn new(world: World<'w>, request: &'w Request) -> Self {
         let mut result = Expansion { complete: true, ..Expansion::default() };
@@ -222,7 +224,7 @@ impl<'w> Expander<'w> {
             by_path: FastMap::default(),
             texts: FastMap::default(),
             marker,
-            budget: Budget::new(limits.eval_steps, limits.output_bytes),
+            budget: Budget::new(limits.eval_steps, limits.output_bytes, Self::EVAL_DEPTH),
             deadline: Instant::now() + limits.expand_time,
             lazy_uses: Vec::new(),
             reads: Vec::new(),

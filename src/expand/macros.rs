@@ -15,7 +15,7 @@ use super::scope::{Block, MacroDef, MacrosId, Param, Place, SrcRef, State};
 use super::tree::{XId, XKind};
 use crate::base::TextRange;
 use crate::expr::{ScopeId, Value, display};
-use crate::workspace::similar;
+use crate::workspace::nearest;
 
 /// A macro and the scopes its body sees.
 struct Resolved {
@@ -254,7 +254,7 @@ impl Expander<'_> {
     fn unknown_param(&mut self, def: &MacroDef, name: &str, at: Origin) {
         let message = format!("macro `{}` has no parameter `{name}`", def.name);
         let mut problem = self.problem("XAC006", at, message).says(format!("Invalid parameter \"{name}\""));
-        if let Some(near) = similar::nearest(name, def.params.iter().map(|p| p.name.as_str())) {
+        if let Some(near) = nearest(name, def.params.iter().map(|p| p.name.as_str())) {
             problem = problem.help(format!("rename it to `{near}`")).replace_with(near);
         }
         self.push_with_definition(problem, def);
@@ -300,7 +300,7 @@ impl Expander<'_> {
     fn unknown_macro(&mut self, tag: Tag<'_>, name: &str, cx: Cx) {
         let at = self.tag_origin(tag, cx);
         let names = self.macros.visible_names(cx.macros);
-        let near = similar::nearest(name, names.iter().copied()).map(str::to_owned);
+        let near = nearest(name, names.iter().copied()).map(str::to_owned);
         if near.is_some() || !self.include_missing {
             let message = format!("macro `{name}` is not defined");
             let mut problem = self.problem("XAC002", at, message).says(format!("unknown macro name: {}", tag.name));

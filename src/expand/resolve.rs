@@ -7,7 +7,7 @@ use super::machine::Expander;
 use super::origin::Origin;
 use super::scope::State;
 use crate::expr::{ScopeId, Value, literal};
-use crate::workspace::similar;
+use crate::workspace::nearest;
 
 /// Where a value that an expression read was given.
 #[derive(Clone, Debug)]
@@ -142,7 +142,7 @@ impl Expander<'_> {
     /// Report a name that is no property, parameter or global symbol; `code` is the expression it stands in.
     pub fn undefined_property(&mut self, scope: ScopeId, name: &str, code: &str, at: Origin) {
         let names = self.scopes.visible_names(scope);
-        let near = similar::nearest(name, names.iter().copied()).map(str::to_owned);
+        let near = nearest(name, names.iter().copied()).map(str::to_owned);
         // what a missing include would have defined is no news; a near name is a typing error all the same
         if self.include_missing && near.is_none() {
             self.result.complete = false;
@@ -169,7 +169,7 @@ impl Expander<'_> {
             return;
         }
         let names: Vec<EcoString> = self.args.keys().cloned().collect();
-        let near = similar::nearest(name, names.iter().map(EcoString::as_str)).map(str::to_owned);
+        let near = nearest(name, names.iter().map(EcoString::as_str)).map(str::to_owned);
         let mut problem =
             self.problem("XAC003", at, format!("argument `{name}` is not defined")).says(said);
         problem = match near {

@@ -181,7 +181,8 @@ impl Expander<'_> {
         }
         let mut budget = self.budget.clone();
         let result = expr::evaluate(&parsed.expr, &mut ExprHost { machine: self, scope, at }, &mut budget);
-        self.budget.spend(&budget);
+        self.budget.steps = self.budget.steps.min(budget.steps);
+        self.budget.bytes = self.budget.bytes.min(budget.bytes);
         match result {
             Ok(value) => value,
             Err(error) => {

@@ -1,1 +1,19 @@
-//! (under construction)
+//! What surrounds a file: the packages it can name, the workspace it lies in, its configuration.
+
+mod manifest;
+mod memo;
+mod packages;
+mod root;
+mod scan;
+mod similar;
+mod steps;
+mod uri;
+
+#[cfg(test)]
+mod tests;
+
+pub use packages::{Entry, Found, NotFound, Package, PackageOptions, Packages, Target};
+pub use root::workspace_root;
+pub use similar::nearest;
+pub use steps::Step;
+pub use uri::{UriKind, UriOutcome, UriResult};

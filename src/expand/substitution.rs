@@ -1,0 +1,274 @@
+//! `$(...)`: arguments, packages, the environment.
+
+use ecow::EcoString;
+
+use super::machine::Expander;
+use super::origin::Origin;
+use super::record::Read;
+use super::text::TextSite;
+use crate::base::TextRange;
+use crate::expr::{
+    self, EvalError, Host, HostFn, Lookup, ScopeId, Subst, SubstArg, SubstError, Value, display,
+};
+
+/// Why a substitution has no value.
+enum Failure {
+    /// Reported already.
+    Reported,
+    /// To be reported.
+    Error(SubstError),
+}
+
+impl From<SubstError> for Failure {
+    fn from(error: SubstError) -> Self {
+        Failure::Error(error)
+    }
+}
+
+/// A substitution in the text it stands in.
+#[derive(Clone, Copy)]
+struct Here<'t> {
+    inner: &'t str,
+    whole: TextRange,
+    /// Where the inner text stands; none when it was put together at run time.
+    start: Option<u32>,
+    site: TextSite<'t>,
+}
+
+impl Expander<'_> {
+    /// The value of `$(inner)`; `whole` is its range, `static_inner` that of its content where that is literal.
+    pub fn substitute(
+        &mut self,
+        inner: &str,
+        whole: TextRange,
+        static_inner: Option<TextRange>,
+        site: TextSite<'_>,
+    ) -> Value {
+        let here = Here { inner, whole, start: static_inner.map(|range| range.start), site };
+        match expr::resolve(inner, |subst| self.substitution_text(subst, here)) {
+            Ok(text) => Value::Str(text),
+            Err(Failure::Reported) => Value::Unknown,
+            Err(Failure::Error(error)) => {
+                self.bad_substitution(&error, here);
+                Value::Unknown
+            }
+        }
+    }
+
+    fn substitution_text(&mut self, subst: &Subst, here: Here<'_>) -> Result<EcoString, Failure> {
+        match subst {
+            Subst::Arg(name) => self.argument(name, here),
+            Subst::Find(name) => self.package(name, here),
+            Subst::Env(name) => match self.env_var(&name.text) {
+                Some(value) => Ok(value),
+                None => {
+                    let message = format!("environment variable '{}' is not set", name.text);
+                    Err(Failure::Error(SubstError::new(message)))
+                }
+            },
+            Subst::OptEnv { name, default } => Ok(self.env_var(&name.text).unwrap_or_else(|| default.clone())),
+            Subst::Cwd => {
+                let root = self.file_path("");
+                let text = root.to_string_lossy();
+                let text = if text.len() > 1 { text.trim_end_matches('/') } else { &text };
+                Ok(normalised(text).into())
+            }
+            Subst::Eval { code } => self.eval_substitution(code.slice(here.inner), here),
+            _ => Ok(format!("$({})", here.inner).into()),
+        }
+    }
+
+    fn argument(&mut self, name: &SubstArg, here: Here<'_>) -> Result<EcoString, Failure> {
+        match self.args.get(&name.text) {
+            Some((Some(value), info)) => {
+                let (value, info) = (value.clone(), *info);
+                self.reads.push(info);
+                Ok(value)
+            }
+            Some((None, _)) => Err(Failure::Reported),
+            None => {
+                let at = self.word_origin(name, here);
+                self.result.record.add(Read::Arg(name.text.to_string(), None));
+                self.undefined_arg(&name.text, at, format!("Undefined substitution argument {}", name.text));
+                Err(Failure::Reported)
+            }
+        }
+    }
+
+    fn package(&mut self, name: &SubstArg, here: Here<'_>) -> Result<EcoString, Failure> {
+        let at = self.word_origin(name, here);
+        let from = self
+            .result
+            .sources
+            .get(at.src.0 as usize)
+            .and_then(|s| self.result.files.get(s.file.0 as usize))
+            .map_or_else(|| self.world.env.cwd.clone(), |f| f.source.path.to_path_buf());
+        match self.world.packages.find(&name.text, &from) {
+            Ok(found) => {
+                self.result.record.add(Read::Package(name.text.to_string(), Some(found.path.clone())));
+                Ok(found.path.to_string_lossy().as_ref().into())
+            }
+            Err(missing) => {
+                self.result.record.add(Read::Package(name.text.to_string(), None));
+                let places: Vec<String> = missing.tried.iter().map(|(_, p)| format!("'{}'", p.display())).collect();
+                let text = format!("\"package '{}' not found, searching: [{}]\"", name.text, places.join(", "));
+                let reference = format!(
+                    "<class 'ament_index_python.packages.PackageNotFoundError'>: {text} {text}"
+                );
+                let message = format!("package `{}` is not found (looked in {} places)", name.text, places.len());
+                let mut problem = self.problem("PKG001", at, message).says(reference);
+                problem = match missing.nearest {
+                    Some(near) => {
+                        problem.help(format!("a package with a similar name exists: `{near}`")).replace_with(near)
+                    }
+                    None => problem.help(
+                        "name its folder with --package-path (or `package-path` in xacro-lint.toml), or source its workspace"
+                    ),
+                };
+                self.push(problem);
+                Err(Failure::Reported)
+            }
+        }
+    }
+
+    fn env_var(&mut self, name: &str) -> Option<EcoString> {
+        let value = self.world.env.var(name).map(EcoString::from);
+        self.result.record.add(Read::Env(name.to_owned(), value.as_ref().map(EcoString::to_string)));
+        value
+    }
+
+    /// `$(eval code)`: arguments are its variables.
+    fn eval_substitution(&mut self, code: &str, here: Here<'_>) -> Result<EcoString, Failure> {
+        let parsed = expr::parse(code);
+        if let Some(error) = parsed.errors.first() {
+            let error = SubstError { class: "SyntaxError", message: error.reference.clone() };
+            return Err(Failure::Error(error));
+        }
+        let mut budget = self.budget.clone();
+        let mut host = ArgHost { machine: self, undefined: None };
+        let value = expr::evaluate(&parsed.expr, &mut host, &mut budget);
+        let undefined = host.undefined.take();
+        self.budget.steps = self.budget.steps.min(budget.steps);
+        self.budget.bytes = self.budget.bytes.min(budget.bytes);
+        if let Some(name) = undefined {
+            let message = format!("name '{name}' is not defined");
+            return Err(Failure::Error(SubstError { class: "NameError", message }));
+        }
+        match value {
+            Ok(value) => display::to_str(&value).ok_or(Failure::Reported),
+            Err(error) => Err(Failure::Error(SubstError { class: class_of(&error), message: error.message })),
+        }
+    }
+
+    fn bad_substitution(&mut self, error: &SubstError, here: Here<'_>) {
+        let at = self.origin_in(here.site, here.whole);
+        let SubstError { class, message } = error;
+        let inner = here.inner.trim();
+        let mut problem = self
+            .problem("XAC025", at, format!("`$({inner})` cannot be replaced: {message}"))
+            .says(format!("<class '{class}'>: {message} {message}"));
+        if let Some(package) = inner.strip_prefix("find-pkg-share ") {
+            let find = format!("$(find {})", package.trim());
+            problem = problem
+                .help(format!("`find-pkg-share` belongs to launch files; xacro has `{find}`"))
+                .replace_with(find);
+        } else if inner == "dirname" {
+            problem = problem.help("relative names are relative to the file they stand in: leave `$(dirname)/` out");
+        }
+        self.push(problem);
+    }
+
+    fn word_origin(&self, word: &SubstArg, here: Here<'_>) -> Origin {
+        let inside = here.start.filter(|_| word.range.slice(here.inner) == word.text);
+        let range = inside.map_or(here.whole, |start| word.range.shift(start));
+        self.origin_in(here.site, range)
+    }
+}
+
+/// Python's name of an error's class.
+fn class_of(error: &EvalError) -> &'static str {
+    use expr::ErrorKind as Kind;
+    match error.kind {
+        Kind::Name => "NameError",
+        Kind::Syntax => "SyntaxError",
+        Kind::Type => "TypeError",
+        Kind::ZeroDivision => "ZeroDivisionError",
+        Kind::Overflow => "OverflowError",
+        Kind::Index => "IndexError",
+        Kind::Key | Kind::YamlKey => "KeyError",
+        Kind::Attribute => "AttributeError",
+        Kind::Recursion => "RecursionError",
+        _ => "ValueError",
+    }
+}
+
+/// `os.path.abspath` without asking the disk.
+fn normalised(path: &str) -> String {
+    let mut parts: Vec<&str> = Vec::new();
+    for part in path.split('/').filter(|p| !p.is_empty() && *p != ".") {
+        if part == ".." {
+            parts.pop();
+        } else {
+            parts.push(part);
+        }
+    }
+    format!("/{}", parts.join("/"))
+}
+
+/// The names of `$(eval)`: arguments, converted by their looks.
+struct ArgHost<'m, 'w> {
+    machine: &'m mut Expander<'w>,
+    undefined: Option<String>,
+}
+
+impl Host for ArgHost<'_, '_> {
+    fn lookup(&mut self, name: &str, _: TextRange) -> Lookup {
+        match name {
+            "true" => return Lookup::Found(Value::Bool(true)),
+            "false" => return Lookup::Found(Value::Bool(false)),
+            _ => {}
+        }
+        if expr::math_symbol(name).is_some() {
+            return Lookup::Missing;
+        }
+        match self.machine.args.get(name) {
+            Some((Some(value), info)) => {
+                let (value, info) = (value.clone(), *info);
+                self.machine.reads.push(info);
+                Lookup::Found(converted(&value))
+            }
+            Some((None, _)) => Lookup::Found(Value::Unknown),
+            None => expr::python_builtin(name).map_or(Lookup::Missing, Lookup::Found),
+        }
+    }
+
+    fn scope_attribute(&mut self, _: ScopeId, _: &str, _: TextRange) -> Lookup {
+        Lookup::Missing
+    }
+
+    fn call(
+        &mut self,
+        _: HostFn,
+        _: &[Value],
+        _: &[(EcoString, Value)],
+        _: TextRange,
+    ) -> Result<Value, EvalError> {
+        Ok(Value::Unknown)
+    }
+
+    fn deprecated(&mut self, _: &str, _: &str, _: TextRange) {}
+
+    fn undefined(&mut self, name: &str, _: TextRange) {
+        self.undefined.get_or_insert_with(|| name.to_owned());
+    }
+}
+
+/// With a dot a float, else an integer, else a boolean, else text.
+fn converted(text: &str) -> Value {
+    let number = if text.contains('.') { expr::parse_float(text) } else { expr::parse_int(text) };
+    number.unwrap_or_else(|| match text.to_lowercase().as_str() {
+        "true" => Value::Bool(true),
+        "false" => Value::Bool(false),
+        _ => Value::Str(text.into()),
+    })
+}

@@ -1,0 +1,533 @@
+//! Tokens of a Python expression.
+//!
+//! Brackets come out balanced: a closer that fits nothing is dropped, a missing one is put in with
+//! an empty range. So the parser can skip and recover without counting.
+
+use super::number;
+use super::report::{Report, Stage, Unclosed};
+use super::syntax::{is_name_continue, is_name_start};
+use crate::base::TextRange;
+
+/// The three kinds of brackets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Bracket {
+    Round,
+    Square,
+    Curly,
+}
+
+impl Bracket {
+    pub(super) fn open(self) -> char {
+        match self {
+            Bracket::Round => '(',
+            Bracket::Square => '[',
+            Bracket::Curly => '{',
+        }
+    }
+
+    pub(super) fn close(self) -> char {
+        match self {
+            Bracket::Round => ')',
+            Bracket::Square => ']',
+            Bracket::Curly => '}',
+        }
+    }
+}
+
+/// The kinds of tokens.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tok {
+    End,
+    Newline,
+    /// White space before the first token of a later line, outside of brackets.
+    Indent,
+    Name,
+    /// A number; `BadNumber` was reported already.
+    Number,
+    BadNumber,
+    Str,
+    /// A string whose closing quote is missing; reported already.
+    OpenStr,
+    Open(Bracket),
+    Close(Bracket),
+    // keywords with a meaning in expressions
+    None,
+    True,
+    False,
+    And,
+    Or,
+    Not,
+    In,
+    Is,
+    If,
+    Else,
+    For,
+    Lambda,
+    Async,
+    Await,
+    Yield,
+    /// A keyword of statements.
+    Keyword,
+    Plus,
+    Minus,
+    Star,
+    DoubleStar,
+    Slash,
+    DoubleSlash,
+    Percent,
+    At,
+    LShift,
+    RShift,
+    Amp,
+    Pipe,
+    Caret,
+    Tilde,
+    Lt,
+    Gt,
+    Le,
+    Ge,
+    EqEq,
+    NotEq,
+    Comma,
+    Colon,
+    Dot,
+    Equal,
+    Walrus,
+    Ellipsis,
+    /// An operator of statements, or a character that means nothing.
+    Other,
+}
+
+impl Tok {
+    /// Whether an operand may start with it, other than with a bracket that would be a call or an index.
+    pub(super) fn starts_operand(self) -> bool {
+        use Tok::*;
+        matches!(
+            self,
+            Name | Number | BadNumber | Str | OpenStr | None | True | False | Not | Lambda | Tilde | Ellipsis
+        ) || self == Open(Bracket::Curly)
+    }
+
+    pub(super) fn is_close(self) -> bool {
+        matches!(self, Tok::Close(_))
+    }
+}
+
+/// A token and where it stands.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Token {
+    pub(super) kind: Tok,
+    pub(super) range: TextRange,
+}
+
+/// Deepest nesting of brackets, that of CPython's tokenizer.
+const MAX_BRACKETS: usize = 200;
+
+/// What to read.
+pub(super) struct Source<'t> {
+    pub(super) text: &'t str,
+    /// First and last offset of the expression proper.
+    pub(super) start: usize,
+    pub(super) end: usize,
+    /// Where the final token stands: behind blanks that follow the expression.
+    pub(super) outer_end: usize,
+    /// Whether line ends mean nothing, as inside brackets.
+    pub(super) bracketed: bool,
+}
+
+/// Split the source into tokens; the last is [`Tok::End`].
+pub(super) fn lex(source: &Source<'_>, report: &mut Report<'_>) -> Vec<Token> {
+    let text = source.text.get(..source.end).unwrap_or(source.text);
+    let mut lexer = Lexer {
+        text,
+        pos: source.start.min(text.len()),
+        bracketed: source.bracketed,
+        stack: Vec::new(),
+        tokens: Vec::with_capacity((source.end.saturating_sub(source.start)) / 3 + 4),
+        report,
+    };
+    while let Some(b) = lexer.byte(0) {
+        lexer.token(b);
+    }
+    lexer.finish(source.outer_end);
+    lexer.tokens
+}
+
+struct Lexer<'t, 'r, 'x> {
+    text: &'t str,
+    pos: usize,
+    bracketed: bool,
+    stack: Vec<(Bracket, u32)>,
+    tokens: Vec<Token>,
+    report: &'r mut Report<'x>,
+}
+
+impl Lexer<'_, '_, '_> {
+    /// The byte `ahead` of the current one.
+    fn byte(&self, ahead: usize) -> Option<u8> {
+        self.text.as_bytes().get(self.pos + ahead).copied()
+    }
+
+    fn rest(&self) -> &str {
+        self.text.get(self.pos..).unwrap_or("")
+    }
+
+    fn range_from(&self, start: usize) -> TextRange {
+        TextRange::new(start as u32, self.pos as u32)
+    }
+
+    /// Take `len` bytes as a token.
+    fn take(&mut self, kind: Tok, len: usize) {
+        let start = self.pos;
+        self.pos += len;
+        self.push(kind, self.range_from(start));
+    }
+
+    fn push(&mut self, kind: Tok, range: TextRange) {
+        self.tokens.push(Token { kind, range });
+    }
+
+    fn error(&mut self, range: TextRange, message: impl Into<String>, reference: &str) {
+        self.report.add(Stage::Token, range, message, reference);
+    }
+
+    fn token(&mut self, b: u8) {
+        match b {
+            b' ' | b'\t' | 0x0c => self.pos += 1,
+            b'a'..=b'z' | b'A'..=b'Z' | b'_' | 0x80.. => self.word(),
+            b'0'..=b'9' => self.number(),
+            b'.' if self.byte(1).is_some_and(|d| d.is_ascii_digit()) => self.number(),
+            b'"' | b'\'' => self.string(self.pos),
+            b'\n' | b'\r' => self.line_end(),
+            b'#' => self.comment(),
+            b'\\' => self.continuation(),
+            b'(' => self.open(Bracket::Round),
+            b'[' => self.open(Bracket::Square),
+            b'{' => self.open(Bracket::Curly),
+            b')' => self.close(Bracket::Round),
+            b']' => self.close(Bracket::Square),
+            b'}' => self.close(Bracket::Curly),
+            0..0x20 | 0x7f => self.control(b),
+            _ => self.operator(b),
+        }
+    }
+
+    fn comment(&mut self) {
+        self.pos += self.rest().find(['\n', '\r']).unwrap_or(self.rest().len());
+    }
+
+    fn continuation(&mut self) {
+        match (self.byte(1), self.byte(2)) {
+            (Some(b'\r'), Some(b'\n')) => self.pos += 3,
+            (Some(b'\r' | b'\n'), _) => self.pos += 2,
+            _ => {
+                let start = self.pos;
+                self.pos += 1;
+                let range = self.range_from(start);
+                let message = "a `\\` may only stand at the end of a line";
+                self.error(range, message, "unexpected character after line continuation character");
+            }
+        }
+    }
+
+    /// A line end outside of brackets, with the empty and comment lines that follow it.
+    fn line_end(&mut self) {
+        let start = self.pos;
+        let mut line_start = start;
+        while let Some(b) = self.byte(0) {
+            match b {
+                b'\n' | b'\r' => {
+                    self.pos += 1;
+                    line_start = self.pos;
+                }
+                b' ' | b'\t' | 0x0c => self.pos += 1,
+                b'#' => self.comment(),
+                _ => break,
+            }
+        }
+        if self.bracketed || !self.stack.is_empty() || self.byte(0).is_none() {
+            return;
+        }
+        if !self.tokens.is_empty() {
+            self.push(Tok::Newline, TextRange::new(start as u32, start as u32 + 1));
+        }
+        if self.pos > line_start {
+            self.push(Tok::Indent, self.range_from(line_start));
+        }
+    }
+
+    fn control(&mut self, b: u8) {
+        let start = self.pos;
+        self.pos += 1;
+        let range = self.range_from(start);
+        let reference = format!("invalid non-printable character U+{b:04X}");
+        self.error(range, "a control character cannot stand here", &reference);
+    }
+
+    fn word(&mut self) {
+        let start = self.pos;
+        let bytes = self.text.as_bytes();
+        let word = |b: &u8| b.is_ascii_alphanumeric() || *b == b'_' || *b >= 0x80;
+        self.pos += bytes.iter().skip(start).take_while(|b| word(b)).count();
+        let range = self.range_from(start);
+        let name = range.slice(self.text);
+        if matches!(self.byte(0), Some(b'"' | b'\'')) && is_string_prefix(name) {
+            self.string(start);
+        } else if name.is_ascii() {
+            self.push(keyword(name).unwrap_or(Tok::Name), range);
+        } else {
+            self.unicode_word(range);
+        }
+    }
+
+    /// A word with characters beyond ASCII: keep its good pieces, report the first bad character.
+    fn unicode_word(&mut self, range: TextRange) {
+        let word = range.slice(self.text).to_owned();
+        let mut piece = range.start;
+        for (i, c) in word.char_indices() {
+            let at = range.start + i as u32;
+            let good = if at == piece { is_name_start(c) } else { is_name_continue(c) };
+            if good {
+                continue;
+            }
+            if at > piece {
+                self.push(Tok::Name, TextRange::new(piece, at));
+            }
+            let bad = TextRange::new(at, at + c.len_utf8() as u32);
+            self.bad_character(bad, c);
+            piece = bad.end;
+        }
+        if range.end > piece {
+            let last = TextRange::new(piece, range.end);
+            self.push(keyword(last.slice(self.text)).unwrap_or(Tok::Name), last);
+        }
+    }
+
+    fn bad_character(&mut self, range: TextRange, c: char) {
+        let code = c as u32;
+        if is_printable(c) {
+            let reference = format!("invalid character '{c}' (U+{code:04X})");
+            self.error(range, format!("`{c}` cannot stand here"), &reference);
+        } else {
+            let message = format!("the invisible character U+{code:04X} cannot stand here");
+            self.error(range, message, &format!("invalid non-printable character U+{code:04X}"));
+        }
+    }
+
+    fn number(&mut self) {
+        let start = self.pos;
+        let scanned = number::scan(self.rest().as_bytes());
+        self.pos += scanned.len;
+        let range = self.range_from(start);
+        match scanned.error {
+            None => self.push(Tok::Number, range),
+            Some(reference) => {
+                self.push(Tok::BadNumber, range);
+                let message = format!("`{}` is no number: {reference}", range.slice(self.text));
+                self.error(range, message, &reference);
+            }
+        }
+    }
+
+    /// A string literal; `self.pos` is at the quote, `start` at the prefix.
+    fn string(&mut self, start: usize) {
+        let Some(quote) = self.byte(0) else { return };
+        let triple = self.byte(1) == Some(quote) && self.byte(2) == Some(quote);
+        self.pos += if triple { 3 } else { 1 };
+        let closed = self.string_body(quote, triple);
+        let range = self.range_from(start);
+        self.push(if closed { Tok::Str } else { Tok::OpenStr }, range);
+        if closed {
+            return;
+        }
+        let message = format!("the closing `{}` of this string is missing", char::from(quote));
+        let detected = self.report.line(range.end);
+        let kind = if triple { "triple-quoted string" } else { "string" };
+        self.error(range, message, &format!("unterminated {kind} literal (detected at line {detected})"));
+    }
+
+    /// Move behind the closing quote; false if there is none.
+    fn string_body(&mut self, quote: u8, triple: bool) -> bool {
+        while let Some(b) = self.byte(0) {
+            if b == quote && (!triple || (self.byte(1) == Some(quote) && self.byte(2) == Some(quote))) {
+                self.pos += if triple { 3 } else { 1 };
+                return true;
+            }
+            match b {
+                b'\\' if self.byte(1).is_some() => {
+                    self.pos += 2;
+                    if self.byte(0) == Some(b'\n') && self.text.as_bytes().get(self.pos - 1) == Some(&b'\r') {
+                        self.pos += 1;
+                    }
+                }
+                b'\n' | b'\r' if !triple => return false,
+                _ => self.pos += 1,
+            }
+            // An escaped or plain character may be several bytes long.
+            while !self.text.is_char_boundary(self.pos) {
+                self.pos += 1;
+            }
+        }
+        false
+    }
+
+    fn open(&mut self, bracket: Bracket) {
+        let at = self.pos as u32;
+        if self.stack.len() >= MAX_BRACKETS - usize::from(self.bracketed) {
+            self.error(
+                TextRange::new(at, at + 1),
+                "brackets are nested too deeply",
+                "too many nested parentheses",
+            );
+            self.pos = self.text.len();
+            return;
+        }
+        self.stack.push((bracket, at));
+        self.take(Tok::Open(bracket), 1);
+    }
+
+    fn close(&mut self, bracket: Bracket) {
+        let at = TextRange::new(self.pos as u32, self.pos as u32 + 1);
+        let found = bracket.close();
+        match self.stack.last().copied() {
+            Some((open, _)) if open == bracket => {}
+            None => {
+                self.error(at, format!("`{found}` closes nothing"), &format!("unmatched '{found}'"));
+                self.pos += 1;
+                return;
+            }
+            Some((open, open_at)) => {
+                self.mismatch(at, found, open.open(), open_at);
+                if !self.stack.iter().any(|(b, _)| *b == bracket) {
+                    self.pos += 1;
+                    return;
+                }
+            }
+        }
+        while let Some((open, _)) = self.stack.pop() {
+            if open == bracket {
+                break;
+            }
+            self.push(Tok::Close(open), TextRange::empty(at.start));
+        }
+        self.take(Tok::Close(bracket), 1);
+    }
+
+    fn mismatch(&mut self, at: TextRange, found: char, open: char, open_at: u32) {
+        let (line, open_line) = (self.report.line(at.start), self.report.line(open_at));
+        let place = if line == open_line { String::new() } else { format!(" on line {open_line}") };
+        let reference =
+            format!("closing parenthesis '{found}' does not match opening parenthesis '{open}'{place}");
+        self.error(at, format!("`{found}` does not close the `{open}` before it"), &reference);
+    }
+
+    fn operator(&mut self, b: u8) {
+        let (kind, len) = operator(b, self.byte(1), self.byte(2));
+        self.take(kind, len);
+    }
+
+    /// Close what is open and put the end mark.
+    fn finish(&mut self, outer_end: usize) {
+        let end = TextRange::empty(outer_end as u32);
+        if let Some(&(open, at)) = self.stack.last() {
+            self.report.unclosed = Some(Unclosed { open: open.open(), at });
+        }
+        while let Some((open, at)) = self.stack.pop() {
+            self.push(Tok::Close(open), end);
+            let (open, close) = (open.open(), open.close());
+            self.report.add(
+                Stage::Unclosed,
+                TextRange::new(at, at + 1),
+                format!("`{close}` is missing for the `{open}` here"),
+                &format!("'{open}' was never closed"),
+            );
+        }
+        self.push(Tok::End, end);
+    }
+}
+
+fn operator(first: u8, second: Option<u8>, third: Option<u8>) -> (Tok, usize) {
+    use Tok::*;
+    match (first, second, third) {
+        (b'*', Some(b'*'), Some(b'=')) | (b'/', Some(b'/'), Some(b'=')) => (Other, 3),
+        (b'<', Some(b'<'), Some(b'=')) | (b'>', Some(b'>'), Some(b'=')) => (Other, 3),
+        (b'.', Some(b'.'), Some(b'.')) => (Ellipsis, 3),
+        (b'*', Some(b'*'), _) => (DoubleStar, 2),
+        (b'/', Some(b'/'), _) => (DoubleSlash, 2),
+        (b'<', Some(b'<'), _) => (LShift, 2),
+        (b'>', Some(b'>'), _) => (RShift, 2),
+        (b'<', Some(b'='), _) => (Le, 2),
+        (b'>', Some(b'='), _) => (Ge, 2),
+        (b'=', Some(b'='), _) => (EqEq, 2),
+        (b'!', Some(b'='), _) => (NotEq, 2),
+        (b':', Some(b'='), _) => (Walrus, 2),
+        (b'<', Some(b'>'), _) | (b'-', Some(b'>'), _) => (Other, 2),
+        (b'+' | b'-' | b'*' | b'/' | b'%' | b'@' | b'&' | b'|' | b'^', Some(b'='), _) => (Other, 2),
+        (b'+', ..) => (Plus, 1),
+        (b'-', ..) => (Minus, 1),
+        (b'*', ..) => (Star, 1),
+        (b'/', ..) => (Slash, 1),
+        (b'%', ..) => (Percent, 1),
+        (b'@', ..) => (At, 1),
+        (b'&', ..) => (Amp, 1),
+        (b'|', ..) => (Pipe, 1),
+        (b'^', ..) => (Caret, 1),
+        (b'~', ..) => (Tilde, 1),
+        (b'<', ..) => (Lt, 1),
+        (b'>', ..) => (Gt, 1),
+        (b',', ..) => (Comma, 1),
+        (b':', ..) => (Colon, 1),
+        (b'.', ..) => (Dot, 1),
+        (b'=', ..) => (Equal, 1),
+        _ => (Other, 1),
+    }
+}
+
+/// Whether `name` is one of Python's reserved words.
+pub(super) fn is_keyword(name: &str) -> bool {
+    keyword(name).is_some()
+}
+
+fn keyword(name: &str) -> Option<Tok> {
+    if !(2..=8).contains(&name.len()) {
+        return None;
+    }
+    Some(match name {
+        "None" => Tok::None,
+        "True" => Tok::True,
+        "False" => Tok::False,
+        "and" => Tok::And,
+        "or" => Tok::Or,
+        "not" => Tok::Not,
+        "in" => Tok::In,
+        "is" => Tok::Is,
+        "if" => Tok::If,
+        "else" => Tok::Else,
+        "for" => Tok::For,
+        "lambda" => Tok::Lambda,
+        "async" => Tok::Async,
+        "await" => Tok::Await,
+        "yield" => Tok::Yield,
+        "as" | "assert" | "break" | "class" | "continue" | "def" | "del" | "elif" | "except" | "finally"
+        | "from" | "global" | "import" | "nonlocal" | "pass" | "raise" | "return" | "try" | "while"
+        | "with" => Tok::Keyword,
+        _ => return None,
+    })
+}
+
+fn is_string_prefix(name: &str) -> bool {
+    let mut lower = [0; 2];
+    let Some(lower) = lower.get_mut(..name.len()) else { return false };
+    lower.copy_from_slice(name.as_bytes());
+    lower.make_ascii_lowercase();
+    matches!(&*lower, b"r" | b"u" | b"b" | b"f" | b"br" | b"rb" | b"fr" | b"rf")
+}
+
+/// Whether Python would print the character as it is (near enough for a message).
+fn is_printable(c: char) -> bool {
+    !c.is_whitespace()
+        && !c.is_control()
+        && !matches!(c, '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}')
+        && !matches!(c, '\u{2060}'..='\u{206f}' | '\u{e000}'..='\u{f8ff}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}')
+        && (c as u32) < 0xe0000
+}

@@ -1,0 +1,97 @@
+//! Names, literals, displays and what may be appended to them.
+
+use super::{Parser, power};
+use crate::base::TextRange;
+use crate::expr::ast::{Const, Expr, ExprKind};
+use crate::expr::lexer::{Bracket, Tok};
+use crate::expr::number;
+use crate::expr::report::Stage;
+
+impl Parser<'_> {
+    /// An atom with its calls, indices and attributes.
+    pub(super) fn primary(&mut self) -> Expr {
+        let start = self.start();
+        let mut expr = self.atom();
+        loop {
+            let start = start.min(expr.range.start);
+            expr = match self.kind() {
+                Tok::Dot => self.attribute(start, expr),
+                Tok::Open(Bracket::Round) => self.call(start, expr),
+                Tok::Open(Bracket::Square) => self.subscript(start, expr),
+                _ => return expr,
+            };
+            if !self.grow() {
+                return expr;
+            }
+        }
+    }
+
+    fn atom(&mut self) -> Expr {
+        let token = self.token();
+        let kind = match token.kind {
+            Tok::Name => ExprKind::Name(token.range.slice(self.text).into()),
+            Tok::Number => self.number(token.range),
+            Tok::BadNumber => ExprKind::Missing,
+            Tok::None => ExprKind::Const(Const::None),
+            Tok::True => ExprKind::Const(Const::Bool(true)),
+            Tok::False => ExprKind::Const(Const::Bool(false)),
+            Tok::Ellipsis => ExprKind::Const(Const::Ellipsis),
+            Tok::Str | Tok::OpenStr => return self.strings(),
+            Tok::Open(bracket) => return self.nested(|p| p.display(bracket)),
+            Tok::Lambda => {
+                self.unexpected("`lambda` needs parentheses here");
+                return self.nested(Self::lambda);
+            }
+            Tok::Await | Tok::Yield => return self.coroutine(),
+            _ => return self.no_atom(),
+        };
+        self.bump();
+        Expr { kind, range: token.range }
+    }
+
+    fn number(&mut self, range: TextRange) -> ExprKind {
+        match number::value(range.slice(self.text)) {
+            Ok(value) => ExprKind::Const(value),
+            Err(reference) => {
+                self.report.add(Stage::Grammar, range, "this integer has too many digits", &reference);
+                ExprKind::Missing
+            }
+        }
+    }
+
+    fn display(&mut self, bracket: Bracket) -> Expr {
+        match bracket {
+            Bracket::Round => self.parenthesized(),
+            Bracket::Square => self.list(),
+            Bracket::Curly => self.dict_or_set(),
+        }
+    }
+
+    /// Something else stands where an operand should.
+    fn no_atom(&mut self) -> Expr {
+        match self.kind() {
+            Tok::Keyword | Tok::Async | Tok::Other => {
+                let found = self.token().range.slice(self.text).to_owned();
+                let hole = self.token().range;
+                self.unexpected(format!("`{found}` is not possible in an expression"));
+                self.bump();
+                Expr { kind: ExprKind::Missing, range: hole }
+            }
+            _ => self.hole("a value"),
+        }
+    }
+
+    /// `yield` and `await` belong to functions; an expression is none.
+    fn coroutine(&mut self) -> Expr {
+        let start = self.start();
+        let word = self.bump();
+        let name = word.range.slice(self.text).to_owned();
+        let reference = format!("'{name}' outside function");
+        self.report.not_supported(Stage::Tree, word.range, &format!("`{name}` is not supported"), &reference);
+        if word.kind == Tok::Yield && self.at_close() {
+            return Expr { kind: ExprKind::Missing, range: word.range };
+        }
+        let value = self.operand(power::OR);
+        self.node(start, value, |value| value.kind)
+    }
+}

@@ -1,0 +1,201 @@
+//! What stands between brackets, separated by commas.
+
+use super::{Parser, print_reference};
+use crate::base::TextRange;
+use crate::expr::ast::{CmpOp, Expr, ExprKind};
+use crate::expr::lexer::{Bracket, Tok};
+use crate::expr::parser::power;
+
+/// A place where a comma is missing, to be reported once the item behind it was read.
+struct Gap {
+    range: TextRange,
+    reference: String,
+}
+
+impl Parser<'_> {
+    /// Read items up to the closing bracket and that bracket; true if there was a comma.
+    /// The opening bracket was taken already; `item` must report when it takes nothing.
+    pub(super) fn items(&mut self, mut item: impl FnMut(&mut Self)) -> bool {
+        let mut comma = false;
+        let mut gap: Option<Gap> = None;
+        while !self.at_close() {
+            let before = self.pos;
+            self.operand_start = None;
+            item(self);
+            if let Some(gap) = gap.take() {
+                let message = "a comma or an operator is missing here";
+                self.error(gap.range, message, &gap.reference);
+            }
+            if self.eat(Tok::Comma) {
+                comma = true;
+            } else if !self.at_close() {
+                gap = self.between_items(before);
+            }
+        }
+        if self.kind().is_close() {
+            self.bump();
+        }
+        comma
+    }
+
+    /// Neither a comma nor the end: report at once, or say what to report after the next item.
+    fn between_items(&mut self, item_start: usize) -> Option<Gap> {
+        let start = self.operand_start.unwrap_or(item_start);
+        let alone = start + 1 == self.pos && self.token_at(start).kind == Tok::Name;
+        let first = self.token_at(start).range.slice(self.text);
+        if self.kind().starts_operand() {
+            let soft = matches!(first, "_" | "case" | "match");
+            let name_string =
+                self.token_at(start).kind == Tok::Name && self.token_at(start + 1).kind == Tok::Str;
+            let reference = if alone && matches!(first, "print" | "exec") {
+                print_reference(first)
+            } else if soft || name_string || self.operand_start.is_none() {
+                "invalid syntax".to_owned()
+            } else {
+                "invalid syntax. Perhaps you forgot a comma?".to_owned()
+            };
+            return Some(Gap { range: self.gap(), reference });
+        }
+        let found = self.token().range.slice(self.text).to_owned();
+        self.unexpected(format!("`{found}` cannot stand here"));
+        if !matches!(self.kind(), Tok::Open(_)) {
+            self.bump();
+        } else {
+            self.skip();
+        }
+        None
+    }
+
+    /// `star_named_expression`: `*x`, or [`Parser::named`].
+    pub(super) fn starred_or_named(&mut self) -> Expr {
+        if !self.at(Tok::Star) {
+            return self.named();
+        }
+        let start = self.start();
+        self.bump();
+        let value = self.operand(power::BIT_OR);
+        self.operand_start = None;
+        self.node(start, value, ExprKind::Starred)
+    }
+
+    /// `named_expression`: an expression, or `name := value`.
+    pub(super) fn named(&mut self) -> Expr {
+        let start = self.start();
+        if self.at(Tok::Name) && self.next_kind() == Tok::Walrus {
+            let name = self.bump().range;
+            self.bump();
+            let value = self.expression();
+            self.walrus = true;
+            let text = name.slice(self.text).into();
+            return self.node(start, value, |value| ExprKind::NamedExpr {
+                name: text,
+                name_range: name,
+                value,
+            });
+        }
+        let expr = self.expression();
+        match self.kind() {
+            Tok::Walrus => self.walrus_to_nothing(start, expr),
+            Tok::Equal => self.assignment(start, expr),
+            _ => expr,
+        }
+    }
+
+    /// `a.b := value`
+    fn walrus_to_nothing(&mut self, start: u32, target: Expr) -> Expr {
+        self.bump();
+        let value = self.expression();
+        let what = target.kind_name();
+        let message = format!("`:=` needs a plain name on its left, not {}", with_article(what));
+        self.error(target.range, message, &format!("cannot use assignment expressions with {what}"));
+        self.node(start, value, |value| ExprKind::Tuple(vec![target, *value]))
+    }
+
+    /// `a = value` where a comparison was meant.
+    fn assignment(&mut self, start: u32, target: Expr) -> Expr {
+        self.bump();
+        let value = self.expression();
+        let again = matches!(self.kind(), Tok::Equal | Tok::Walrus);
+        let hole = matches!(value.kind, ExprKind::Missing);
+        let reference = match &target.kind {
+            _ if again || hole || !target.is_bitwise_or() => "invalid syntax".to_owned(),
+            ExprKind::Name(_) => "invalid syntax. Maybe you meant '==' or ':=' instead of '='?".to_owned(),
+            _ if !target.may_be_blamed() => "invalid syntax".to_owned(),
+            _ => {
+                format!("cannot assign to {} here. Maybe you meant '==' instead of '='?", target.kind_name())
+            }
+        };
+        self.error(target.range, "`=` assigns, which is not possible here; compare with `==`", &reference);
+        self.node(start, value, |value| ExprKind::Compare(Box::new(target), vec![(CmpOp::Eq, *value)]))
+    }
+
+    /// `(…)`: a group, a tuple or a generator.
+    pub(super) fn parenthesized(&mut self) -> Expr {
+        let start = self.bump().range.start;
+        self.group(start)
+    }
+
+    /// The content of parentheses and the closing one.
+    pub(super) fn group(&mut self, start: u32) -> Expr {
+        if self.at(Tok::DoubleStar) {
+            self.bump();
+            let reference = "cannot use double starred expression here";
+            self.error(self.gap(), "`**` is only possible in calls and dicts", reference);
+        }
+        let (mut items, comma, done) = self.elements(start, Bracket::Round);
+        if let Some(comprehension) = done {
+            return comprehension;
+        }
+        let range = self.range_from(start);
+        match items.pop() {
+            Some(only) if !comma && items.is_empty() => {
+                if matches!(only.kind, ExprKind::Starred(_)) {
+                    let message = "`*` is only possible in calls, lists and tuples";
+                    self.error(only.range, message, "cannot use starred expression here");
+                }
+                only
+            }
+            last => {
+                items.extend(last);
+                Expr { kind: ExprKind::Tuple(items), range }
+            }
+        }
+    }
+
+    /// `[…]` as a display.
+    pub(super) fn list(&mut self) -> Expr {
+        let start = self.bump().range.start;
+        let (items, _, done) = self.elements(start, Bracket::Square);
+        done.unwrap_or_else(|| Expr { kind: ExprKind::List(items), range: self.range_from(start) })
+    }
+
+    /// The elements of a tuple or list, or the comprehension they turn out to be.
+    fn elements(&mut self, start: u32, bracket: Bracket) -> (Vec<Expr>, bool, Option<Expr>) {
+        let mut items = Vec::new();
+        let mut clauses = None;
+        let comma = self.items(|p| {
+            if p.at(Tok::Comma) {
+                items.push(p.hole("a value"));
+                return;
+            }
+            if !matches!(p.kind(), Tok::For | Tok::Async) {
+                items.push(p.starred_or_named());
+            }
+            if matches!(p.kind(), Tok::For | Tok::Async) {
+                p.check_elements(&items, bracket);
+                clauses = Some(p.clauses());
+            }
+        });
+        let done =
+            clauses.map(|clauses| self.comprehension_of(start, bracket, std::mem::take(&mut items), clauses));
+        (items, comma, done)
+    }
+}
+
+/// A noun of [`Expr::kind_name`] in a sentence.
+fn with_article(noun: &str) -> String {
+    match noun.chars().next() {
+        Some('a' | 'e' | 'i' | 'o') => format!("an {noun}"),
+        _ => format!("a {noun}"),
+    }
+}

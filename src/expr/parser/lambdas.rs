@@ -1,0 +1,162 @@
+//! Lambdas and their parameters.
+
+use std::sync::Arc;
+
+use super::Parser;
+use crate::base::{FastSet, TextRange};
+use crate::expr::ast::{Expr, ExprKind, Lambda, Param, ParamKind};
+use crate::expr::lexer::{Bracket, Tok};
+use crate::expr::report::Stage;
+
+/// How far the parameter list has got.
+#[derive(Default)]
+struct Params {
+    params: Vec<Param>,
+    slash: bool,
+    star: bool,
+    double_star: bool,
+    defaults: bool,
+}
+
+impl Parser<'_> {
+    /// `lambda params: body`
+    pub(super) fn lambda(&mut self) -> Expr {
+        let start = self.bump().range.start;
+        let mut list = Params::default();
+        while !self.at(Tok::Colon) && !self.at_close() {
+            let before = self.pos;
+            self.parameter(&mut list);
+            if !self.eat(Tok::Comma) && !self.at(Tok::Colon) {
+                if !self.at_close() || matches!(self.kind(), Tok::Newline) {
+                    self.unexpected("`,` or `:` is missing here");
+                }
+                if self.pos == before || !matches!(self.kind(), Tok::Name | Tok::Star | Tok::DoubleStar) {
+                    break;
+                }
+            }
+        }
+        self.check_duplicates(&list.params);
+        let body = if self.eat(Tok::Colon) { self.expression() } else { self.hole("`:` and a value") };
+        let range = TextRange::new(start, self.prev_end.max(body.range.end));
+        Expr { kind: ExprKind::Lambda(Arc::new(Lambda { params: list.params, body })), range }
+    }
+
+    fn parameter(&mut self, list: &mut Params) {
+        match self.kind() {
+            Tok::Slash => self.slash(list),
+            Tok::Star => self.star(list),
+            Tok::DoubleStar => {
+                self.bump();
+                self.after_double_star(list);
+                let name = self.parameter_name();
+                self.no_default("var-keyword");
+                list.double_star = true;
+                list.params.push(Param { name, kind: ParamKind::VarKeywords, default: None });
+            }
+            Tok::Open(Bracket::Round) => {
+                let reference = "Lambda expression parameters cannot be parenthesized";
+                self.error(self.token().range, "parameters cannot stand in parentheses", reference);
+                self.skip();
+            }
+            _ => self.plain_parameter(list),
+        }
+    }
+
+    fn plain_parameter(&mut self, list: &mut Params) {
+        self.after_double_star(list);
+        let at = self.token().range;
+        let name = self.parameter_name();
+        let default = self.eat(Tok::Equal).then(|| self.expression());
+        let kind = if list.star { ParamKind::KeywordOnly } else { ParamKind::Normal };
+        if kind == ParamKind::Normal && default.is_none() && list.defaults {
+            let reference = "non-default argument follows default argument";
+            self.error(at, "a parameter without a default follows one with a default", reference);
+        }
+        list.defaults |= default.is_some();
+        list.params.push(Param { name, kind, default });
+    }
+
+    fn parameter_name(&mut self) -> ecow::EcoString {
+        if self.at(Tok::Name) {
+            self.bump().range.slice(self.text).into()
+        } else {
+            self.hole("the name of a parameter");
+            ecow::EcoString::new()
+        }
+    }
+
+    /// `/`: all parameters before it go by place only.
+    fn slash(&mut self, list: &mut Params) {
+        let at = self.bump().range;
+        let problem = if list.slash {
+            Some("/ may appear only once")
+        } else if list.star {
+            Some("/ must be ahead of *")
+        } else if list.params.is_empty() {
+            Some("at least one argument must precede /")
+        } else {
+            None
+        };
+        if let Some(reference) = problem {
+            self.error(at, "`/` cannot stand here", reference);
+        }
+        if std::mem::replace(&mut list.slash, true) {
+            return;
+        }
+        for param in list.params.iter_mut().filter(|p| p.kind == ParamKind::Normal) {
+            param.kind = ParamKind::PositionalOnly;
+        }
+    }
+
+    /// `*args`, or the bare `*` in front of keyword-only parameters.
+    fn star(&mut self, list: &mut Params) {
+        let at = self.bump().range;
+        self.after_double_star(list);
+        if list.star {
+            self.error(at, "`*` is possible only once", "* argument may appear only once");
+        }
+        list.star = true;
+        let name = if self.at(Tok::Name) {
+            let name = self.bump().range.slice(self.text).into();
+            self.no_default("var-positional");
+            name
+        } else {
+            let last = self.at(Tok::Colon)
+                || (self.at(Tok::Comma) && matches!(self.next_kind(), Tok::Colon | Tok::DoubleStar));
+            if last {
+                self.error(at, "a parameter is missing behind `*`", "named arguments must follow bare *");
+            } else if !self.at(Tok::Comma) {
+                self.hole("the name of a parameter");
+            }
+            ecow::EcoString::new()
+        };
+        list.params.push(Param { name, kind: ParamKind::VarArgs, default: None });
+    }
+
+    fn no_default(&mut self, kind: &str) {
+        if self.at(Tok::Equal) {
+            let at = self.bump().range;
+            let reference = format!("{kind} argument cannot have default value");
+            self.error(at, "this parameter cannot have a default", &reference);
+            self.expression();
+        }
+    }
+
+    fn after_double_star(&mut self, list: &Params) {
+        if list.double_star {
+            let reference = "arguments cannot follow var-keyword argument";
+            self.error(self.token().range, "nothing can follow `**`", reference);
+        }
+    }
+
+    fn check_duplicates(&mut self, params: &[Param]) {
+        let mut seen = FastSet::default();
+        for param in params.iter().filter(|p| !p.name.is_empty()) {
+            if !seen.insert(&param.name) {
+                let reference = format!("duplicate argument '{}' in function definition", param.name);
+                let message = format!("the parameter `{}` is named twice", param.name);
+                self.report.add(Stage::Tree, TextRange::empty(self.prev_end), message, &reference);
+            }
+        }
+    }
+}

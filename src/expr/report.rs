@@ -1,0 +1,132 @@
+//! Collecting errors and deciding which one CPython would name.
+
+use super::syntax::{ExprError, ExprErrorKind};
+use crate::base::TextRange;
+
+/// When CPython notices an error; the earliest stage wins, whatever the place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Stage {
+    /// While reading tokens: these win even behind a grammar error.
+    Token,
+    /// In the grammar, or while decoding a literal.
+    Grammar,
+    /// A bracket still open at the end.
+    Unclosed,
+    /// In the finished tree.
+    Tree,
+    /// Names that xacro refuses.
+    Name,
+    /// Only we refuse it.
+    Ours,
+}
+
+/// The innermost bracket that is open at the end of the text.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Unclosed {
+    pub(super) open: char,
+    pub(super) at: u32,
+}
+
+/// The errors of one expression.
+pub(super) struct Report<'t> {
+    text: &'t str,
+    /// Where the stripped expression starts: its line is line 1.
+    start: u32,
+    errors: Vec<(Stage, ExprError)>,
+    pub(super) unclosed: Option<Unclosed>,
+}
+
+/// More errors than this say nothing new.
+const MAX_ERRORS: usize = 20;
+
+impl<'t> Report<'t> {
+    pub(super) fn new(text: &'t str, start: u32) -> Self {
+        Self { text, start, errors: Vec::new(), unclosed: None }
+    }
+
+    /// Where the stripped expression starts.
+    pub(super) fn start(&self) -> u32 {
+        self.start
+    }
+
+    /// Line of an offset in the stripped expression, from 1.
+    pub(super) fn line(&self, at: u32) -> usize {
+        let before = TextRange::new(self.start, at).slice(self.text).as_bytes();
+        let newline = |(i, &b): (usize, &u8)| b == b'\n' || (b == b'\r' && before.get(i + 1) != Some(&b'\n'));
+        1 + before.iter().enumerate().filter(|&pair| newline(pair)).count()
+    }
+
+    /// An error of the given stage; `reference` is CPython's text without the place.
+    pub(super) fn add(
+        &mut self,
+        stage: Stage,
+        range: TextRange,
+        message: impl Into<String>,
+        reference: &str,
+    ) {
+        if self.is_full() {
+            return;
+        }
+        let line = self.line(range.start);
+        self.add_at_line(stage, range, message, reference, line);
+    }
+
+    /// The same with CPython's idea of the line.
+    pub(super) fn add_at_line(
+        &mut self,
+        stage: Stage,
+        range: TextRange,
+        message: impl Into<String>,
+        reference: &str,
+        line: usize,
+    ) {
+        let reference = format!("{reference} (<expression>, line {line})");
+        self.push(stage, ExprErrorKind::Syntax, range, message, reference);
+    }
+
+    /// Something Python allows and we do not.
+    pub(super) fn not_supported(&mut self, stage: Stage, range: TextRange, message: &str, reference: &str) {
+        if self.is_full() {
+            return;
+        }
+        let reference = format!("{reference} (<expression>, line {})", self.line(range.start));
+        self.push(stage, ExprErrorKind::NotSupported, range, message, reference);
+    }
+
+    pub(super) fn push(
+        &mut self,
+        stage: Stage,
+        kind: ExprErrorKind,
+        range: TextRange,
+        message: impl Into<String>,
+        reference: String,
+    ) {
+        if !self.is_full() {
+            self.errors.push((stage, ExprError { message: message.into(), reference, range, kind }));
+        }
+    }
+
+    /// CPython's text for the bracket left open, with its place.
+    pub(super) fn never_closed(&self) -> Option<(String, usize)> {
+        self.unclosed.map(|u| (format!("'{}' was never closed", u.open), self.line(u.at)))
+    }
+
+    /// Whether further errors would be dropped.
+    pub(super) fn is_full(&self) -> bool {
+        self.errors.len() >= MAX_ERRORS
+    }
+
+    /// Take over the errors of a replacement field, worded as CPython does for these.
+    pub(super) fn absorb(&mut self, inner: Report<'_>, prefix: &str) {
+        for (stage, mut error) in inner.errors {
+            error.reference.insert_str(0, prefix);
+            self.errors.push((stage.max(Stage::Grammar), error));
+        }
+    }
+
+    /// All errors, the one CPython stops at first.
+    pub(super) fn finish(mut self) -> Vec<ExprError> {
+        self.errors.sort_by_key(|(stage, _)| *stage);
+        self.errors.into_iter().map(|(_, error)| error).collect()
+    }
+}

@@ -1,0 +1,124 @@
+//! Questions to the disk: what is there, has it changed, what does it hold.
+
+use std::fs::{File, Metadata};
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::io::Read;
+use std::path::Path;
+use std::time::{Duration, SystemTime};
+
+use super::error::{LoadError, LoadErrorKind};
+
+/// A file written less than this before it was read may change again without a new time stamp.
+const CLOCK_GRAIN: Duration = Duration::from_millis(100);
+
+/// Device and file number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Identity {
+    device: u64,
+    inode: u64,
+}
+
+impl Identity {
+    /// Both in one.
+    pub(super) fn number(self) -> u128 {
+        u128::from(self.device) << 64 | u128::from(self.inode)
+    }
+}
+
+/// What changes when the text of a file changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stamp {
+    /// Revision of an open buffer.
+    Buffer(u64),
+    /// Hash of the text itself.
+    Content(u64),
+    /// State of a file on disk.
+    Disk {
+        /// Time of the last change of the content.
+        modified: Option<SystemTime>,
+        /// Length in bytes.
+        size: u64,
+        /// Device, file number and time of the last change of the inode; 0 where unknown.
+        node: (u128, i64, i64),
+    },
+}
+
+impl Stamp {
+    /// Whether text read now is sure to be told apart from text written later.
+    pub(super) fn is_settled(&self) -> bool {
+        match self {
+            Stamp::Buffer(_) | Stamp::Content(_) => true,
+            Stamp::Disk { modified, .. } => modified
+                .and_then(|modified| SystemTime::now().duration_since(modified).ok())
+                .is_some_and(|age| age > CLOCK_GRAIN),
+        }
+    }
+}
+
+/// The answer of [`stat`].
+pub(super) struct Stat {
+    /// State of the content.
+    pub(super) stamp: Stamp,
+    /// Which file it is, where the system tells.
+    pub(super) identity: Option<Identity>,
+}
+
+/// The state of a file or folder.
+///
+/// # Errors
+/// When there is none, or none that may be looked at.
+pub(super) fn stat(path: &Path) -> Result<Stat, LoadError> {
+    let found = std::fs::metadata(path).map_err(|error| LoadError::from_io(&error, path))?;
+    let (identity, changed) = node(&found);
+    let number = identity.map_or(0, Identity::number);
+    let stamp = Stamp::Disk {
+        modified: found.modified().ok(),
+        size: found.len(),
+        node: (number, changed.0, changed.1),
+    };
+    Ok(Stat { stamp, identity })
+}
+
+#[cfg(unix)]
+fn node(found: &Metadata) -> (Option<Identity>, (i64, i64)) {
+    use std::os::unix::fs::MetadataExt;
+    let identity = Identity { device: found.dev(), inode: found.ino() };
+    (Some(identity), (found.ctime(), found.ctime_nsec()))
+}
+
+#[cfg(not(unix))]
+fn node(_: &Metadata) -> (Option<Identity>, (i64, i64)) {
+    (None, (0, 0))
+}
+
+/// The bytes of a regular file of at most `limit` bytes.
+///
+/// # Errors
+/// When it is not one, or cannot be read.
+pub(super) fn bytes(path: &Path, limit: u64) -> Result<Vec<u8>, LoadError> {
+    let io = |error: std::io::Error| LoadError::from_io(&error, path);
+    let found = std::fs::metadata(path).map_err(io)?;
+    let kind = match (found.is_file(), found.is_dir()) {
+        (true, _) if found.len() <= limit => None,
+        (true, _) => Some(LoadErrorKind::TooLarge { limit }),
+        (_, true) => Some(LoadErrorKind::IsDirectory),
+        _ => Some(LoadErrorKind::NotRegular),
+    };
+    if let Some(kind) = kind {
+        return Err(LoadError::new(kind, path));
+    }
+    // Files of /proc and files that grow say a smaller size than they have.
+    let mut bytes = Vec::with_capacity(usize::try_from(found.len()).unwrap_or(0));
+    File::open(path).map_err(io)?.take(limit.saturating_add(1)).read_to_end(&mut bytes).map_err(io)?;
+    if bytes.len() as u64 > limit {
+        return Err(LoadError::new(LoadErrorKind::TooLarge { limit }, path));
+    }
+    Ok(bytes)
+}
+
+/// A hash that is the same in every run of one build.
+pub(super) fn hash(value: &(impl Hash + ?Sized)) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    value.hash(&mut hasher);
+    hasher.finish()
+}

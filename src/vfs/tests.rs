@@ -1,0 +1,103 @@
+use std::path::Path;
+use std::sync::Arc;
+
+use super::testing::Tree;
+use super::{LoadErrorKind, Vfs};
+
+#[test]
+fn ids_follow_the_spelling() {
+    let vfs = Vfs::with_cwd(1000, "/work".into());
+    let id = vfs.file_id(Path::new("a/b.x"));
+    assert_eq!(vfs.file_id(Path::new("/work/a/b.x")), id);
+    assert_eq!(vfs.file_id(Path::new("./a/./b.x")), id);
+    assert_ne!(vfs.file_id(Path::new("a/../a/b.x")), id);
+    assert_eq!(&*vfs.path(id), Path::new("/work/a/b.x"));
+}
+
+#[test]
+fn text_is_read_once_and_again_after_a_change() {
+    let tree = Tree::new();
+    tree.write("a.yaml", "a: 1");
+    let path = tree.path("a.yaml");
+    let old = std::time::SystemTime::now() - std::time::Duration::from_secs(60);
+    std::fs::File::options().write(true).open(&path).unwrap().set_modified(old).unwrap();
+    let first = tree.vfs().text(&path).unwrap();
+    assert!(Arc::ptr_eq(&first, &tree.vfs().text(&path).unwrap()));
+    tree.write("a.yaml", "a: 2");
+    let second = tree.vfs().text(&path).unwrap();
+    assert_eq!(second.text, "a: 2");
+    assert_ne!(first.hash, second.hash);
+    // Same length, within the grain of the clock.
+    tree.write("a.yaml", "a: 3");
+    assert_eq!(tree.vfs().text(&path).unwrap().text, "a: 3");
+}
+
+#[test]
+fn buffers_cover_the_disk() {
+    let tree = Tree::new();
+    tree.write("sub/a.x", "disk");
+    let vfs = tree.vfs();
+    let path = tree.path("sub/a.x");
+    vfs.set_buffer(&path, Some("buffer".to_owned()));
+    assert_eq!(vfs.text(&path).unwrap().text, "buffer");
+    vfs.set_buffer(&path, Some("edited".to_owned()));
+    assert_eq!(vfs.text(&path).unwrap().text, "edited");
+    vfs.set_buffer(&path, None);
+    assert_eq!(vfs.text(&path).unwrap().text, "disk");
+
+    let unsaved = tree.path("new.x");
+    vfs.set_buffer(&unsaved, Some("unsaved".to_owned()));
+    assert!(vfs.is_file(&unsaved) && vfs.exists(&unsaved) && !vfs.is_dir(&unsaved));
+    assert_eq!(vfs.text(&unsaved).unwrap().text, "unsaved");
+}
+
+#[cfg(unix)]
+#[test]
+fn buffers_are_found_through_links_and_parents() {
+    let tree = Tree::new();
+    tree.write("src/a.x", "disk");
+    std::os::unix::fs::symlink(tree.path("src"), tree.path("installed")).unwrap();
+    tree.vfs().set_buffer(&tree.path("src/a.x"), Some("buffer".to_owned()));
+    for alias in ["installed/a.x", "src/../src/a.x"] {
+        assert_eq!(tree.vfs().text(&tree.path(alias)).unwrap().text, "buffer", "{alias}");
+    }
+    assert_eq!(tree.vfs().identity(&tree.path("installed")), tree.vfs().identity(&tree.path("src")));
+}
+
+#[test]
+fn load_errors() {
+    let tree = Tree::new();
+    tree.write("folder/file", "x");
+    tree.write("large", &"x".repeat((1 << 20) + 1));
+    let error = |name: &str| tree.vfs().text(&tree.path(name)).unwrap_err();
+    let missing = error("gone.x");
+    assert_eq!((missing.kind, missing.errno), (LoadErrorKind::NotFound, 2));
+    let text = format!("[Errno 2] No such file or directory: '{}'", tree.path("gone.x").display());
+    assert_eq!(missing.to_string(), text);
+    let folder = error("folder");
+    assert_eq!(
+        (folder.kind, folder.errno, folder.strerror.as_str()),
+        (LoadErrorKind::IsDirectory, 21, "Is a directory")
+    );
+    assert_eq!(error("large").kind, LoadErrorKind::TooLarge { limit: 1 << 20 });
+    if cfg!(target_os = "linux") {
+        let through_file = error("folder/file/x");
+        assert_eq!((through_file.errno, through_file.strerror.as_str()), (20, "Not a directory"));
+        let device = tree.vfs().text(Path::new("/dev/zero")).unwrap_err();
+        assert_eq!(device.kind, LoadErrorKind::NotRegular);
+        let long = "n".repeat(300);
+        assert_eq!(error(&long).strerror, "File name too long");
+    }
+    assert_eq!(tree.vfs().text(Path::new("a\0b")).unwrap_err().kind, LoadErrorKind::Other);
+}
+
+#[test]
+fn folders_are_listed_sorted() {
+    let tree = Tree::new();
+    tree.write("b", "");
+    tree.write("a/x", "");
+    let names: Vec<(String, bool)> =
+        tree.vfs().list_dir(tree.root()).into_iter().map(|entry| (entry.name, entry.is_dir)).collect();
+    assert_eq!(names, [("a".to_owned(), true), ("b".to_owned(), false)]);
+    assert!(tree.vfs().list_dir(&tree.path("none")).is_empty());
+}

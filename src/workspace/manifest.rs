@@ -1,0 +1,90 @@
+//! The name in a `package.xml`.
+
+use std::path::Path;
+
+use roxmltree::{Document, ParsingOptions};
+
+use crate::vfs::Vfs;
+
+/// File that makes a folder a package.
+pub(super) const MANIFEST: &str = "package.xml";
+
+/// Markup of a sane manifest stays far below this.
+const MAX_NODES: u32 = 100_000;
+
+/// The `<name>` of the package whose folder is `folder`; `None` when it holds no usable `package.xml`.
+pub(super) fn package_name(vfs: &Vfs, folder: &Path) -> Option<String> {
+    let file = vfs.text(&folder.join(MANIFEST)).ok()?;
+    name_in(&file.text)
+}
+
+/// The name a manifest declares. One that is not well-formed is searched for the first `<name>`.
+fn name_in(text: &str) -> Option<String> {
+    let options = ParsingOptions { allow_dtd: true, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
+    let name = match Document::parse_with_options(text, options) {
+        Ok(document) => {
+            let root = document.root_element();
+            let name = root.children().find(|child| child.has_tag_name("name"))?;
+            root.has_tag_name("package").then(|| name.text().unwrap_or_default().to_owned())?
+        }
+        Err(_) => first_name(text)?.to_owned(),
+    };
+    let name = name.trim();
+    is_package_name(name).then(|| name.to_owned())
+}
+
+fn first_name(text: &str) -> Option<&str> {
+    let mut rest = text;
+    loop {
+        let (at, comment) = (rest.find("<name>")?, rest.find("<!--"));
+        match comment.filter(|&comment| comment < at) {
+            Some(comment) => {
+                let behind = rest.get(comment..)?;
+                rest = behind.get(behind.find("-->")?..)?;
+            }
+            None => return rest.get(at + "<name>".len()..)?.split('<').next(),
+        }
+    }
+}
+
+/// Whether a text can be the name of a package at all: one path component that says where it is.
+pub(super) fn is_package_name(name: &str) -> bool {
+    !name.is_empty() && name != "." && !name.contains("..") && !name.contains(['/', '\\', '\0'])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{is_package_name, name_in};
+
+    #[test]
+    fn names() {
+        let table = [
+            ("<package><name>a_b</name></package>", Some("a_b")),
+            ("<?xml version='1.0'?>\n<package format='3'>\n<name>\n a \n</name></package>", Some("a")),
+            ("<package><name>a</name><name>b</name></package>", Some("a")),
+            ("<package><export><name>x</name></export><name>a</name></package>", Some("a")),
+            ("<package><!-- <name>no</name> --><name>yes</name>", Some("yes")),
+            ("<package><name>a & b</name></package>", Some("a & b")),
+            ("<package><name>half", Some("half")),
+            ("<package><name/></package>", None),
+            ("<package/>", None),
+            ("<stack><name>a</name></stack>", None),
+            ("<package><!-- <name>no", None),
+            ("", None),
+            ("<package><name>../x</name></package>", None),
+        ];
+        for (text, expected) in table {
+            assert_eq!(name_in(text).as_deref(), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn sanity() {
+        for bad in ["", ".", "..", "a/b", "../a", "/", "a\0", "a\\b"] {
+            assert!(!is_package_name(bad), "{bad:?}");
+        }
+        for good in ["a", "ur_description", "a-b", "a.b", "é"] {
+            assert!(is_package_name(good), "{good}");
+        }
+    }
+}

@@ -1,0 +1,29 @@
+//! Remembered answers.
+
+use std::hash::Hash;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use crate::base::FastMap;
+
+/// Answers by question. Threads that ask the same at the same time share one search; the lock is not
+/// held while searching.
+pub(super) struct Memo<K, V>(Mutex<FastMap<K, Arc<OnceLock<V>>>>);
+
+impl<K, V> Default for Memo<K, V> {
+    fn default() -> Self {
+        Self(Mutex::default())
+    }
+}
+
+impl<K: Eq + Hash, V: Clone> Memo<K, V> {
+    /// The answer to `key`; `make` runs the first time.
+    pub(super) fn get(&self, key: K, make: impl FnOnce() -> V) -> V {
+        let cell = self.0.lock().unwrap_or_else(PoisonError::into_inner).entry(key).or_default().clone();
+        cell.get_or_init(make).clone()
+    }
+
+    /// Forget everything.
+    pub(super) fn clear(&self) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).clear();
+    }
+}

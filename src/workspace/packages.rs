@@ -1,0 +1,331 @@
+//! Package look-up: the one answer to `$(find pkg)`, `package://` and `model://`.
+
+use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
+
+use super::manifest::{MANIFEST, is_package_name, package_name};
+use super::memo::Memo;
+use super::root::workspace_root;
+use super::scan::{Rules, Tree, scan};
+use super::similar::nearest;
+use super::steps::{Layout, Prefix, Step, distributions, overlays};
+use crate::base::FastSet;
+use crate::vfs::{Environment, Vfs};
+
+/// Generation of ROS that files are written for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Target {
+    /// ROS 1 (noetic and before).
+    Ros1,
+    /// ROS 2.
+    #[default]
+    Ros2,
+}
+
+/// Where to look for packages.
+#[derive(Clone, Debug)]
+pub struct PackageOptions {
+    /// Folders asked before everything else; relative ones start at the working directory.
+    pub explicit: Vec<PathBuf>,
+    /// Folders whose sources are searched.
+    pub workspace_folders: Vec<PathBuf>,
+    /// Whether the workspace found upward from the asking file is searched too.
+    pub search_upward: bool,
+    /// Whether AMENT_PREFIX_PATH, COLCON_PREFIX_PATH and ROS_PACKAGE_PATH are read.
+    pub use_environment: bool,
+    /// Whether these come before all sources, as they do for the reference, which knows nothing else.
+    pub environment_first: bool,
+    /// Which distributions to prefer when the environment names none.
+    pub target: Target,
+    /// Where distributions are installed.
+    pub system: PathBuf,
+}
+
+impl Default for PackageOptions {
+    fn default() -> Self {
+        Self {
+            explicit: Vec::new(),
+            workspace_folders: Vec::new(),
+            search_upward: true,
+            use_environment: true,
+            environment_first: false,
+            target: Target::default(),
+            system: PathBuf::from("/opt/ros"),
+        }
+    }
+}
+
+/// A package that was found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Found {
+    /// Its folder, spelled as the reference would print it.
+    pub path: PathBuf,
+    /// The kind of place that gave it.
+    pub step: Step,
+    /// The places asked before, in order: a package that appears there would change the answer.
+    pub tried: Vec<(Step, PathBuf)>,
+}
+
+/// A package that was not.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NotFound {
+    /// The name asked for.
+    pub name: String,
+    /// The places asked, in order.
+    pub tried: Vec<(Step, PathBuf)>,
+    /// A known package of almost the same name.
+    pub nearest: Option<String>,
+}
+
+/// A package by its manifest.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Package {
+    /// Its `<name>`.
+    pub name: String,
+    /// The folder that holds the manifest.
+    pub folder: PathBuf,
+}
+
+/// A line of the table of all packages.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// The package.
+    pub name: String,
+    /// Its folder.
+    pub path: PathBuf,
+    /// The kind of place that gave it.
+    pub step: Step,
+    /// Whether an entry above has the same name and wins.
+    pub shadowed: bool,
+}
+
+/// The package look-up. Folders are searched when an answer needs them, and remembered until
+/// [`Packages::forget`].
+pub struct Packages {
+    pub(super) vfs: Arc<Vfs>,
+    pub(super) env: Environment,
+    options: PackageOptions,
+    trees: Memo<(PathBuf, Rules), Arc<Tree>>,
+    owners: Memo<PathBuf, Option<Package>>,
+    roots: Memo<PathBuf, Option<PathBuf>>,
+    installed: Memo<Prefix, Arc<Vec<String>>>,
+}
+
+impl Packages {
+    /// A look-up in `vfs`, as seen from `env`.
+    pub fn new(vfs: Arc<Vfs>, env: &Environment, options: PackageOptions) -> Self {
+        Self {
+            vfs,
+            env: env.clone(),
+            options,
+            trees: Memo::default(),
+            owners: Memo::default(),
+            roots: Memo::default(),
+            installed: Memo::default(),
+        }
+    }
+
+    /// The folder of package `name` for a reference in `from_file`.
+    ///
+    /// # Errors
+    /// When no place has it. A text that cannot be the name of a package is found nowhere.
+    pub fn find(&self, name: &str, from_file: &Path) -> Result<Found, NotFound> {
+        let mut tried = Vec::new();
+        if is_package_name(name) {
+            for step in self.order() {
+                if let Some(path) = self.look(step, name, from_file, &mut tried) {
+                    return Ok(Found { path, step, tried });
+                }
+            }
+        }
+        let known = self.all(from_file);
+        let nearest = nearest(name, known.iter().map(|entry| entry.name.as_str())).map(str::to_owned);
+        Err(NotFound { name: name.to_owned(), tried, nearest })
+    }
+
+    /// Every package that can be named from `from_file`, in the order of the look-up.
+    pub fn all(&self, from_file: &Path) -> Vec<Entry> {
+        let mut entries: Vec<Entry> = Vec::new();
+        let mut names = FastSet::default();
+        let mut places = FastSet::default();
+        for step in self.order() {
+            for (name, path) in self.list(step, from_file) {
+                if places.insert((name.clone(), path.clone())) {
+                    let shadowed = !names.insert(name.clone());
+                    entries.push(Entry { name, path, step, shadowed });
+                }
+            }
+        }
+        entries
+    }
+
+    /// The package that `file` lies in: the nearest manifest upward.
+    pub fn containing(&self, file: &Path) -> Option<Package> {
+        let file = without_parents(&self.vfs.absolute(file));
+        let folder = file.parent()?;
+        self.owners.get(folder.to_owned(), || {
+            folder.ancestors().find_map(|folder| {
+                let is_package = self.vfs.is_file(&folder.join(MANIFEST));
+                let name = is_package.then(|| package_name(&self.vfs, folder)).flatten()?;
+                Some(Package { name, folder: folder.to_owned() })
+            })
+        })
+    }
+
+    /// Forget what was searched: manifests or folders have come, gone or changed.
+    pub fn forget(&self) {
+        self.trees.clear();
+        self.owners.clear();
+        self.roots.clear();
+        self.installed.clear();
+    }
+
+    fn order(&self) -> Vec<Step> {
+        let mut order: Vec<Step> = Step::ALL.into();
+        if !self.options.use_environment {
+            order.retain(|step| !step.is_environment());
+        }
+        if self.options.environment_first {
+            order.sort_by_key(|step| match step {
+                Step::PackagePath => 0,
+                step if step.is_environment() => 1,
+                _ => 2,
+            });
+        }
+        order
+    }
+
+    /// What `step` says about `name`; the places asked are added to `tried`.
+    fn look(&self, step: Step, name: &str, from: &Path, tried: &mut Vec<(Step, PathBuf)>) -> Option<PathBuf> {
+        if step == Step::OwnPackage {
+            let owner = self.containing(from)?;
+            tried.push((step, owner.folder.clone()));
+            return (owner.name == name).then_some(owner.folder);
+        }
+        for (top, rules) in self.tree_tops(step, from) {
+            let found = self.tree(&top, rules).get(name).map(Path::to_owned);
+            if found.is_some() {
+                return found;
+            }
+            tried.push((step, top));
+        }
+        for prefix in self.prefixes(step, from) {
+            let (found, place) = prefix.find(&self.vfs, &self.env.cwd, name);
+            if found.is_some() {
+                return found;
+            }
+            tried.push((step, place));
+        }
+        None
+    }
+
+    fn list(&self, step: Step, from: &Path) -> Vec<(String, PathBuf)> {
+        if step == Step::OwnPackage {
+            return self.containing(from).into_iter().map(|owner| (owner.name, owner.folder)).collect();
+        }
+        let mut found = Vec::new();
+        for (top, rules) in self.tree_tops(step, from) {
+            found.extend_from_slice(self.tree(&top, rules).packages());
+        }
+        for prefix in self.prefixes(step, from) {
+            let names = self.installed_names(&prefix);
+            found.extend(names.iter().map(|name| (name.clone(), prefix.folder(name))));
+        }
+        found
+    }
+
+    /// The trees `step` searches.
+    fn tree_tops(&self, step: Step, from: &Path) -> Vec<(PathBuf, Rules)> {
+        let (tops, rules) = match step {
+            Step::PackagePath => (self.options.explicit.clone(), Rules::Explicit),
+            Step::Workspace => (self.workspaces(from, self.options.search_upward), Rules::Workspace),
+            Step::RosPackagePath => (self.env.paths("ROS_PACKAGE_PATH"), Rules::RosPackagePath),
+            _ => return Vec::new(),
+        };
+        tops.into_iter().map(|top| (self.env.cwd.join(top), rules)).collect()
+    }
+
+    /// The prefixes of installed packages `step` searches.
+    fn prefixes(&self, step: Step, from: &Path) -> Vec<Prefix> {
+        match step {
+            Step::Overlay => self.workspaces(from, true).iter().flat_map(|folder| overlays(folder)).collect(),
+            Step::AmentPrefixPath => self.env_prefixes("AMENT_PREFIX_PATH", &[Layout::Indexed]),
+            Step::ColconPrefixPath => {
+                self.env_prefixes("COLCON_PREFIX_PATH", &[Layout::Isolated, Layout::Merged])
+            }
+            Step::Distribution => self.distributions(),
+            _ => Vec::new(),
+        }
+    }
+
+    fn env_prefixes(&self, variable: &str, layouts: &[Layout]) -> Vec<Prefix> {
+        let paths = self.env.paths(variable).into_iter();
+        paths.flat_map(|path| layouts.iter().map(move |&layout| Prefix::new(path.clone(), layout))).collect()
+    }
+
+    /// The folders with sources: those that hold the file first, the narrowest of them first; then, if
+    /// `upward`, the workspaces found above the file and above these folders.
+    fn workspaces(&self, from: &Path, upward: bool) -> Vec<PathBuf> {
+        let file = without_parents(&self.vfs.absolute(from));
+        let mut folders: Vec<PathBuf> =
+            self.options.workspace_folders.iter().map(|folder| self.vfs.absolute(folder)).collect();
+        folders.sort_by_key(|folder| {
+            let depth = folder.components().count();
+            if file.starts_with(folder) { (0, usize::MAX - depth) } else { (1, 0) }
+        });
+        if upward {
+            let starts = file.parent().into_iter().chain(folders.iter().map(PathBuf::as_path));
+            let above: Vec<PathBuf> = starts.filter_map(|start| self.root_above(start)).collect();
+            folders.extend(above);
+        }
+        let mut seen = FastSet::default();
+        folders.retain(|folder| seen.insert(folder.clone()));
+        folders
+    }
+
+    fn root_above(&self, start: &Path) -> Option<PathBuf> {
+        let home = self.env.var("HOME").map(Path::new);
+        self.roots.get(start.to_owned(), || workspace_root(&self.vfs, start, home))
+    }
+
+    /// The distribution the environment names, else all of them.
+    fn distributions(&self) -> Vec<Prefix> {
+        let system = &self.options.system;
+        let mut all = distributions(&self.vfs, system, self.options.target == Target::Ros1);
+        if self.options.use_environment {
+            let named = self.env.var("ROS_DISTRO").filter(|name| is_package_name(name));
+            let named: Vec<PathBuf> = named.map(|name| system.join(name)).into_iter().collect();
+            let of_variables = ["AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "ROS_PACKAGE_PATH"];
+            let sourced: Vec<PathBuf> =
+                of_variables.iter().flat_map(|variable| self.env.paths(variable)).chain(named).collect();
+            let is_named = |prefix: &Prefix| sourced.iter().any(|path| path.starts_with(&prefix.path));
+            if all.iter().any(is_named) {
+                all.retain(is_named);
+            }
+        }
+        all
+    }
+
+    /// The packages below `top`.
+    fn tree(&self, top: &Path, rules: Rules) -> Arc<Tree> {
+        self.trees.get((top.to_owned(), rules), || Arc::new(scan(&self.vfs, top, rules)))
+    }
+
+    fn installed_names(&self, prefix: &Prefix) -> Arc<Vec<String>> {
+        self.installed.get(prefix.clone(), || Arc::new(prefix.names(&self.vfs, &self.env.cwd)))
+    }
+}
+
+/// The path with `folder/..` taken out, by its text alone.
+fn without_parents(path: &Path) -> PathBuf {
+    let mut clean = PathBuf::new();
+    for component in path.components() {
+        match component {
+            Component::ParentDir => {
+                clean.pop();
+            }
+            other => clean.push(other),
+        }
+    }
+    clean
+}

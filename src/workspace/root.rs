@@ -1,0 +1,83 @@
+//! The workspace a file lies in.
+
+use std::path::{Path, PathBuf};
+
+use super::manifest::MANIFEST;
+use crate::vfs::Vfs;
+
+/// Folders that only build tools make, beside `src`.
+const BUILT: [&str; 5] = ["install", "build", "devel", "log", ".catkin_tools"];
+
+/// The workspace that `start` (a folder) lies in: the nearest folder above it that holds the `src` it lies
+/// in, or that holds `src` and is `start` itself or has folders of a build tool; else the top of its repository. A package
+/// with sources in `src` is no workspace, and neither are `home` and the folders above it.
+pub fn workspace_root(vfs: &Vfs, start: &Path, home: Option<&Path>) -> Option<PathBuf> {
+    let start = vfs.absolute(start);
+    let mut repository = None;
+    for folder in start.ancestors() {
+        let too_wide = folder.parent().is_none() || home.is_some_and(|home| home.starts_with(folder));
+        if too_wide {
+            break;
+        }
+        if is_workspace(vfs, folder, &start) {
+            return Some(folder.to_owned());
+        }
+        if repository.is_none() && vfs.exists(&folder.join(".git")) {
+            repository = Some(folder.to_owned());
+        }
+    }
+    repository
+}
+
+fn is_workspace(vfs: &Vfs, folder: &Path, start: &Path) -> bool {
+    let sources = folder.join("src");
+    let is_evident = || folder == start || BUILT.iter().any(|name| vfs.is_dir(&folder.join(name)));
+    (start.starts_with(&sources) || vfs.is_dir(&sources) && is_evident())
+        && !vfs.is_file(&folder.join(MANIFEST))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::workspace_root;
+    use crate::vfs::testing::Tree;
+
+    #[test]
+    fn roots() {
+        let tree = Tree::new();
+        for file in [
+            "home/ws/src/repo/pkg/urdf/a.xacro",
+            "home/ws/src/repo/.git/HEAD",
+            "home/ws/src/cpp/package.xml",
+            "home/ws/src/cpp/src/a.cpp",
+            "home/built/src/x",
+            "home/built/install/setup.bash",
+            "home/built/top.xacro",
+            "home/repo/.git",
+            "home/repo/pkg/src/x",
+            "home/repo/pkg/package.xml",
+            "home/plain/src/x",
+            "home/plain/top.xacro",
+            "home/src/project/x",
+            "home/src/clone/.git/HEAD",
+        ] {
+            tree.write(file, "");
+        }
+        let table = [
+            ("home/ws/src/repo/pkg/urdf", Some("home/ws")),
+            ("home/ws/src", Some("home/ws")),
+            ("home/ws/src/cpp/src", Some("home/ws")),
+            ("home/built", Some("home/built")),
+            ("home/built/src", Some("home/built")),
+            ("home/repo/pkg", Some("home/repo")),
+            ("home/repo/pkg/src", Some("home/repo")),
+            ("home/plain", Some("home/plain")),
+            ("home/plain/doc", None),
+            ("home/src/project", None),
+            ("home/src/clone", Some("home/src/clone")),
+        ];
+        for (start, expected) in table {
+            let found = workspace_root(tree.vfs(), &tree.path(start), Some(&tree.path("home")));
+            assert_eq!(found, expected.map(|path| tree.path(path)), "{start}");
+        }
+    }
+}

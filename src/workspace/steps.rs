@@ -1,0 +1,163 @@
+//! The places packages are looked for outside of source trees: prefixes of installed packages.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use super::manifest::MANIFEST;
+use crate::vfs::Vfs;
+
+const INDEX: &str = "share/ament_index/resource_index/packages";
+
+/// The kinds of places, in the order they are asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Step {
+    /// A folder of `package-path`.
+    PackagePath,
+    /// The package that holds the file being read.
+    OwnPackage,
+    /// The source tree of the workspace.
+    Workspace,
+    /// `install` or `devel` beside the workspace.
+    Overlay,
+    /// `AMENT_PREFIX_PATH`.
+    AmentPrefixPath,
+    /// `COLCON_PREFIX_PATH`.
+    ColconPrefixPath,
+    /// `ROS_PACKAGE_PATH`.
+    RosPackagePath,
+    /// An installed distribution that no variable names.
+    Distribution,
+}
+
+impl Step {
+    /// All of them in the usual order.
+    pub const ALL: [Step; 8] = [
+        Step::PackagePath,
+        Step::OwnPackage,
+        Step::Workspace,
+        Step::Overlay,
+        Step::AmentPrefixPath,
+        Step::ColconPrefixPath,
+        Step::RosPackagePath,
+        Step::Distribution,
+    ];
+
+    /// Whether the environment decides.
+    pub(super) fn is_environment(self) -> bool {
+        matches!(self, Step::AmentPrefixPath | Step::ColconPrefixPath | Step::RosPackagePath)
+    }
+}
+
+impl fmt::Display for Step {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Step::PackagePath => "package-path",
+            Step::OwnPackage => "own package",
+            Step::Workspace => "workspace",
+            Step::Overlay => "overlay",
+            Step::AmentPrefixPath => "AMENT_PREFIX_PATH",
+            Step::ColconPrefixPath => "COLCON_PREFIX_PATH",
+            Step::RosPackagePath => "ROS_PACKAGE_PATH",
+            Step::Distribution => "/opt/ros",
+        })
+    }
+}
+
+/// How installed packages lie below a prefix.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Layout {
+    /// `share/PKG`, announced by a marker in the ament index.
+    Indexed,
+    /// `share/PKG` with a manifest or a marker.
+    Merged,
+    /// `PKG/share/PKG`.
+    Isolated,
+    /// `share/PKG`, whatever it holds.
+    Devel,
+}
+
+/// One prefix.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Prefix {
+    /// As the variable spells it.
+    pub(super) path: PathBuf,
+    /// How it is laid out.
+    pub(super) layout: Layout,
+}
+
+impl Prefix {
+    /// `path` with `layout`.
+    pub(super) fn new(path: PathBuf, layout: Layout) -> Self {
+        Self { path, layout }
+    }
+
+    /// The folder of package `name`, if it is installed here, and the place that was looked at.
+    pub(super) fn find(&self, vfs: &Vfs, cwd: &Path, name: &str) -> (Option<PathBuf>, PathBuf) {
+        let share = self.folder(name);
+        let on_disk = |path: &Path| cwd.join(path);
+        let marker = self.path.join(INDEX).join(name);
+        let is_marked = || vfs.is_file(&on_disk(&marker));
+        let installed = match self.layout {
+            Layout::Indexed => is_marked(),
+            Layout::Merged => vfs.is_file(&on_disk(&share.join(MANIFEST))) || is_marked(),
+            Layout::Isolated | Layout::Devel => vfs.is_dir(&on_disk(&share)),
+        };
+        let place = if self.layout == Layout::Indexed { marker } else { share.clone() };
+        (installed.then_some(share), place)
+    }
+
+    /// Names of the packages installed here.
+    pub(super) fn names(&self, vfs: &Vfs, cwd: &Path) -> Vec<String> {
+        let folder = match self.layout {
+            Layout::Indexed => self.path.join(INDEX),
+            Layout::Merged | Layout::Devel => self.path.join("share"),
+            Layout::Isolated => self.path.clone(),
+        };
+        let names = vfs.list_dir(&cwd.join(folder)).into_iter().map(|entry| entry.name);
+        names.filter(|name| self.find(vfs, cwd, name).0.is_some()).collect()
+    }
+
+    /// Where package `name` would be.
+    pub(super) fn folder(&self, name: &str) -> PathBuf {
+        match self.layout {
+            Layout::Isolated => self.path.join(name).join("share").join(name),
+            _ => self.path.join("share").join(name),
+        }
+    }
+}
+
+/// The prefixes a build leaves beside the sources of `workspace`.
+pub(super) fn overlays(workspace: &Path) -> [Prefix; 3] {
+    let install = workspace.join("install");
+    [
+        Prefix::new(install.clone(), Layout::Isolated),
+        Prefix::new(install, Layout::Merged),
+        Prefix::new(workspace.join("devel"), Layout::Devel),
+    ]
+}
+
+/// ROS 1 distributions; every other name is one of ROS 2.
+const ROS1: [&str; 13] = [
+    "boxturtle",
+    "cturtle",
+    "diamondback",
+    "electric",
+    "fuerte",
+    "groovy",
+    "hydro",
+    "indigo",
+    "jade",
+    "kinetic",
+    "lunar",
+    "melodic",
+    "noetic",
+];
+
+/// The prefixes of the distributions below `system` (`/opt/ros`), newest first (their names go up the
+/// alphabet), those of the wanted generation before the others.
+pub(super) fn distributions(vfs: &Vfs, system: &Path, ros1: bool) -> Vec<Prefix> {
+    let mut names: Vec<String> =
+        vfs.list_dir(system).into_iter().filter(|entry| entry.is_dir).map(|entry| entry.name).collect();
+    names.sort_by_key(|name| std::cmp::Reverse((ROS1.contains(&name.as_str()) == ros1, name.clone())));
+    names.into_iter().map(|name| Prefix::new(system.join(name), Layout::Merged)).collect()
+}

@@ -1,0 +1,176 @@
+//! The list of items: two levels, so that an edit copies a chunk and not the list.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use super::item::Item;
+
+/// Items per chunk when a list is built.
+const TARGET: usize = 64;
+/// Chunks above this are cut again.
+const MAX: usize = 128;
+
+/// A persistent list of items with offsets and lines.
+#[derive(Clone, Default)]
+pub(super) struct Chunks {
+    list: Vec<Chunk>,
+}
+
+/// Some items in a row, and sums over them.
+#[derive(Clone)]
+struct Chunk {
+    items: Arc<Vec<Arc<Item>>>,
+    bytes: u32,
+    lines: u32,
+}
+
+/// A position in the list: an item, and the bytes and line ends before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub(super) struct Mark {
+    pub(super) index: usize,
+    pub(super) bytes: u32,
+    pub(super) lines: u32,
+}
+
+impl Chunk {
+    fn new(items: Vec<Arc<Item>>) -> Self {
+        let bytes = items.iter().map(|item| item.len()).sum();
+        let lines = items.iter().map(|item| item.lines).sum();
+        Self { items: Arc::new(items), bytes, lines }
+    }
+}
+
+impl Chunks {
+    pub(super) fn new(items: Vec<Arc<Item>>) -> Self {
+        Self { list: cut(items) }
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.list.iter().map(|chunk| chunk.items.len()).sum()
+    }
+
+    pub(super) fn bytes(&self) -> u32 {
+        self.list.iter().map(|chunk| chunk.bytes).sum()
+    }
+
+    pub(super) fn lines(&self) -> u32 {
+        self.list.iter().map(|chunk| chunk.lines).sum()
+    }
+
+    /// The last place where `before` still holds of what lies before it; chunks first, then items.
+    /// `before` must be true at the start and must not become true again once it is false.
+    fn seek(&self, before: impl Fn(Mark) -> bool) -> Mark {
+        let mut mark = Mark::default();
+        for chunk in &self.list {
+            let next = Mark {
+                index: mark.index + chunk.items.len(),
+                bytes: mark.bytes + chunk.bytes,
+                lines: mark.lines + chunk.lines,
+            };
+            if before(next) {
+                mark = next;
+                continue;
+            }
+            for item in chunk.items.iter() {
+                let next = Mark {
+                    index: mark.index + 1,
+                    bytes: mark.bytes + item.len(),
+                    lines: mark.lines + item.lines,
+                };
+                if !before(next) {
+                    return mark;
+                }
+                mark = next;
+            }
+        }
+        mark
+    }
+
+    /// The item that holds byte `offset`; behind the last one for offsets beyond.
+    pub(super) fn at_offset(&self, offset: u32) -> Mark {
+        self.seek(|mark| mark.bytes <= offset)
+    }
+
+    /// The item in which line `line` (counted from the start of the list) begins: the one with the line end
+    /// before it, for lines from 1.
+    pub(super) fn at_line(&self, line: u32) -> Mark {
+        self.seek(|mark| mark.lines < line)
+    }
+
+    /// The item with this number.
+    pub(super) fn at_index(&self, index: usize) -> Mark {
+        self.seek(|mark| mark.index <= index)
+    }
+
+    pub(super) fn get(&self, index: usize) -> Option<&Arc<Item>> {
+        self.iter_from(index).next()
+    }
+
+    /// The items from `index` on.
+    pub(super) fn iter_from(&self, index: usize) -> impl Iterator<Item = &Arc<Item>> {
+        let mut skip = index;
+        let mut first = self.list.len();
+        for (at, chunk) in self.list.iter().enumerate() {
+            if skip < chunk.items.len() {
+                first = at;
+                break;
+            }
+            skip -= chunk.items.len();
+        }
+        let chunks = self.list.get(first..).unwrap_or(&[]);
+        chunks.iter().flat_map(|chunk| chunk.items.iter()).skip(skip)
+    }
+
+    /// The items before `index`, last first.
+    pub(super) fn iter_before(&self, index: usize) -> impl Iterator<Item = &Arc<Item>> {
+        let mut left = index;
+        let mut heads: Vec<&[Arc<Item>]> = Vec::new();
+        for chunk in &self.list {
+            if left == 0 {
+                break;
+            }
+            let take = left.min(chunk.items.len());
+            heads.extend(chunk.items.get(..take));
+            left -= take;
+        }
+        heads.into_iter().rev().flat_map(|items| items.iter().rev())
+    }
+
+    /// Replace the items of `range` by `new`.
+    pub(super) fn splice(&mut self, range: Range<usize>, new: Vec<Arc<Item>>) {
+        let (first, before) = self.locate(range.start);
+        let (mut last, behind) = self.locate(range.end);
+        let mut items: Vec<Arc<Item>> = Vec::with_capacity(before + new.len() + MAX);
+        if let Some(chunk) = self.list.get(first) {
+            items.extend(chunk.items.iter().take(before).cloned());
+        }
+        items.extend(new);
+        if let Some(chunk) = self.list.get(last) {
+            items.extend(chunk.items.iter().skip(behind).cloned());
+            last += 1;
+        }
+        self.list.splice(first..last, cut(items));
+    }
+
+    /// The chunk of item `index`, and its place in the chunk.
+    fn locate(&self, index: usize) -> (usize, usize) {
+        let mut left = index;
+        for (at, chunk) in self.list.iter().enumerate() {
+            if left < chunk.items.len() {
+                return (at, left);
+            }
+            left -= chunk.items.len();
+        }
+        (self.list.len(), 0)
+    }
+}
+
+fn cut(items: Vec<Arc<Item>>) -> Vec<Chunk> {
+    if items.is_empty() {
+        return Vec::new();
+    }
+    if items.len() <= MAX {
+        return vec![Chunk::new(items)];
+    }
+    items.chunks(TARGET).map(|part| Chunk::new(part.to_vec())).collect()
+}

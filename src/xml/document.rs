@@ -1,0 +1,218 @@
+//! A document: header, items, footer.
+
+use std::sync::Arc;
+
+use super::chunks::Chunks;
+use super::entities::Entities;
+use super::item::Item;
+use super::node::{Node, Siblings};
+use super::parse::{Footer, Header, Parser, RootState, Step};
+use crate::base::{FastMap, TextRange};
+
+/// A parsed file. Clones share their items; an edit re-parses the items it touches.
+#[derive(Clone)]
+pub struct Document {
+    pub(super) header: Arc<Item>,
+    pub(super) items: Chunks,
+    pub(super) footer: Footer,
+    pub(super) context: Arc<Context>,
+}
+
+/// What the header says about the rest.
+pub(super) struct Context {
+    pub(super) root: RootState,
+    pub(super) root_name: Box<str>,
+    pub(super) entities: Arc<Entities>,
+    pub(super) namespaces: FastMap<Box<str>, Box<str>>,
+}
+
+/// Which part of a document an offset lies in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// The prolog and the root's start tag.
+    Header,
+    /// The item with this number.
+    Item(usize),
+    /// Behind the last item.
+    Footer,
+}
+
+/// Where an offset lies.
+#[derive(Clone, Copy, Debug)]
+pub struct Place<'a> {
+    /// Which part.
+    pub part: Part,
+    /// Absolute offset of the part.
+    pub start: u32,
+    /// Its text and tree.
+    pub item: &'a Arc<Item>,
+}
+
+impl Document {
+    /// Parse a whole file. Never fails: what is wrong is in [`errors`](Self::errors).
+    pub fn parse(text: &str) -> Document {
+        let mut parser = Parser::new(text, "", true);
+        let header = parser.header();
+        let mut items = Vec::new();
+        let footer = match header.root {
+            RootState::Open => loop {
+                match parser.step() {
+                    Step::Item(item) => items.push(Arc::new(item)),
+                    Step::Footer(footer) => break footer,
+                }
+            },
+            RootState::Missing | RootState::Empty => parser.bare_footer(),
+        };
+        let (header, context) = Context::split(header);
+        Document { header, items: Chunks::new(items), footer, context: Arc::new(context) }
+    }
+
+    /// Replace the bytes of `range`. A range that does not fit is cut to the text and widened to whole
+    /// characters.
+    pub fn edit(&mut self, range: TextRange, replacement: &str) {
+        let mut text = self.text();
+        let floor = |at: u32| (0..=(at as usize).min(text.len())).rev().find(|&at| text.is_char_boundary(at));
+        let start = floor(range.start).unwrap_or(0);
+        let end =
+            (range.end as usize..text.len()).find(|&at| text.is_char_boundary(at)).unwrap_or(text.len());
+        text.replace_range(start..end.max(start), replacement);
+        *self = Document::parse(&text);
+    }
+
+    /// Length in bytes.
+    #[allow(clippy::len_without_is_empty)] // nobody asks
+    pub fn len(&self) -> u32 {
+        self.header.len() + self.items.bytes() + self.footer.item.len()
+    }
+
+    /// The whole text.
+    pub fn text(&self) -> String {
+        let mut text = String::with_capacity(self.len() as usize);
+        text.extend(self.parts().map(|(_, item)| item.text()));
+        text
+    }
+
+    /// The text of `range`; what lies outside of the document is left away.
+    pub fn slice(&self, range: TextRange) -> String {
+        let mut out = String::new();
+        let place = self.item_at(range.start);
+        let mut start = place.start;
+        for item in self.parts_from(place.part) {
+            if start >= range.end {
+                break;
+            }
+            let from = range.start.saturating_sub(start);
+            let to = (range.end - start).min(item.len());
+            out.push_str(TextRange::new(from, to).slice(item.text()));
+            start += item.len();
+        }
+        out
+    }
+
+    /// The prolog (declaration, comments, instructions, DOCTYPE) and, as last node, the root's start tag.
+    pub fn header(&self) -> &Arc<Item> {
+        &self.header
+    }
+
+    /// Trailing text and comments inside the root, its end tag, and what follows.
+    pub fn footer(&self) -> &Arc<Item> {
+        &self.footer.item
+    }
+
+    /// Absolute offset of the footer.
+    pub fn footer_start(&self) -> u32 {
+        self.header.len() + self.items.bytes()
+    }
+
+    /// The number of items.
+    pub fn item_count(&self) -> usize {
+        self.items.count()
+    }
+
+    /// The item with this number and its absolute offset.
+    pub fn item(&self, index: usize) -> Option<(u32, &Arc<Item>)> {
+        let item = self.items.get(index)?;
+        Some((self.header.len() + self.items.at_index(index).bytes, item))
+    }
+
+    /// The children of the root in order, each an element with the text and comments before it, with their
+    /// absolute offsets.
+    pub fn items(&self) -> impl Iterator<Item = (u32, &Arc<Item>)> {
+        let mut next = self.header.len();
+        self.items.iter_from(0).map(move |item| {
+            let start = next;
+            next += item.len();
+            (start, item)
+        })
+    }
+
+    /// Header, items, footer, with their absolute offsets.
+    pub fn parts(&self) -> impl Iterator<Item = (u32, &Arc<Item>)> {
+        let footer = std::iter::once((self.footer_start(), &self.footer.item));
+        std::iter::once((0, &self.header)).chain(self.items()).chain(footer)
+    }
+
+    pub(super) fn parts_from(&self, part: Part) -> impl Iterator<Item = &Arc<Item>> {
+        let (header, index) = match part {
+            Part::Header => (Some(&self.header), 0),
+            Part::Item(index) => (None, index),
+            Part::Footer => (None, usize::MAX),
+        };
+        header.into_iter().chain(self.items.iter_from(index)).chain(std::iter::once(&self.footer.item))
+    }
+
+    /// The part that holds the byte at `offset`.
+    pub fn item_at(&self, offset: u32) -> Place<'_> {
+        let head = self.header.len();
+        if offset < head || self.context.root == RootState::Missing {
+            return Place { part: Part::Header, start: 0, item: &self.header };
+        }
+        let mark = self.items.at_offset(offset - head);
+        match self.items.get(mark.index) {
+            Some(item) => Place { part: Part::Item(mark.index), start: head + mark.bytes, item },
+            None => Place { part: Part::Footer, start: head + mark.bytes, item: &self.footer.item },
+        }
+    }
+
+    /// The root element, without its children: these are in the items.
+    pub fn root(&self) -> Option<Node<'_>> {
+        self.header.element()
+    }
+
+    /// Whether the root is `<robot/>`.
+    pub fn root_is_closed_empty(&self) -> bool {
+        self.context.root == RootState::Empty
+    }
+
+    /// The root's end tag; absolute.
+    pub fn root_end_tag(&self) -> Option<TextRange> {
+        self.footer.root_end.map(|range| range.shift(self.footer_start()))
+    }
+
+    /// The nodes of the footer that are inside the root.
+    pub fn footer_content(&self) -> Siblings<'_> {
+        Siblings::new(&self.footer.item, 0, self.footer.inner)
+    }
+
+    /// The nodes behind the root's end tag.
+    pub fn epilog(&self) -> Siblings<'_> {
+        Siblings::new(&self.footer.item, self.footer.inner, self.footer.item.nodes.len() as u32)
+    }
+
+    /// The entities the document declares.
+    pub fn entities(&self) -> &Entities {
+        &self.context.entities
+    }
+
+    /// The same, to keep.
+    pub fn shared_entities(&self) -> Arc<Entities> {
+        Arc::clone(&self.context.entities)
+    }
+}
+
+impl Context {
+    fn split(header: Header) -> (Arc<Item>, Context) {
+        let Header { item, root, root_name, entities, namespaces } = header;
+        (item, Context { root, root_name, entities: Arc::new(entities), namespaces })
+    }
+}

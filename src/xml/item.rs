@@ -1,0 +1,128 @@
+//! The unit of parsing: one child of the root with its own text and its own flat tree.
+
+use std::any::Any;
+use std::fmt;
+use std::sync::{Arc, OnceLock};
+
+use super::error::ItemError;
+use super::node::{AttrData, Node, NodeData, NodeId, Siblings};
+
+/// An immutable piece of a document: leading text and comments and one element, or the header, or the
+/// footer. All ranges in it count from its own start.
+pub struct Item {
+    pub(super) text: Box<str>,
+    pub(super) nodes: Box<[NodeData]>,
+    pub(super) attrs: Box<[AttrData]>,
+    pub(super) extra: Option<Box<Extra>>,
+    /// Line ends in `text`.
+    pub(super) lines: u32,
+    caches: [OnceLock<Arc<dyn Any + Send + Sync>>; 2],
+}
+
+/// What few items have.
+#[derive(Default)]
+pub(super) struct Extra {
+    /// In the order expat would meet them.
+    pub(super) errors: Vec<ItemError>,
+    /// Length of the text the parser looked at to shape this item, when that goes beyond its end;
+    /// `u32::MAX`: to the end of the file.
+    pub(super) reach: u32,
+    /// Whether the shape depends on the name of the root.
+    pub(super) needs_root_name: bool,
+}
+
+/// Which of its two caches an item should use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CacheSlot {
+    /// Facts read off the tree.
+    Facts,
+    /// Prepared expansion.
+    Expansion,
+}
+
+impl Item {
+    pub(super) fn new(
+        text: &str,
+        lines: u32,
+        nodes: &[NodeData],
+        attrs: &[AttrData],
+        extra: Option<Extra>,
+    ) -> Self {
+        Self {
+            text: text.into(),
+            nodes: nodes.into(),
+            attrs: attrs.into(),
+            extra: extra.map(Box::new),
+            lines,
+            caches: Default::default(),
+        }
+    }
+
+    /// The source text.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Length of the text in bytes.
+    #[allow(clippy::len_without_is_empty)] // emptiness of an item is no question anybody asks
+    pub fn len(&self) -> u32 {
+        self.text.len() as u32
+    }
+
+    /// The top-level nodes in order.
+    pub fn nodes(&self) -> Siblings<'_> {
+        Siblings::new(self, 0, self.nodes.len() as u32)
+    }
+
+    /// All nodes, parents before children.
+    pub fn all_nodes(&self) -> impl Iterator<Item = Node<'_>> {
+        (0..self.nodes.len() as u32).map(move |id| self.node(NodeId(id)))
+    }
+
+    /// The node with this id. An id of another item gives some node or an empty piece of junk, never a panic.
+    pub fn node(&self, id: NodeId) -> Node<'_> {
+        Node::new(self, id)
+    }
+
+    /// The element of this item: the last top-level node, if that is an element.
+    pub fn element(&self) -> Option<Node<'_>> {
+        self.nodes().filter(|node| node.kind() == super::NodeKind::Element).last()
+    }
+
+    /// Whether the item holds errors of its own (those that depend on the header not counted).
+    pub fn has_errors(&self) -> bool {
+        self.errors().iter().any(|e| e.condition == super::error::Condition::Always)
+    }
+
+    pub(super) fn errors(&self) -> &[ItemError] {
+        self.extra.as_ref().map_or(&[], |extra| &extra.errors)
+    }
+
+    /// Length of the text this item depends on; at least its own.
+    pub(super) fn reach(&self) -> u32 {
+        self.extra.as_ref().map_or(0, |extra| extra.reach).max(self.len())
+    }
+
+    /// The value kept in `slot`; made on first use. A slot holds one type: for another type, `make` is
+    /// called every time.
+    pub fn cached<T: Any + Send + Sync>(&self, slot: CacheSlot, make: impl FnOnce(&Item) -> T) -> Arc<T> {
+        let [facts, expansion] = &self.caches;
+        let slot = match slot {
+            CacheSlot::Facts => facts,
+            CacheSlot::Expansion => expansion,
+        };
+        if let Some(Ok(value)) = slot.get().map(|value| Arc::clone(value).downcast::<T>()) {
+            return value;
+        }
+        let value = Arc::new(make(self));
+        // A concurrent caller may have been first; both values are equal then.
+        let _ = slot.set(value.clone());
+        value
+    }
+}
+
+impl fmt::Debug for Item {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Item({:?})", self.text)
+    }
+}

@@ -1,0 +1,213 @@
+//! The parser: text in, items out. It never fails and never recurses.
+
+mod check;
+mod content;
+mod doctype;
+mod markup;
+mod names;
+mod prolog;
+mod tag;
+
+use super::error::{Condition, ItemError, SyntaxError, SyntaxErrorKind};
+use super::item::{Extra, Item};
+use super::node::{AttrData, NONE, NodeData, NodeKind};
+use crate::base::{TextRange, count_line_ends};
+use names::Scopes;
+
+pub(super) use prolog::{Footer, Header, RootState};
+
+/// Errors kept per item; a hostile or binary file would give one per byte.
+const MAX_ERRORS: usize = 200;
+
+/// What ended a run of content.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stop {
+    /// An element is complete: so is the item.
+    Element,
+    /// The root's end tag stands at the current position.
+    RootEnd,
+    /// The text is used up.
+    End,
+}
+
+/// What [`Parser::step`] found.
+pub(super) enum Step {
+    /// An item; there is more.
+    Item(Item),
+    /// The rest of the file.
+    Footer(Footer),
+}
+
+/// Reads items from a window of text that starts on an item boundary.
+pub(super) struct Parser<'t> {
+    text: &'t str,
+    bytes: &'t [u8],
+    /// Whether the text ends where the file ends.
+    is_final: bool,
+    pos: usize,
+    /// Where the current item starts.
+    base: usize,
+    /// How far the parser had to look to shape the current item.
+    reach: usize,
+    /// The shape of the current item depends on the text ending here.
+    hit_end: bool,
+    needs_root_name: bool,
+    root_name: &'t str,
+    /// No forbidden characters in the text.
+    clean: bool,
+    /// `]]>` occurs in the text.
+    has_cdata_end: bool,
+    nodes: Vec<NodeData>,
+    attrs: Vec<AttrData>,
+    errors: Vec<ItemError>,
+    /// Ids of the open elements.
+    open: Vec<u32>,
+    scopes: Scopes<'t>,
+}
+
+impl<'t> Parser<'t> {
+    pub(super) fn new(text: &'t str, root_name: &'t str, is_final: bool) -> Self {
+        let bytes = text.as_bytes();
+        Self {
+            text,
+            bytes,
+            is_final,
+            pos: 0,
+            base: 0,
+            reach: 0,
+            hit_end: false,
+            needs_root_name: false,
+            root_name,
+            clean: super::chars::first_illegal(text).is_none(),
+            has_cdata_end: memchr::memmem::find(bytes, b"]]>").is_some(),
+            nodes: Vec::new(),
+            attrs: Vec::new(),
+            errors: Vec::new(),
+            open: Vec::new(),
+            scopes: Scopes::default(),
+        }
+    }
+
+    /// The current position in the window.
+    pub(super) fn pos(&self) -> usize {
+        self.pos
+    }
+
+    /// Read the next item. It is worthless when [`starved`](Self::starved) says so.
+    pub(super) fn step(&mut self) -> Step {
+        self.begin_item();
+        let stop = self.content();
+        if stop == Stop::Element || self.nodes.iter().any(|node| node.kind == NodeKind::Element) {
+            return Step::Item(self.finish_item());
+        }
+        Step::Footer(self.footer(stop))
+    }
+
+    /// Whether the last item would need text beyond the window.
+    pub(super) fn starved(&self) -> bool {
+        self.hit_end && !self.is_final
+    }
+
+    fn begin_item(&mut self) {
+        self.base = self.pos;
+        self.reach = self.pos;
+        self.hit_end = false;
+        self.needs_root_name = false;
+        self.nodes.clear();
+        self.attrs.clear();
+        self.errors.clear();
+        self.open.clear();
+        self.scopes.clear();
+    }
+
+    fn finish_item(&mut self) -> Item {
+        let text = self.text.get(self.base..self.pos).unwrap_or("");
+        let reach = if self.hit_end { u32::MAX } else { (self.reach.max(self.pos) - self.base) as u32 };
+        let plain = self.errors.is_empty() && !self.needs_root_name && reach as usize == text.len();
+        let extra = (!plain).then(|| Extra {
+            errors: std::mem::take(&mut self.errors),
+            reach,
+            needs_root_name: self.needs_root_name,
+        });
+        Item::new(text, count_line_ends(text), &self.nodes, &self.attrs, extra)
+    }
+
+    fn peek(&mut self) -> Option<u8> {
+        let byte = self.bytes.get(self.pos).copied();
+        self.hit_end |= byte.is_none();
+        byte
+    }
+
+    fn starts_with(&self, prefix: &[u8]) -> bool {
+        self.bytes.get(self.pos..).is_some_and(|rest| rest.starts_with(prefix))
+    }
+
+    fn skip_space(&mut self) {
+        while self.bytes.get(self.pos).is_some_and(|&b| super::chars::is_space(b)) {
+            self.pos += 1;
+        }
+    }
+
+    fn slice(&self, start: usize, end: usize) -> &'t str {
+        self.text.get(start..end).unwrap_or("")
+    }
+
+    /// An offset in the window as one in the current item.
+    fn rel(&self, at: usize) -> u32 {
+        (at - self.base) as u32
+    }
+
+    fn range(&self, start: usize, end: usize) -> TextRange {
+        TextRange::new(self.rel(start), self.rel(end))
+    }
+
+    /// Add a node that ends at the current position.
+    fn push_node(&mut self, kind: NodeKind, start: usize, flags: u8) -> u32 {
+        let id = self.nodes.len() as u32;
+        let (start, end) = (self.rel(start), self.rel(self.pos));
+        self.nodes.push(NodeData {
+            kind,
+            flags,
+            start,
+            end,
+            parent: self.open.last().copied().unwrap_or(NONE),
+            subtree_end: id + 1,
+            name_len: 0,
+            start_tag_end: 0,
+            end_tag: NONE,
+            attrs: (0, 0),
+        });
+        id
+    }
+
+    fn push_error(&mut self, condition: Condition, error: SyntaxError) {
+        if self.errors.len() < MAX_ERRORS {
+            self.errors.push(ItemError { error, condition });
+        }
+    }
+
+    /// Report `start..end`; expat stops at `at` and says `expat`.
+    fn error(
+        &mut self,
+        kind: SyntaxErrorKind,
+        (start, end): (usize, usize),
+        (expat, at): (&'static str, usize),
+        message: impl Into<String>,
+    ) {
+        let error = SyntaxError {
+            kind,
+            range: self.range(start, end),
+            related: None,
+            message: message.into(),
+            expat,
+            expat_offset: self.rel(at),
+        };
+        self.push_error(Condition::Always, error);
+    }
+
+    /// The end of the character at `at`.
+    fn char_end(&self, at: usize) -> usize {
+        let len = self.text.get(at..).and_then(|rest| rest.chars().next()).map_or(0, char::len_utf8);
+        at + len
+    }
+}

@@ -1,0 +1,100 @@
+//! Qualified names and namespace scopes.
+
+use super::Parser;
+use crate::base::FastMap;
+use crate::xml::chars::{is_space, name_char};
+
+/// A name as it stands in the text.
+pub(super) struct QName {
+    pub(super) end: usize,
+    pub(super) prefixed: bool,
+    /// Where the grammar breaks, if it does.
+    pub(super) bad: Option<usize>,
+}
+
+impl Parser<'_> {
+    /// Read a qualified name at `start`: `name` or `prefix:name`. A name with a mistake goes on to the next
+    /// character that certainly is not part of it.
+    pub(super) fn qname(&self, start: usize) -> QName {
+        let mut end = start;
+        let mut prefixed = false;
+        let mut bad = None;
+        let mut first = true;
+        loop {
+            match name_char(self.text, end, first) {
+                0 if first => bad = Some(end),
+                0 if self.bytes.get(end) == Some(&b':') => {
+                    if prefixed {
+                        bad = Some(end);
+                    } else {
+                        (prefixed, first) = (true, true);
+                        end += 1;
+                        continue;
+                    }
+                }
+                0 => {}
+                n => {
+                    first = false;
+                    end += n;
+                    continue;
+                }
+            }
+            break;
+        }
+        if bad.is_some() {
+            while self.bytes.get(end).is_some_and(|&b| !is_space(b) && !b"/><=\"'&{}$?".contains(&b)) {
+                end = self.char_end(end);
+            }
+        }
+        QName { end, prefixed, bad }
+    }
+}
+
+/// The namespace declarations in force inside an item.
+#[derive(Default)]
+pub(super) struct Scopes<'t> {
+    bindings: Vec<Binding<'t>>,
+    current: FastMap<&'t str, usize>,
+    /// Prefixes used without a declaration inside the item.
+    pub(super) outer: Vec<&'t str>,
+}
+
+struct Binding<'t> {
+    prefix: &'t str,
+    uri: String,
+    /// How many elements were open at the declaration.
+    depth: usize,
+    /// The binding it hides.
+    hidden: Option<usize>,
+}
+
+impl<'t> Scopes<'t> {
+    pub(super) fn clear(&mut self) {
+        self.bindings.clear();
+        self.current.clear();
+        self.outer.clear();
+    }
+
+    pub(super) fn bind(&mut self, prefix: &'t str, uri: String, depth: usize) {
+        let hidden = self.current.insert(prefix, self.bindings.len());
+        self.bindings.push(Binding { prefix, uri, depth, hidden });
+    }
+
+    pub(super) fn lookup(&self, prefix: &str) -> Option<&str> {
+        if self.bindings.is_empty() {
+            return None;
+        }
+        let at = *self.current.get(prefix)?;
+        self.bindings.get(at).map(|binding| binding.uri.as_str())
+    }
+
+    /// Forget the declarations of elements deeper than `depth`.
+    pub(super) fn leave(&mut self, depth: usize) {
+        while let Some(binding) = self.bindings.pop_if(|binding| binding.depth > depth) {
+            match binding.hidden {
+                Some(at) => self.current.insert(binding.prefix, at),
+                None => self.current.remove(binding.prefix),
+            };
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! The header, with everything before the root's content, and the footer.
+
+use std::sync::Arc;
+
+use super::{Parser, Stop};
+use crate::base::{FastMap, TextRange};
+use crate::xml::chars::name_char;
+use crate::xml::entities::{Entities, decode};
+use crate::xml::error::{SyntaxErrorKind as Kind, expat};
+use crate::xml::item::Item;
+use crate::xml::node::{CLOSED, NodeKind};
+
+/// The part of a document behind its last item.
+#[derive(Clone)]
+pub(in crate::xml) struct Footer {
+    pub(in crate::xml) item: Arc<Item>,
+    /// How many of its nodes, top-level or not, are inside the root.
+    pub(in crate::xml) inner: u32,
+    /// The root's end tag, relative to the footer.
+    pub(in crate::xml) root_end: Option<TextRange>,
+}
+
+/// How the header leaves the root element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::xml) enum RootState {
+    /// There is no root: the header is the whole file.
+    Missing,
+    /// The root has content.
+    Open,
+    /// The root is `<robot/>`, or its tag was given up.
+    Empty,
+}
+
+/// The part of a document before the root's content, and what it says about the rest.
+pub(in crate::xml) struct Header {
+    pub(in crate::xml) item: Arc<Item>,
+    pub(in crate::xml) root_name: Box<str>,
+    pub(in crate::xml) root: RootState,
+    pub(in crate::xml) entities: Entities,
+    /// The root's namespace declarations.
+    pub(in crate::xml) namespaces: FastMap<Box<str>, Box<str>>,
+}
+
+impl<'t> Parser<'t> {
+    /// Read everything up to and including the root's start tag.
+    pub(in crate::xml) fn header(&mut self) -> Header {
+        self.begin_item();
+        let mut entities = Entities::default();
+        if self.starts_with("\u{FEFF}".as_bytes()) {
+            self.pos += 3;
+        }
+        self.declaration();
+        let mut root = RootState::Missing;
+        while self.outside(Some(&mut entities)) {
+            if self.at_tag() {
+                let name = self.qname(self.pos + 1);
+                self.root_name = self.slice(self.pos + 1, name.end);
+                self.start_tag();
+                root = if self.open.is_empty() { RootState::Empty } else { RootState::Open };
+                break;
+            }
+        }
+        if root == RootState::Missing {
+            let at = self.pos;
+            let start = self.base + self.text.trim_end().len();
+            let message = "there is no element: a description begins with `<robot name=\"...\">`";
+            self.error(Kind::NoRoot, (start.min(at), at), (expat::NO_ELEMENT, at), message);
+        }
+        let namespaces = self.root_namespaces(&entities);
+        let item = Arc::new(self.finish_item());
+        Header { item, root_name: self.root_name.into(), root, entities, namespaces }
+    }
+
+    fn root_namespaces(&self, entities: &Entities) -> FastMap<Box<str>, Box<str>> {
+        let mut bound = FastMap::default();
+        for attr in self.nodes.last().map_or(&[][..], |root| {
+            self.attrs.get(root.attrs.0 as usize..root.attrs.1 as usize).unwrap_or(&[])
+        }) {
+            let start = self.base + attr.name as usize;
+            let name = self.slice(start, start + attr.name_len as usize);
+            let Some(prefix) = name.strip_prefix("xmlns:") else { continue };
+            let raw = self.slice(self.base + attr.value as usize, self.base + attr.value_end as usize);
+            bound.entry(prefix.into()).or_insert_with(|| decode(raw, entities, true).into());
+        }
+        bound
+    }
+
+    fn at_tag(&self) -> bool {
+        self.bytes.get(self.pos) == Some(&b'<')
+            && (name_char(self.text, self.pos + 1, true) > 0 || self.bytes.get(self.pos + 1) == Some(&b':'))
+    }
+
+    /// Read the XML declaration, if the text begins with one.
+    fn declaration(&mut self) {
+        if !self.starts_with(b"<?xml") || name_char(self.text, self.pos + 5, false) > 0 {
+            return;
+        }
+        self.instruction();
+        if let Some(node) = self.nodes.last_mut().filter(|node| node.flags & CLOSED != 0) {
+            node.kind = NodeKind::Declaration;
+            // Only its place would have been wrong.
+            self.errors.retain(|e| e.error.expat != expat::MISPLACED_DECLARATION);
+        }
+    }
+
+    /// Read one thing outside the root. Gives whether there is more; stops in front of a start tag.
+    fn outside(&mut self, entities: Option<&mut Entities>) -> bool {
+        self.skip_space();
+        if self.peek().is_none() {
+            return false;
+        }
+        if self.at_tag() {
+            return true;
+        }
+        if self.starts_with(b"<!--") {
+            self.comment();
+        } else if self.starts_with(b"<?") {
+            self.instruction();
+        } else if let Some(entities) = entities.filter(|_| self.starts_with(b"<!DOCTYPE")) {
+            self.doctype(entities);
+        } else {
+            self.junk_outside();
+        }
+        true
+    }
+
+    /// Text or markup that has no place outside the root.
+    fn junk_outside(&mut self) {
+        let start = self.pos;
+        let rest = self.bytes.get(start + 1..).unwrap_or(&[]);
+        self.pos = memchr::memchr(b'<', rest).map_or(self.bytes.len(), |n| start + 1 + n);
+        let end = start + self.slice(start, self.pos).trim_end().len();
+        self.push_node(NodeKind::Junk, start, 0);
+        let message = "only comments and instructions may stand outside the root element";
+        self.error(Kind::OutsideRoot, (start, end), (expat::SYNTAX, start), message);
+    }
+
+    /// The current item has no element: it is the footer. Read the rest of the file.
+    pub(super) fn footer(&mut self, stop: Stop) -> Footer {
+        let inner = self.nodes.len() as u32;
+        let mut root_end = None;
+        if stop == Stop::RootEnd {
+            let start = self.pos;
+            let (_, verdict) = self.scan_end_tag();
+            self.report_end_tag(start, verdict);
+            root_end = Some(self.range(start, self.pos));
+            self.epilog();
+        } else {
+            let (at, root) = (self.pos, self.root_name);
+            let message = format!("the root element is never closed: add `</{root}>`");
+            self.error(Kind::UnclosedElement, (at, at), (expat::NO_ELEMENT, at), message);
+        }
+        self.hit_end = true;
+        Footer { item: Arc::new(self.finish_item()), inner, root_end }
+    }
+
+    /// Read what follows a root without content.
+    pub(in crate::xml) fn bare_footer(&mut self) -> Footer {
+        self.begin_item();
+        self.epilog();
+        self.hit_end = true;
+        Footer { item: Arc::new(self.finish_item()), inner: 0, root_end: None }
+    }
+
+    fn epilog(&mut self) {
+        self.root_name = "";
+        while self.outside(None) {
+            if !self.at_tag() {
+                continue;
+            }
+            let start = self.pos;
+            let name = self.qname(start + 1);
+            let message =
+                format!("`<{}>` stands behind the end of the root element", self.slice(start + 1, name.end));
+            self.error(Kind::OutsideRoot, (start, name.end), (expat::JUNK, start), message);
+            if self.start_tag().is_none() {
+                self.content();
+            }
+        }
+    }
+}

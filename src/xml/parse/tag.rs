@@ -1,0 +1,236 @@
+//! Start tags and their attributes.
+#![allow(clippy::indexing_slicing)] // ids and attribute numbers this parser made itself
+
+use super::{Parser, Stop};
+use crate::xml::chars::{is_space, stops_value};
+use crate::xml::entities::{Reference, read_reference};
+use crate::xml::error::{SyntaxErrorKind as Kind, expat};
+use crate::xml::node::{
+    AttrData, HAS_DOLLAR, HAS_EQUALS, NEEDS_DECODING, NO_CONTENT, NodeKind, PREFIXED, QUOTED, SELF_CLOSING,
+};
+
+impl Parser<'_> {
+    /// Read a start tag.
+    pub(super) fn start_tag(&mut self) -> Option<Stop> {
+        let start = self.pos;
+        let name = self.qname(start + 1);
+        self.pos = name.end;
+        let id = self.push_node(NodeKind::Element, start, 0) as usize;
+        let first_attr = self.attrs.len();
+        self.nodes[id].name_len = (name.end - start - 1) as u32;
+        if let Some(at) = name.bad {
+            self.bad_name((start + 1, name.end), at);
+        }
+        let flags = self.tag_rest(start, name.bad.is_some());
+        let node = &mut self.nodes[id];
+        node.flags = flags;
+        node.attrs = (first_attr as u32, self.attrs.len() as u32);
+        node.start_tag_end = (self.pos - self.base) as u32;
+        node.end = node.start_tag_end;
+        let prefix = if name.prefixed && name.bad.is_none() { name.end } else { start };
+        self.check_tag(start, prefix, first_attr);
+        if flags & NO_CONTENT == 0 {
+            self.open.push(id as u32);
+            return None;
+        }
+        self.scopes.leave(self.open.len());
+        self.open.is_empty().then_some(Stop::Element)
+    }
+
+    /// A name whose grammar breaks at `at`.
+    pub(super) fn bad_name(&mut self, range: (usize, usize), at: usize) {
+        if at >= self.bytes.len() {
+            // The end of the text is reported once, for the tag.
+            self.hit_end = true;
+            return;
+        }
+        let name = self.slice(range.0, range.1);
+        let message = if name.ends_with(':') {
+            format!("a name is missing behind `{name}`")
+        } else {
+            format!("`{name}` is not a valid name")
+        };
+        self.error(Kind::BadName, range, (expat::INVALID, at), message);
+    }
+
+    /// Read attributes up to the end of the tag. Gives the flags of the element.
+    fn tag_rest(&mut self, start: usize, mut bad: bool) -> u8 {
+        loop {
+            let gap = self.pos;
+            self.skip_space();
+            let at = self.pos;
+            match self.peek() {
+                Some(b'>') => {
+                    self.pos += 1;
+                    return 0;
+                }
+                Some(b'/') if self.bytes.get(at + 1) == Some(&b'>') => {
+                    self.pos += 2;
+                    return NO_CONTENT | SELF_CLOSING;
+                }
+                None => return self.unclosed_tag(start, gap, (expat::UNCLOSED_TOKEN, start)),
+                Some(b'<') => return self.unclosed_tag(start, gap, (expat::INVALID, at)),
+                Some(b'/') => {
+                    self.pos += 1;
+                    if self.peek().is_some() {
+                        let message = "`/` must stand directly before `>`";
+                        self.error(Kind::BadAttribute, (at, at + 1), (expat::INVALID, at + 1), message);
+                    }
+                    bad = true;
+                }
+                Some(_) => {
+                    if gap == at && !bad {
+                        let message = "a blank is missing between attributes";
+                        let end = self.char_end(at);
+                        self.error(Kind::BadAttribute, (at, end), (expat::INVALID, at), message);
+                    }
+                    bad = !self.attribute();
+                }
+            }
+        }
+    }
+
+    fn unclosed_tag(&mut self, start: usize, gap: usize, verdict: (&'static str, usize)) -> u8 {
+        self.pos = gap;
+        let name = self.qname(start + 1);
+        let message = format!("the tag `<{}` needs a `>` or `/>`", self.slice(start + 1, name.end));
+        self.error(Kind::UnclosedTag, (start, name.end), verdict, message);
+        NO_CONTENT
+    }
+
+    /// Read one attribute, or skip what is none. Gives whether it is sound.
+    fn attribute(&mut self) -> bool {
+        let start = self.pos;
+        let name = self.qname(start);
+        if name.end == start {
+            return self.skip_junk_in_tag();
+        }
+        self.pos = name.end;
+        if let Some(at) = name.bad {
+            self.bad_name((start, name.end), at);
+        }
+        self.skip_space();
+        let flags = if name.prefixed && name.bad.is_none() { PREFIXED } else { 0 };
+        if self.bytes.get(self.pos) != Some(&b'=') {
+            let at = std::mem::replace(&mut self.pos, name.end);
+            if name.bad.is_none() && at < self.bytes.len() {
+                let message =
+                    format!("attribute `{0}` needs a value: `{0}=\"...\"`", self.slice(start, name.end));
+                self.error(Kind::BadAttribute, (start, name.end), (expat::INVALID, at), message);
+            }
+            self.push_attr(start, name.end, (name.end, name.end), flags);
+            return at >= self.bytes.len();
+        }
+        self.pos += 1;
+        let behind_equals = self.pos;
+        self.skip_space();
+        match self.peek() {
+            Some(quote @ (b'"' | b'\'')) => self.quoted_value(start, name.end, quote, flags | HAS_EQUALS),
+            _ => {
+                self.bare_value((start, name.end), behind_equals, flags | HAS_EQUALS);
+                false
+            }
+        }
+    }
+
+    fn skip_junk_in_tag(&mut self) -> bool {
+        let start = self.pos;
+        self.pos = self.char_end(start);
+        while self.bytes.get(self.pos).is_some_and(|&b| !is_space(b) && !b"/><".contains(&b)) {
+            self.pos = self.char_end(self.pos);
+        }
+        let message = format!("`{}` is no attribute", self.slice(start, self.pos));
+        self.error(Kind::BadAttribute, (start, self.pos), (expat::INVALID, start), message);
+        false
+    }
+
+    fn push_attr(&mut self, name: usize, name_end: usize, value: (usize, usize), flags: u8) {
+        let attr = AttrData {
+            name: self.rel(name),
+            name_len: (name_end - name) as u32,
+            value: self.rel(value.0),
+            value_end: self.rel(value.1),
+            end: self.rel(self.pos),
+            flags,
+        };
+        self.attrs.push(attr);
+    }
+
+    /// Read a value in quotes; the position is on the opening one.
+    fn quoted_value(&mut self, name: usize, name_end: usize, quote: u8, mut flags: u8) -> bool {
+        let start = self.pos + 1;
+        let first_error = self.errors.len();
+        self.pos = start;
+        loop {
+            let Some(&b) = self.bytes.get(self.pos) else {
+                self.hit_end = true;
+                break;
+            };
+            if !stops_value(b) {
+                self.pos += 1;
+                continue;
+            }
+            match b {
+                b'$' => flags |= HAS_DOLLAR,
+                b'&' => {
+                    flags |= NEEDS_DECODING;
+                    if let Reference::Bad(stop) = read_reference(self.text, self.pos) {
+                        self.bad_reference(self.pos, stop);
+                    }
+                }
+                b'<' => break,
+                _ if b == quote => break,
+                b'"' | b'\'' => {}
+                _ => flags |= NEEDS_DECODING,
+            }
+            self.pos += 1;
+        }
+        let end = self.pos;
+        self.check_characters(start, end);
+        if let Some(errors) = self.errors.get_mut(first_error..) {
+            errors.sort_by_key(|e| e.error.expat_offset);
+        }
+        let closed = self.bytes.get(end) == Some(&quote);
+        if closed {
+            self.pos += 1;
+            flags |= QUOTED;
+        } else {
+            self.unclosed_value((name, name_end), start, end);
+        }
+        self.push_attr(name, name_end, (start, end), flags);
+        closed
+    }
+
+    fn unclosed_value(&mut self, name: (usize, usize), start: usize, end: usize) {
+        if end >= self.bytes.len() {
+            return;
+        }
+        let message = format!("the value of `{}` needs a closing quote", self.slice(name.0, name.1));
+        self.error(Kind::UnclosedValue, (start - 1, end), (expat::INVALID, end), message);
+    }
+
+    /// A value without quotes, perhaps without anything.
+    fn bare_value(&mut self, name: (usize, usize), behind_equals: usize, flags: u8) {
+        let start = self.pos;
+        while let Some(&b) = self.bytes.get(self.pos) {
+            let ends = is_space(b) || b"<>\"'".contains(&b) || self.starts_with(b"/>");
+            if ends {
+                break;
+            }
+            self.pos += 1;
+        }
+        if start < self.bytes.len() {
+            let message = format!("the value of `{}` must stand in quotes", self.slice(name.0, name.1));
+            self.error(Kind::BadAttribute, (name.0, self.pos), (expat::INVALID, start), message);
+        }
+        if self.pos == start {
+            self.pos = behind_equals;
+            self.push_attr(name.0, name.1, (behind_equals, behind_equals), flags);
+            return;
+        }
+        let raw = self.slice(start, self.pos);
+        let dollar = if raw.contains('$') { HAS_DOLLAR } else { 0 };
+        let coded = if raw.contains('&') { NEEDS_DECODING } else { 0 };
+        self.push_attr(name.0, name.1, (start, self.pos), flags | dollar | coded);
+    }
+}
