@@ -13,12 +13,14 @@ pub struct Text {
     pub origin: Origin,
     /// False when a part of the value could not be computed: no rule may draw a conclusion from it.
     pub known: bool,
+    /// Whether the source holds the value itself, not an expression.
+    pub literal: bool,
 }
 
 impl Text {
     fn of(attr: &XAttr) -> Self {
         let known = attr.pieces.iter().all(|piece| !piece.unknown);
-        Self { value: attr.value.clone(), origin: attr.origin, known }
+        Self { value: attr.value.clone(), origin: attr.origin, known, literal: attr.pieces.is_empty() }
     }
 
     /// An attribute of an element.

@@ -1,0 +1,76 @@
+//! Many expansions, one list of findings.
+
+use super::job::Outcome;
+use crate::base::{FastMap, Span};
+use crate::rules::{Finding, Severity};
+
+/// A finding, and where it occurred.
+struct Merged {
+    finding: Finding,
+    /// Numbers of the outcomes that have it.
+    outcomes: Vec<usize>,
+}
+
+/// All findings; one that several expansions have is kept once, with the places of all of them.
+pub(super) fn merge(outcomes: Vec<Outcome>) -> Vec<Finding> {
+    let mut merged: Vec<Merged> = Vec::new();
+    let mut by_place: FastMap<(&'static str, Span), Vec<usize>> = FastMap::default();
+    let mut runs: Vec<Run> = Vec::new();
+    for (number, outcome) in outcomes.into_iter().enumerate() {
+        runs.push(Run { file: outcome.job.file, preset: outcome.job.preset });
+        let library = !outcome.is_robot;
+        for mut finding in outcome.findings {
+            if library && finding.rule.code == "XAC003" {
+                // whoever includes the library may declare the argument
+                finding.severity = Severity::Info;
+            }
+            let places = by_place.entry((finding.rule.code, finding.span)).or_default();
+            let same = |&&i: &&usize| merged.get(i).is_some_and(|old| old.admits(&finding, number));
+            match places.iter().find(same).and_then(|&i| merged.get_mut(i)) {
+                Some(old) => old.add(finding, number),
+                None => {
+                    places.push(merged.len());
+                    merged.push(Merged { finding, outcomes: vec![number] });
+                }
+            }
+        }
+    }
+    merged.into_iter().map(|merged| merged.finish(&runs)).collect()
+}
+
+/// An expansion: the file and its preset.
+struct Run {
+    file: std::path::PathBuf,
+    preset: Option<String>,
+}
+
+impl Merged {
+    /// Whether a finding at the same place is the same: two expansions may word one defect differently, one
+    /// expansion says different things at one place only when they are different.
+    fn admits(&self, finding: &Finding, number: usize) -> bool {
+        self.finding.message == finding.message || !self.outcomes.contains(&number)
+    }
+
+    fn add(&mut self, finding: Finding, number: usize) {
+        const MOST_RELATED: usize = 12;
+        self.outcomes.push(number);
+        self.finding.severity = self.finding.severity.max(finding.severity);
+        for related in finding.related {
+            if !self.finding.related.contains(&related) && self.finding.related.len() < MOST_RELATED {
+                self.finding.related.push(related);
+            }
+        }
+    }
+
+    /// Say in which presets the finding occurs, when not in all of them.
+    fn finish(mut self, runs: &[Run]) -> Finding {
+        let own = |number: &usize| runs.get(*number);
+        let presets: Vec<&str> = self.outcomes.iter().filter_map(own).filter_map(|run| run.preset.as_deref()).collect();
+        let has = |run: &Run| self.outcomes.iter().filter_map(own).any(|own| own.file == run.file);
+        let possible = runs.iter().filter(|run| has(run)).count();
+        if !presets.is_empty() && self.outcomes.len() < possible {
+            self.finding.message.push_str(&format!(" (with preset `{}`)", presets.join("`, `")));
+        }
+        self.finding
+    }
+}

@@ -1,0 +1,15 @@
+//! Checks of whole workspaces: which files are robots, expanding them, running rules, merging what is found.
+//!
+//! What the command line and the language server share.
+
+mod includes;
+mod job;
+mod merge;
+mod report;
+mod roots;
+mod session;
+mod walk;
+
+pub use report::{Position, Report, Unreadable};
+pub use roots::{Preset, RootSpec};
+pub use session::{CheckOptions, Session};

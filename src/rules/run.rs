@@ -1,0 +1,93 @@
+//! Running rules.
+
+use super::context::{DocumentCx, FileCx, RobotCx, RootKind};
+use super::finding::{Edit, Finding, Fix, Related};
+use super::registry::{Check, Rule, Safety, all, by_code};
+use super::sink::{Sink, limit_calls, span};
+use crate::base::FastSet;
+use crate::expand::{Expansion, FileIdx, Problem, Step};
+use crate::model::{Kinematics, Robot};
+
+/// What expansion reported, and what the rules say about the expanded document.
+pub fn check_expansion(expansion: &Expansion, kind: RootKind, explicit: bool) -> Vec<Finding> {
+    let mut findings: Vec<Finding> =
+        expansion.problems.iter().filter_map(|problem| finding(expansion, problem)).collect();
+    let robot = Robot::of(expansion);
+    let Some(first) = all().next() else { return findings };
+    let mut sink = Sink::new(expansion, first);
+    let document = DocumentCx { expansion, kind, explicit, robot: robot.as_ref() };
+    run(&mut sink, |rule, sink| {
+        if let Check::Document(check) = rule.check {
+            check(&document, sink);
+        }
+    });
+    if let Some(robot) = robot.as_ref().filter(|_| kind == RootKind::Robot) {
+        let kinematics = Kinematics::of(robot);
+        let whole = expansion.whole && robot.names_are_known();
+        let cx = RobotCx { expansion, robot, kinematics: &kinematics, whole };
+        run(&mut sink, |rule, sink| {
+            if let Check::Robot(check) = rule.check {
+                check(&cx, sink);
+            }
+        });
+    }
+    findings.append(&mut sink.finish());
+    findings
+}
+
+/// What the rules say about the source files of an expansion. Of a file that is not well-formed, only that
+/// is said.
+pub fn check_files(expansion: &Expansion) -> Vec<Finding> {
+    let Some(first) = all().next() else { return Vec::new() };
+    let mut sink = Sink::new(expansion, first);
+    let macros = defined_macros(expansion);
+    for (file, used) in (0..).map(FileIdx).zip(&expansion.files) {
+        let cx = FileCx { expansion, file, source: &used.source, macros: &macros };
+        let well_formed = used.source.document.errors().is_empty();
+        run(&mut sink, |rule, sink| match rule.check {
+            Check::File(check) if well_formed || rule.code == "XML016" => check(&cx, sink),
+            _ => {}
+        });
+    }
+    sink.finish()
+}
+
+/// The macros that the files of an expansion define somewhere.
+fn defined_macros(expansion: &Expansion) -> FastSet<String> {
+    let items = expansion.files.iter().flat_map(|file| file.source.document.parts());
+    let macros = items.flat_map(|(_, item)| item.all_nodes()).filter(|node| node.name() == "xacro:macro");
+    macros.filter_map(|node| Some(node.attr("name")?.raw().trim_start_matches("xacro:").to_owned())).collect()
+}
+
+fn run(sink: &mut Sink<'_>, mut apply: impl FnMut(&Rule, &mut Sink<'_>)) {
+    for rule in all() {
+        sink.set_rule(rule);
+        apply(rule, sink);
+    }
+}
+
+/// A problem of the expander as a finding.
+fn finding(expansion: &Expansion, problem: &Problem) -> Option<Finding> {
+    let rule = by_code(problem.code)?;
+    let place = span(expansion, problem.place)?;
+    let related = |step: &Step| {
+        Some(Related { span: span(expansion, step.place)?, message: step.message.clone() })
+    };
+    let fix = problem.replacement.as_ref().map(|content| Fix {
+        safety: rule.fix.unwrap_or(Safety::Unsafe),
+        message: format!("replace by `{content}`"),
+        edits: vec![Edit { span: place, content: content.clone() }],
+    });
+    let mut finding = Finding {
+        rule,
+        severity: rule.severity,
+        message: problem.message.clone(),
+        span: place,
+        related: Vec::new(),
+        help: problem.help.clone(),
+        fix,
+    };
+    let steps = problem.trace.iter().chain(&problem.more_calls);
+    limit_calls(&mut finding, steps.filter_map(related).collect());
+    Some(finding)
+}
