@@ -139,6 +139,7 @@ fn report(expansion: &Expansion, options: &ExpandOptions, env: &Environment, io:
         }
         if let Some(report) = as_report(problem, &files) {
             io.line(&render(&report, io.color));
+            io.line("");
         }
     }
     if errors > 1 {
@@ -154,7 +155,8 @@ fn as_report<'a>(problem: &Problem, files: &'a [ShownFile<'a>]) -> Option<Report
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
     };
-    let title = if problem.reference.is_empty() { &problem.message } else { &problem.reference };
+    // the first line is what people search for; the others repeat what the snippet shows
+    let title = problem.reference.lines().next().unwrap_or(&problem.message);
     let trace = problem.trace.iter().chain(&problem.more_calls);
     Some(Report {
         level,

@@ -1,7 +1,7 @@
 //! The pass over the document: which tag does what.
 
 use std::borrow::Cow;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use ecow::EcoString;
 
@@ -12,7 +12,7 @@ use super::scope::Place;
 use super::tree::{XAttr, XId, XKind};
 use crate::base::TextRange;
 use crate::expr::{Value, display};
-use crate::xml::{Attr, Item, Node, NodeKind};
+use crate::xml::{Attr, Entities, Item, Node, NodeKind};
 
 /// An element of the source as the pass sees it: `xacro:element` and `xacro:call` go on under another name.
 #[derive(Clone, Copy)]
@@ -278,16 +278,21 @@ impl Expander<'_> {
     }
 
     /// The entities declared in the file of a source item.
-    pub fn entities(&self, src: SrcId) -> &crate::xml::Entities {
+    pub fn entities(&self, src: SrcId) -> &Entities {
         let source = self.result.sources.get(src.0 as usize);
         let file = source.and_then(|s| self.result.files.get(s.file.0 as usize));
-        file.map_or(crate::xml::Entities::predefined(), |f| f.source.document.entities())
+        file.map_or_else(|| no_entities(), |f| f.source.document.entities())
     }
 
     /// The item of a source.
     pub fn item(&self, src: SrcId) -> Option<Arc<Item>> {
         self.result.sources.get(src.0 as usize).map(|s| s.item.clone())
     }
+}
+
+fn no_entities() -> &'static Entities {
+    static NONE: OnceLock<Entities> = OnceLock::new();
+    NONE.get_or_init(Entities::default)
 }
 
 /// Line ends inside comments, CDATA sections and the like, as an XML parser reports them.

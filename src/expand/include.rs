@@ -271,12 +271,17 @@ impl Expander<'_> {
         let most = self.request.limits.include_depth;
         let open = self.open_files.iter().rev().find(|f| f.file == Some(file));
         let endless = open.is_some_and(|f| f.conditions == self.conditions && !inclusion.computed);
-        if !endless && (self.open_files.len() as u32) < most {
+        let undecided = open.is_some() && self.unknown_conditions > 0;
+        if !endless && !undecided && (self.open_files.len() as u32) < most {
             return false;
+        }
+        self.result.complete = false;
+        if undecided {
+            // whether to go on cannot be known, so the recursion ends here
+            return true;
         }
         let chain: Vec<&str> = self.open_files.iter().map(|f| f.name.as_str()).collect();
         let name = self.result.files.get(file.0 as usize).map_or("", |f| f.name.as_str());
-        self.result.complete = false;
         if endless {
             let start = self.open_files.iter().position(|f| f.file == Some(file)).unwrap_or(0);
             let chain = chain.get(start..).unwrap_or_default().join("` -> `");

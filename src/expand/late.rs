@@ -54,7 +54,8 @@ impl Expander<'_> {
         let Some(place) = self.result.place(at) else { return };
         let noun = kind.noun();
         let step = Step { place, message: format!("{noun} `{name}` is defined only here") };
-        for problem in early.into_iter().filter_map(|i| self.problems.list.get_mut(i)) {
+        for i in early {
+            let Some(problem) = self.problems.list.get_mut(i) else { continue };
             problem.code = "XAC037";
             problem.message = format!("{noun} `{name}` is used before it is defined");
             problem.help = Some(match kind {

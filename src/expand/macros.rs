@@ -122,10 +122,8 @@ impl Expander<'_> {
     fn bind_attributes(&mut self, tag: Tag<'_>, def: &MacroDef, open: &mut Vec<&Param>, cx: Cx, body: Cx) {
         for attr in tag.attrs() {
             let at = Origin { src: tag.src, range: attr.name_range(), frame: cx.frame };
-            let Some(i) = open.iter().position(|p| p.name == attr.name()) else {
-                self.unknown_param(def, attr.name(), at);
-                continue;
-            };
+            let given = open.iter().position(|p| p.name == attr.name());
+            let Some(i) = given.or_else(|| self.misspelt_param(tag, def, open, attr.name(), at)) else { continue };
             let param = open.remove(i);
             let origin = Origin { range: attr.value_range(), ..at };
             let text = attr.value(self.entities(tag.src)).into_owned();
@@ -251,13 +249,25 @@ impl Expander<'_> {
         }
     }
 
-    fn unknown_param(&mut self, def: &MacroDef, name: &str, at: Origin) {
+    /// Report an attribute that is no parameter. If it looks like one that is not given otherwise, it is
+    /// taken for that one: a typing error is one finding, not two.
+    fn misspelt_param(
+        &mut self,
+        tag: Tag<'_>,
+        def: &MacroDef,
+        open: &[&Param],
+        name: &str,
+        at: Origin,
+    ) -> Option<usize> {
         let message = format!("macro `{}` has no parameter `{name}`", def.name);
         let mut problem = self.problem("XAC006", at, message).says(format!("Invalid parameter \"{name}\""));
-        if let Some(near) = nearest(name, def.params.iter().map(|p| p.name.as_str())) {
-            problem = problem.help(format!("rename it to `{near}`")).replace_with(near);
+        let near = nearest(name, def.params.iter().map(|p| p.name.as_str())).map(str::to_owned);
+        if let Some(near) = &near {
+            problem = problem.help(format!("rename it to `{near}`")).replace_with(near.as_str());
         }
         self.push_with_definition(problem, def);
+        let near = near.filter(|near| tag.attr(near).is_none())?;
+        open.iter().position(|p| p.name == near && !p.is_block())
     }
 
     fn push_with_definition(&mut self, mut problem: super::Problem, def: &MacroDef) {

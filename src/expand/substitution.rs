@@ -73,7 +73,7 @@ impl Expander<'_> {
                 let text = if text.len() > 1 { text.trim_end_matches('/') } else { &text };
                 Ok(normalised(text).into())
             }
-            Subst::Eval { code } => self.eval_substitution(code.slice(here.inner), here),
+            Subst::Eval { code } => self.eval_substitution(code.slice(here.inner)),
             _ => Ok(format!("$({})", here.inner).into()),
         }
     }
@@ -138,7 +138,7 @@ impl Expander<'_> {
     }
 
     /// `$(eval code)`: arguments are its variables.
-    fn eval_substitution(&mut self, code: &str, here: Here<'_>) -> Result<EcoString, Failure> {
+    fn eval_substitution(&mut self, code: &str) -> Result<EcoString, Failure> {
         let parsed = expr::parse(code);
         if let Some(error) = parsed.errors.first() {
             let error = SubstError { class: "SyntaxError", message: error.reference.clone() };

@@ -12,8 +12,7 @@ use super::scope::Place;
 use super::tree::Piece;
 use crate::base::TextRange;
 use crate::expr::ast::ExprKind;
-use crate::expr::template::{self, Code, Template, Token};
-use crate::expr::{self, ErrorKind, EvalError, ExprErrorKind, Parsed, ScopeId, Value, display};
+use crate::expr::{self, Code, ErrorKind, EvalError, ExprErrorKind, Parsed, ScopeId, Template, Token, Value, display};
 use crate::xml;
 
 /// A text of the source, split and parsed once.
@@ -93,7 +92,7 @@ impl Expander<'_> {
         {
             return cached.clone();
         }
-        let cached = Arc::new(CachedText { text: text.into(), template: template::split(text) });
+        let cached = Arc::new(CachedText { text: text.into(), template: expr::split(text) });
         self.texts.entry(key).or_insert_with(|| cached.clone());
         cached
     }

@@ -29,6 +29,7 @@ pub use glob::has_magic;
 pub use output::write_atomically;
 
 use crate::base::{FastMap, FileId};
+use crate::xml::Document;
 use cache::Cache;
 use ids::Ids;
 use read::{Identity, Stamp};
@@ -46,6 +47,26 @@ pub struct TextFile {
     pub hash: u64,
     /// Byte offset in the file and description of the first byte that is not valid in its encoding.
     pub encoding_error: Option<(u32, String)>,
+}
+
+/// An XML file, parsed.
+pub struct SourceFile {
+    /// Its number.
+    pub id: FileId,
+    /// Its absolute path.
+    pub path: Arc<Path>,
+    /// The parsed text.
+    pub document: Document,
+    /// Hash of the decoded text.
+    pub hash: u64,
+    /// Byte offset in the file and description of the first byte that is not valid in its encoding.
+    pub encoding_error: Option<(u32, String)>,
+}
+
+impl std::fmt::Debug for SourceFile {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("SourceFile").field("path", &self.path).field("hash", &self.hash).finish_non_exhaustive()
+    }
 }
 
 /// One name in a folder.
@@ -79,6 +100,7 @@ pub struct Vfs {
     buffers: RwLock<FastMap<FileId, Buffer>>,
     revision: AtomicU64,
     texts: Cache<TextFile>,
+    documents: Cache<SourceFile>,
 }
 
 impl Vfs {
@@ -97,6 +119,7 @@ impl Vfs {
             buffers: RwLock::default(),
             revision: AtomicU64::new(0),
             texts: Cache::default(),
+            documents: Cache::default(),
         }
     }
 
@@ -157,6 +180,23 @@ impl Vfs {
             let hash = read::hash(&decoded.text);
             let decode::Decoded { text, error } = decoded;
             Ok(TextFile { id, path: path.clone(), text, hash, encoding_error: error })
+        })
+    }
+
+    /// An XML file, parsed: from its buffer if open, else from the disk. Not parsed again while the
+    /// file stays as it is.
+    ///
+    /// # Errors
+    /// Whatever keeps the file from being read.
+    pub fn document(&self, path: &Path) -> Result<Arc<SourceFile>, LoadError> {
+        let id = self.file_id(path);
+        let path = self.path(id);
+        let (stamp, source) = self.source(id, &path)?;
+        self.documents.get(id, stamp, || {
+            let decode::Decoded { text, error } = self.decoded(&path, source)?;
+            let hash = read::hash(&text);
+            let document = Document::parse(&text);
+            Ok(SourceFile { id, path: path.clone(), document, hash, encoding_error: error })
         })
     }
 
