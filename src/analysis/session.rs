@@ -78,6 +78,13 @@ impl Session {
         report
     }
 
+    /// The files that [`check`](Self::check) would look at, sorted; what they include comes on top.
+    pub fn files(&self, options: &CheckOptions) -> Vec<PathBuf> {
+        let jobs = self.jobs(options, &mut Report::default());
+        let files: std::collections::BTreeSet<PathBuf> = jobs.into_iter().map(|job| job.file).collect();
+        files.into_iter().collect()
+    }
+
     fn jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<Job> {
         let absolute = |path: &PathBuf| self.vfs.absolute(path);
         let mut jobs: Vec<Job> = Vec::new();

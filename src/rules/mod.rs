@@ -3,6 +3,7 @@
 //! A rule is a file here, a line in the list of its category and a page in `docs/rules/`. Rules that the
 //! expander finds on its way have no file: they are lines of a table and a page.
 
+mod catalogue;
 mod context;
 mod finding;
 mod package;
@@ -15,6 +16,7 @@ mod vocabulary;
 mod xacro;
 mod xml;
 
+pub use catalogue::catalogue;
 pub use context::{DocumentCx, FileCx, RobotCx, RootKind};
 pub use finding::{Edit, Finding, Fix, Related};
 pub use registry::{Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector};

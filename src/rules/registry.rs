@@ -171,6 +171,16 @@ impl Severity {
     }
 }
 
+impl fmt::Display for Activation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Activation::On => f.write_str("on"),
+            Activation::Off => f.write_str("off"),
+            Activation::Profiles(profiles) => f.write_str(&profiles.join(", ")),
+        }
+    }
+}
+
 impl Safety {
     /// Its name.
     pub fn name(self) -> &'static str {

@@ -4,14 +4,20 @@ use super::context::{DocumentCx, FileCx, RobotCx, RootKind};
 use super::finding::{Edit, Finding, Fix, Related};
 use super::registry::{Check, Rule, Safety, all, by_code};
 use super::sink::{Sink, limit_calls, span};
+use super::xacro::is_unprefixed;
 use crate::base::FastSet;
 use crate::expand::{Expansion, FileIdx, Problem, Step};
 use crate::model::{Kinematics, Robot};
 
+/// Problems after which links and joints may be missing from the expansion.
+const LOSES_CONTENT: [&str; 8] =
+    ["XML001", "XML002", "XAC002", "XAC004", "XAC009", "XAC032", "XAC034", "XAC041"];
+
 /// What expansion reported, and what the rules say about the expanded document.
 pub fn check_expansion(expansion: &Expansion, kind: RootKind, explicit: bool) -> Vec<Finding> {
-    let mut findings: Vec<Finding> =
-        expansion.problems.iter().filter_map(|problem| finding(expansion, problem)).collect();
+    let unprefixed = Unprefixed::of(expansion);
+    let problems = expansion.problems.iter().filter(|problem| !unprefixed.explains(expansion, problem));
+    let mut findings: Vec<Finding> = problems.filter_map(|problem| finding(expansion, problem)).collect();
     let robot = Robot::of(expansion);
     let Some(first) = all().next() else { return findings };
     let mut sink = Sink::new(expansion, first);
@@ -23,7 +29,8 @@ pub fn check_expansion(expansion: &Expansion, kind: RootKind, explicit: bool) ->
     });
     if let Some(robot) = robot.as_ref().filter(|_| kind == RootKind::Robot) {
         let kinematics = Kinematics::of(robot);
-        let whole = expansion.whole && robot.names_are_known();
+        let lost = expansion.problems.iter().any(|problem| LOSES_CONTENT.contains(&problem.code));
+        let whole = expansion.whole && !lost && !unprefixed.structure && robot.names_are_known();
         let cx = RobotCx { expansion, robot, kinematics: &kinematics, whole };
         run(&mut sink, |rule, sink| {
             if let Check::Robot(check) = rule.check {
@@ -63,6 +70,40 @@ fn run(sink: &mut Sink<'_>, mut apply: impl FnMut(&Rule, &mut Sink<'_>)) {
     for rule in all() {
         sink.set_rule(rule);
         apply(rule, sink);
+    }
+}
+
+/// What tags without their prefix would have defined: that it is missing has its cause there.
+#[derive(Default)]
+struct Unprefixed {
+    names: FastSet<String>,
+    /// Whole files or macros are missing.
+    structure: bool,
+}
+
+impl Unprefixed {
+    fn of(expansion: &Expansion) -> Self {
+        let mut found = Self::default();
+        for file in &expansion.files {
+            let document = &file.source.document;
+            let nodes = document.parts().skip(1).flat_map(|(_, item)| item.all_nodes());
+            for node in nodes.filter(|&node| is_unprefixed(document, node)) {
+                found.structure |= node.name() != "property" && node.name() != "arg";
+                found.names.extend(node.attr("name").map(|name| name.raw().to_owned()));
+            }
+        }
+        found
+    }
+
+    fn explains(&self, expansion: &Expansion, problem: &Problem) -> bool {
+        if !problem.code.starts_with("XAC") || self.names.is_empty() && !self.structure {
+            return false;
+        }
+        let Some(file) = expansion.files.get(problem.place.file.0 as usize) else { return false };
+        let text = file.source.document.slice(problem.place.range);
+        let name = text.trim_start_matches("<xacro:");
+        let undefined = ["XAC001", "XAC002", "XAC003", "XAC004"].contains(&problem.code);
+        undefined && (self.names.contains(name) || self.structure)
     }
 }
 
