@@ -106,7 +106,8 @@ fn only_vfs_touches_the_disk_and_only_the_server_speaks_the_protocol() {
     for (path, module, code) in sources() {
         let product = code.split("#[cfg(test)]").next().unwrap_or("");
         for (name, allowed) in rules {
-            if product.contains(name) && !allowed.contains(&module.as_str()) && !path.ends_with("testing.rs") {
+            if product.contains(name) && !allowed.contains(&module.as_str()) && !path.ends_with("testing.rs")
+            {
                 wrong.push(format!("{}: `{name}` is not for `{module}`", path.display()));
             }
         }

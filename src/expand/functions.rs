@@ -7,9 +7,10 @@ use ecow::EcoString;
 use super::machine::{Expander, OpenFile};
 use super::record::Read;
 use super::text::CodeSite;
+use super::yaml_value::file_value;
 use crate::base::TextRange;
 use crate::expr::{
-    self, ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display,
+    ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display, literal,
 };
 use crate::vfs::LoadError;
 use crate::yaml;
@@ -36,6 +37,10 @@ impl Host for ExprHost<'_, '_, '_> {
             Some(value) => Lookup::Found(value),
             None => Lookup::Missing,
         }
+    }
+
+    fn current_scope(&self) -> Option<ScopeId> {
+        Some(self.scope)
     }
 
     fn call(
@@ -123,7 +128,7 @@ impl ExprHost<'_, '_, '_> {
         let located = keywords
             .iter()
             .find(|(name, _)| name == "print_location")
-            .map_or(located, |(_, value)| expr::truth(value).unwrap_or(located));
+            .map_or(located, |(_, value)| literal::truth(value).unwrap_or(located));
         self.machine.result.messages.push(format!("{prefix}{text}"));
         if located {
             let location = self.location();
@@ -153,7 +158,7 @@ impl ExprHost<'_, '_, '_> {
         self.machine.open_files.push(OpenFile { name: name.clone(), file: None, conditions: u32::MAX });
         let loaded = yaml::load(&file.text, &name);
         let value = match &loaded {
-            Ok(node) => yaml_value(node, true),
+            Ok(node) => file_value(node, &mut self.machine.budget),
             Err(error) => Err(EvalError::new(ErrorKind::Value, error.message.clone()).at(range)),
         };
         self.machine.open_files.pop();
@@ -206,26 +211,4 @@ fn text_argument(
 fn joined(args: &[Value]) -> Option<String> {
     let texts: Option<Vec<_>> = args.iter().map(display::to_str).collect();
     Some(texts?.join(" "))
-}
-
-/// A YAML node as a value, with xacro's unit tags computed. Only the outermost list or mapping has
-/// dotted access; it hands it on to what is taken out of it.
-fn yaml_value(node: &yaml::Node, top: bool) -> Result<Value, EvalError> {
-    Ok(match &node.kind {
-        yaml::Kind::Null => Value::None,
-        yaml::Kind::Bool(value) => Value::Bool(*value),
-        yaml::Kind::Int(value) => Value::int(value.clone()),
-        yaml::Kind::Float(value) => Value::Float(*value),
-        yaml::Kind::Str(text) => Value::Str(text.as_str().into()),
-        yaml::Kind::List(items) => {
-            let items: Result<Vec<_>, _> = items.iter().map(|n| yaml_value(n, false)).collect();
-            Value::list_from(items?, top)
-        }
-        yaml::Kind::Map(pairs) => {
-            let pairs: Result<Vec<_>, EvalError> =
-                pairs.iter().map(|(k, v)| Ok((yaml_value(k, false)?, yaml_value(v, false)?))).collect();
-            Value::dict_from(pairs?, top)
-        }
-        _ => Value::None,
-    })
 }

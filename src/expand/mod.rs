@@ -24,6 +24,7 @@ mod substitution;
 mod text;
 mod tree;
 mod write;
+mod yaml_value;
 
 pub use machine::{Expansion, FileUse, Limits, Request, World, expand};
 pub use origin::{FileIdx, Frame, FrameId, FrameKind, Origin, Source, SrcId};

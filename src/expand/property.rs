@@ -11,7 +11,7 @@ use super::resolve::{BindingInfo, BindingKind};
 use super::scope::{Binding, Block, Place, Scopes, SrcRef, State};
 use super::tree::XId;
 use crate::base::TextRange;
-use crate::expr::{ScopeId, Value, display, is_identifier, literal};
+use crate::expr::{ScopeId, Value, display, is_global_symbol, is_identifier, literal};
 
 type AttrText<'a> = Option<(Cow<'a, str>, Place)>;
 
@@ -29,7 +29,7 @@ impl Expander<'_> {
         if usize::from(value.is_some()) + usize::from(default.is_some()) + usize::from(remove) > 1 {
             return self.conflicting(tag, &name, cx);
         }
-        let known = self.scopes.holder(cx.scope, &name).is_some() || literal::is_global_symbol(&name);
+        let known = self.scopes.holder(cx.scope, &name).is_some() || is_global_symbol(&name);
         if remove && known {
             return self.remove_property(cx.scope, &name, name_place);
         }
@@ -111,7 +111,7 @@ impl Expander<'_> {
 
     /// Put a binding into a scope.
     pub fn bind(&mut self, scope: ScopeId, key: EcoString, state: State, info: BindingInfo, at: Origin) {
-        if literal::is_global_symbol(&key) {
+        if is_global_symbol(&key) {
             let message = format!("`{key}` hides the built-in symbol of that name");
             self.warn("XAC018", at, message, format!("redefining global symbol: {key}"));
         }
@@ -190,7 +190,7 @@ impl Expander<'_> {
 
     fn remove_property(&mut self, scope: ScopeId, name: &EcoString, place: Place) {
         self.scopes.remove_everywhere(scope, name);
-        if literal::is_global_symbol(name) {
+        if is_global_symbol(name) {
             let message = format!("the built-in symbol `{name}` cannot be removed");
             self.warn("XAC018", place.origin, message, format!("Cannot remove global symbol: {name}"));
         }

@@ -8,7 +8,7 @@ use super::record::Read;
 use super::text::TextSite;
 use crate::base::TextRange;
 use crate::expr::{
-    self, EvalError, Host, HostFn, Lookup, ScopeId, Subst, SubstArg, SubstError, Value, display,
+    self, EvalError, Host, HostFn, Lookup, Module, ScopeId, Subst, SubstArg, SubstError, Value, display, literal,
 };
 
 /// Why a substitution has no value.
@@ -228,7 +228,7 @@ impl Host for ArgHost<'_, '_> {
             "false" => return Lookup::Found(Value::Bool(false)),
             _ => {}
         }
-        if expr::math_symbol(name).is_some() {
+        if expr::module_symbol(Module::Math, name).is_some() {
             return Lookup::Missing;
         }
         match self.machine.args.get(name) {
@@ -238,7 +238,7 @@ impl Host for ArgHost<'_, '_> {
                 Lookup::Found(converted(&value))
             }
             Some((None, _)) => Lookup::Found(Value::Unknown),
-            None => expr::python_builtin(name).map_or(Lookup::Missing, Lookup::Found),
+            None => expr::module_symbol(Module::Python, name).map_or(Lookup::Missing, Lookup::Found),
         }
     }
 
@@ -265,7 +265,7 @@ impl Host for ArgHost<'_, '_> {
 
 /// With a dot a float, else an integer, else a boolean, else text.
 fn converted(text: &str) -> Value {
-    let number = if text.contains('.') { expr::parse_float(text) } else { expr::parse_int(text) };
+    let number = if text.contains('.') { literal::float(text) } else { literal::int(text) };
     number.unwrap_or_else(|| match text.to_lowercase().as_str() {
         "true" => Value::Bool(true),
         "false" => Value::Bool(false),

@@ -60,6 +60,13 @@ pub trait Host {
     /// A symbol was called by its bare name that should be called as `namespace.name`.
     fn deprecated(&mut self, name: &str, namespace: &str, range: TextRange);
 
+    /// The scope names are looked up in now, for functions (`lambda`) that outlive the expression they stand in:
+    /// when one is called from another scope, its free names are looked up here by
+    /// [`scope_attribute`](Host::scope_attribute). Without an answer, the scope of the call serves.
+    fn current_scope(&self) -> Option<ScopeId> {
+        None
+    }
+
     /// A name is not defined. Evaluation goes on with [`Value::Unknown`], so that one expression
     /// can report several.
     fn undefined(&mut self, name: &str, range: TextRange);
@@ -114,6 +121,8 @@ pub enum ErrorKind {
     YamlKey,
     Attribute,
     StopIteration,
+    /// `RuntimeError`, such as a dict that changes while it is iterated.
+    Runtime,
     Recursion,
     /// A name or attribute that starts with `__`.
     ForbiddenName,

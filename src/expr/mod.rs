@@ -1,20 +1,56 @@
 //! The expression language between `${` and `}`: splitter, parser, values, evaluator.
 
+mod args;
 pub mod ast;
+mod attribute;
+mod budget;
+mod builtins;
+mod call;
+pub mod display;
+<<<<<<< HEAD
+#[cfg(test)]
+mod dump;
+=======
+>>>>>>> expr-eval
 mod escape;
+mod eval;
+mod float_repr;
+mod format;
+mod generator;
 mod host;
+mod interp;
+mod iter;
 mod lexer;
+pub mod literal;
+mod methods;
 mod number;
+mod numeric;
+mod ops;
 mod parser;
 mod report;
+mod stop;
 mod substitution;
 mod syntax;
 mod template;
+<<<<<<< HEAD
+mod token;
+=======
+>>>>>>> expr-eval
 mod value;
 pub mod visit;
 
+pub use budget::Budget;
+pub use builtins::{GlobalSymbol, SymbolKind, global_symbol, global_symbols, is_global_symbol, module_symbol};
 pub use host::{ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId};
+pub use interp::evaluate;
+pub use methods::method_names;
 pub use substitution::{Subst, SubstArg, SubstError, parse_substitution, resolve};
 pub use syntax::{ExprError, ExprErrorKind, NameUse, Parsed, is_identifier, is_python_space, names, parse};
 pub use template::{Code, Template, Token, split};
-pub use value::{Value,Budget,evaluate,display,literal,truth,global_symbol,math_symbol,python_builtin,parse_int,parse_float};
+pub use value::{DateValue, Dict, List, Module, Range, Set, Slice, Str, Tuple, Type, Value, View, ViewKind};
+<<<<<<< HEAD
+=======
+
+#[cfg(test)]
+mod eval_tests;
+>>>>>>> expr-eval

@@ -22,7 +22,7 @@ pub(super) fn scan(bytes: &[u8]) -> Scanned {
     match cursor.literal() {
         Ok(()) => Scanned { len: cursor.pos, error: None },
         Err(error) => {
-            let glued = |b: &u8| b.is_ascii_alphanumeric() || *b == b'_' || *b >= 0x80;
+            let glued = |b: &u8| b.is_ascii_alphanumeric() || *b == b'_';
             cursor.pos += bytes.iter().skip(cursor.pos).take_while(|b| glued(b)).count();
             Scanned { len: cursor.pos, error: Some(error) }
         }
@@ -142,17 +142,20 @@ impl Cursor<'_> {
         }
     }
 
-    /// A number may touch a word only if that is (the start of) an operator keyword.
+    /// A number may touch a word only if that is (the start of) an operator keyword; CPython wants some
+    /// of these as whole words.
     fn ends(&self, name: &str) -> Result<(), String> {
         let rest = self.bytes.get(self.pos..).unwrap_or(&[]);
-        let keywords: [&[u8]; 7] = [b"and", b"else", b"for", b"if", b"in", b"is", b"or"];
-        if keywords.iter().any(|k| rest.starts_with(k)) || rest.starts_with(b"not") {
+        let in_word = |b: &u8| b.is_ascii_alphanumeric() || *b == b'_' || *b >= 0x80;
+        let whole: [&[u8]; 5] = [b"and", b"else", b"for", b"or", b"not"];
+        let starts: [&[u8]; 3] = [b"if", b"in", b"is"];
+        if starts.iter().any(|k| rest.starts_with(k))
+            || whole.iter().any(|k| rest.starts_with(k) && !rest.get(k.len()).is_some_and(in_word))
+        {
             return Ok(());
         }
         match rest.first() {
-            Some(b) if b.is_ascii_alphanumeric() || *b == b'_' || *b >= 0x80 => {
-                Err(format!("invalid {name} literal"))
-            }
+            Some(b) if b.is_ascii_alphanumeric() || *b == b'_' => Err(format!("invalid {name} literal")),
             _ => Ok(()),
         }
     }

@@ -7,18 +7,22 @@ mod atoms;
 mod braces;
 mod calls;
 mod comprehensions;
+mod cursor;
 mod fstrings;
 mod items;
 mod lambdas;
+mod recovery;
 mod strings;
 mod targets;
 #[cfg(test)]
 mod tests;
+mod walrus;
 
 use super::ast::{BinOp, CmpOp, Expr, ExprKind, UnaryOp};
-use super::lexer::{Source, Tok, Token, lex};
+use super::lexer::{Source, lex};
 use super::report::{Report, Stage};
 use super::syntax::{ExprErrorKind, Parsed, forbidden_names, is_python_space};
+use super::token::{Tok, Token};
 use crate::base::TextRange;
 
 /// How deep the tree, and the recursion that builds it, may become. Evaluators recurse over it too.
@@ -47,7 +51,11 @@ pub(super) fn parse(text: &str) -> Parsed {
     let tokens = lex(&source, &mut report);
     let mut parser = Parser::new(text, tokens, report, start as u32);
     let expr = parser.whole();
+    let walrus = parser.walrus;
     let mut report = parser.report;
+    if walrus {
+        walrus::check(&expr, &mut report);
+    }
     report_forbidden(&expr, text, &mut report);
     Parsed { expr, errors: report.finish() }
 }
@@ -79,152 +87,14 @@ struct Parser<'t> {
     too_deep: bool,
     /// Index of the first token of the last operand that stood where a whole expression may.
     operand_start: Option<usize>,
+    /// Brackets around the current token, as far as they hold items.
+    level: u32,
+    /// Where the last [`Parser::items`] ended, before the closing bracket.
+    items_end: u32,
     /// Whether a `:=` was seen, so that its special rules need checking.
     walrus: bool,
 }
 
-const END: Token = Token { kind: Tok::End, range: TextRange { start: 0, end: 0 } };
-
-// Cursor
-impl<'t> Parser<'t> {
-    fn new(text: &'t str, tokens: Vec<Token>, report: Report<'t>, start: u32) -> Self {
-        Self {
-            text,
-            tokens,
-            pos: 0,
-            prev_end: start,
-            report,
-            depth: 0,
-            height: 0,
-            too_deep: false,
-            operand_start: None,
-            walrus: false,
-        }
-    }
-
-    fn token_at(&self, index: usize) -> Token {
-        self.tokens.get(index).or(self.tokens.last()).copied().unwrap_or(END)
-    }
-
-    fn token(&self) -> Token {
-        self.token_at(self.pos)
-    }
-
-    fn kind(&self) -> Tok {
-        self.token().kind
-    }
-
-    fn next_kind(&self) -> Tok {
-        self.token_at(self.pos + 1).kind
-    }
-
-    fn at(&self, kind: Tok) -> bool {
-        self.kind() == kind
-    }
-
-    /// Whether the innermost bracket, or the text, ends here.
-    fn at_close(&self) -> bool {
-        let kind = self.kind();
-        kind.is_close() || kind == Tok::End
-    }
-
-    fn bump(&mut self) -> Token {
-        let token = self.token();
-        if token.kind != Tok::End {
-            self.pos += 1;
-            self.prev_end = token.range.end;
-        }
-        token
-    }
-
-    fn eat(&mut self, kind: Tok) -> bool {
-        let found = self.at(kind);
-        if found {
-            self.bump();
-        }
-        found
-    }
-
-    fn start(&self) -> u32 {
-        self.token().range.start
-    }
-
-    fn range_from(&self, start: u32) -> TextRange {
-        TextRange::new(start, self.prev_end)
-    }
-
-    /// The blank space before the next token: where a cursor stands that is about to fill a hole.
-    fn gap(&self) -> TextRange {
-        TextRange::new(self.prev_end, self.start())
-    }
-
-    fn missing(&self) -> Expr {
-        Expr { kind: ExprKind::Missing, range: self.gap() }
-    }
-
-    /// Skip one token, or a bracket with all it holds.
-    fn skip(&mut self) {
-        let mut open = 0usize;
-        loop {
-            match self.bump().kind {
-                Tok::Open(_) => open += 1,
-                Tok::Close(_) => open = open.saturating_sub(1),
-                Tok::End => return,
-                _ => {}
-            }
-            if open == 0 {
-                return;
-            }
-        }
-    }
-
-    /// Whether the text ended inside a bracket and the parser has got there.
-    fn at_unclosed_end(&self) -> bool {
-        let token = self.token();
-        self.report.unclosed.is_some()
-            && self.tokens.last().is_some_and(|end| token.range.start == end.range.start)
-    }
-}
-
-// Errors
-impl Parser<'_> {
-    /// A grammar error at `range`; an open bracket takes precedence as it does in CPython.
-    fn error(&mut self, range: TextRange, message: impl Into<String>, reference: &str) {
-        if self.too_deep || self.report.is_full() {
-            return;
-        }
-        let line = self.report.line(self.start());
-        if let Some((unclosed, open_line)) = self.report.never_closed()
-            && (self.at_unclosed_end() || line > open_line)
-        {
-            self.report.add_at_line(Stage::Grammar, range, message, &unclosed, open_line);
-            return;
-        }
-        self.report.add_at_line(Stage::Grammar, range, message, reference, line);
-    }
-
-    /// The next token is wrong.
-    fn unexpected(&mut self, message: impl Into<String>) {
-        let token = self.token();
-        let range = if token.range.is_empty() { self.gap() } else { token.range };
-        let reference = if token.kind == Tok::Indent { "unexpected indent" } else { "invalid syntax" };
-        self.error(range, message, reference);
-    }
-
-    /// An operand is missing before the next token.
-    fn hole(&mut self, what: &str) -> Expr {
-        let found = self.token();
-        let message = if found.range.is_empty() || found.kind.is_close() {
-            format!("{what} is missing here")
-        } else {
-            format!("{what} is missing before `{}`", found.range.slice(self.text))
-        };
-        self.unexpected(message);
-        self.missing()
-    }
-}
-
-// Expressions
 impl Parser<'_> {
     /// Everything up to the end of the text.
     fn whole(&mut self) -> Expr {
@@ -237,8 +107,9 @@ impl Parser<'_> {
         }
         let first = self.expression();
         let expr = if self.at(Tok::Comma) { self.bare_tuple(start, first) } else { first };
+        let same_line = !self.at(Tok::Newline);
         while self.eat(Tok::Newline) {}
-        if self.at(Tok::End) { expr } else { self.leftovers(start, expr) }
+        if self.at(Tok::End) { expr } else { self.leftovers(start, expr, same_line) }
     }
 
     fn bare_tuple(&mut self, start: u32, first: Expr) -> Expr {
@@ -250,39 +121,6 @@ impl Parser<'_> {
             items.push(self.expression());
         }
         Expr { kind: ExprKind::Tuple(items), range: self.range_from(start) }
-    }
-
-    /// Text behind a complete expression: keep its pieces as a tuple, for completion and hovering.
-    fn leftovers(&mut self, start: u32, first: Expr) -> Expr {
-        if let Some(name) = self.old_print(&first) {
-            self.error(first.range, format!("`{name}` needs parentheses"), &print_reference(name));
-        } else {
-            let found = self.token().range.slice(self.text).trim().to_owned();
-            let message = match self.kind() {
-                Tok::Equal => "`=` assigns, which is not possible here; compare with `==`".to_owned(),
-                Tok::Indent => "this line cannot continue the expression".to_owned(),
-                _ => format!("`{found}` cannot follow a complete expression"),
-            };
-            self.unexpected(message);
-        }
-        let mut items = vec![first];
-        while !self.at(Tok::End) {
-            let before = self.pos;
-            if self.kind().starts_operand() || matches!(self.kind(), Tok::Open(_)) {
-                items.push(self.expression());
-            }
-            if self.pos == before {
-                self.skip();
-            }
-        }
-        Expr { kind: ExprKind::Tuple(items), range: self.range_from(start) }
-    }
-
-    /// The name, if `expr` is a `print` that misses its parentheses.
-    fn old_print(&self, expr: &Expr) -> Option<&'static str> {
-        let ExprKind::Name(name) = &expr.kind else { return None };
-        let name = ["print", "exec"].into_iter().find(|n| name == n)?;
-        (self.kind().starts_operand() || self.at(Tok::Star)).then_some(name)
     }
 
     /// Run `f` one level deeper, or give up with a hole when that is too deep.
@@ -332,17 +170,21 @@ impl Parser<'_> {
 
     fn conditional(&mut self, start: u32, body: Expr) -> Expr {
         self.bump();
+        let mark = self.report.len();
         let test = self.operand(power::OR);
+        let hole = matches!(test.kind, ExprKind::Missing);
+        let half = recovery::starts_well(&test) && recovery::ends_with_hole(&test);
+        let no_else = "expected 'else' after 'if' expression";
+        if let Some(index) = self.report.plain_since(mark).filter(|_| half) {
+            // CPython takes the part of the test that makes sense, and finds no `else` behind that.
+            self.reword(index, start, no_else);
+        }
         let orelse = if self.eat(Tok::Else) {
             self.expression()
         } else {
-            if !matches!(test.kind, ExprKind::Missing) {
-                let reference = if self.at(Tok::Colon) {
-                    "invalid syntax"
-                } else {
-                    "expected 'else' after 'if' expression"
-                };
-                self.error(self.gap(), "`else` and a value are missing here", reference);
+            if !hole {
+                let reference = if self.at(Tok::Colon) { "invalid syntax" } else { no_else };
+                self.error_from(start, self.gap(), "`else` and a value are missing here", reference);
             }
             self.missing()
         };
@@ -456,10 +298,6 @@ impl Parser<'_> {
         let value = self.operand(if op == UnaryOp::Not { power::NOT } else { power::UNARY });
         self.node(start, value, |value| ExprKind::Unary(op, value))
     }
-}
-
-fn print_reference(name: &str) -> String {
-    format!("Missing parentheses in call to '{name}'. Did you mean {name}(...)?")
 }
 
 fn binary_operator(kind: Tok) -> Option<(BinOp, u8)> {

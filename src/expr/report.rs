@@ -111,6 +111,26 @@ impl<'t> Report<'t> {
         self.unclosed.map(|u| (format!("'{}' was never closed", u.open), self.line(u.at)))
     }
 
+    /// How many errors there are.
+    pub(super) fn len(&self) -> usize {
+        self.errors.len()
+    }
+
+    /// The first of the errors from `mark` on for which CPython has no better text than "invalid syntax".
+    pub(super) fn plain_since(&self, mark: usize) -> Option<usize> {
+        let plain = |(stage, error): &(Stage, ExprError)| {
+            *stage == Stage::Grammar && error.reference.starts_with("invalid syntax (")
+        };
+        self.errors.iter().skip(mark).position(plain).map(|i| mark + i)
+    }
+
+    /// Change what CPython says to an error that was reported before.
+    pub(super) fn reword(&mut self, index: usize, reference: &str, line: usize) {
+        if let Some((_, error)) = self.errors.get_mut(index) {
+            error.reference = format!("{reference} (<expression>, line {line})");
+        }
+    }
+
     /// Whether further errors would be dropped.
     pub(super) fn is_full(&self) -> bool {
         self.errors.len() >= MAX_ERRORS
@@ -119,7 +139,9 @@ impl<'t> Report<'t> {
     /// Take over the errors of a replacement field, worded as CPython does for these.
     pub(super) fn absorb(&mut self, inner: Report<'_>, prefix: &str) {
         for (stage, mut error) in inner.errors {
-            error.reference.insert_str(0, prefix);
+            if stage == Stage::Grammar {
+                error.reference.insert_str(0, prefix);
+            }
             self.errors.push((stage.max(Stage::Grammar), error));
         }
     }

@@ -53,7 +53,7 @@ pub fn is_python_space(c: char) -> bool {
 /// Whether `name` is a Python identifier and not a keyword: what a property may be called.
 pub fn is_identifier(name: &str) -> bool {
     let mut chars = name.chars();
-    chars.next().is_some_and(is_name_start) && chars.all(is_name_continue) && !super::lexer::is_keyword(name)
+    chars.next().is_some_and(is_name_start) && chars.all(is_name_continue) && !super::token::is_keyword(name)
 }
 
 /// Whether an identifier may start with `c`.

@@ -1,11 +1,11 @@
 //! Names, literals, displays and what may be appended to them.
 
-use super::{Parser, power};
+use super::Parser;
 use crate::base::TextRange;
 use crate::expr::ast::{Const, Expr, ExprKind};
-use crate::expr::lexer::{Bracket, Tok};
 use crate::expr::number;
 use crate::expr::report::Stage;
+use crate::expr::token::{Bracket, Tok};
 
 impl Parser<'_> {
     /// An atom with its calls, indices and attributes.
@@ -42,7 +42,7 @@ impl Parser<'_> {
                 self.unexpected("`lambda` needs parentheses here");
                 return self.nested(Self::lambda);
             }
-            Tok::Await | Tok::Yield => return self.coroutine(),
+            Tok::Await => return self.awaited(),
             _ => return self.no_atom(),
         };
         self.bump();
@@ -70,7 +70,7 @@ impl Parser<'_> {
     /// Something else stands where an operand should.
     fn no_atom(&mut self) -> Expr {
         match self.kind() {
-            Tok::Keyword | Tok::Async | Tok::Other => {
+            Tok::Keyword | Tok::Async | Tok::Yield | Tok::Other => {
                 let found = self.token().range.slice(self.text).to_owned();
                 let hole = self.token().range;
                 self.unexpected(format!("`{found}` is not possible in an expression"));
@@ -81,17 +81,25 @@ impl Parser<'_> {
         }
     }
 
-    /// `yield` and `await` belong to functions; an expression is none.
-    fn coroutine(&mut self) -> Expr {
-        let start = self.start();
-        let word = self.bump();
-        let name = word.range.slice(self.text).to_owned();
-        let reference = format!("'{name}' outside function");
-        self.report.not_supported(Stage::Tree, word.range, &format!("`{name}` is not supported"), &reference);
-        if word.kind == Tok::Yield && self.at_close() {
-            return Expr { kind: ExprKind::Missing, range: word.range };
+    /// `await value`: only possible in functions, and an expression is none.
+    fn awaited(&mut self) -> Expr {
+        let word = self.bump().range;
+        let value = self.nested(Self::primary);
+        let message = "`await` is not supported";
+        self.report.not_supported(Stage::Tree, word, message, "'await' outside function");
+        self.node(word.start, value, |value| value.kind)
+    }
+
+    /// `(yield values)`, from behind the parenthesis on.
+    pub(super) fn yielded(&mut self, start: u32) -> Expr {
+        let word = self.bump().range;
+        let message = "`yield` is not supported";
+        self.report.not_supported(Stage::Tree, word, message, "'yield' outside function");
+        if self.token().range.slice(self.text) == "from" {
+            self.bump();
         }
-        let value = self.operand(power::OR);
-        self.node(start, value, |value| value.kind)
+        let mut values = Vec::new();
+        self.items(|p| values.push(p.starred_or_named()));
+        Expr { kind: ExprKind::Tuple(values), range: self.range_from(start) }
     }
 }

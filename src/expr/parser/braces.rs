@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{Parser, power};
 use crate::expr::ast::{CompFor, CompKind, Comprehension, Expr, ExprKind};
-use crate::expr::lexer::{Bracket, Tok};
+use crate::expr::token::{Bracket, Tok};
 
 /// What was read between braces so far; there are either pairs or items.
 #[derive(Default)]
@@ -69,6 +69,10 @@ impl Parser<'_> {
                 _ => self.unexpected("only one pair may stand before `for`"),
             }
             braces.clauses = Some(self.clauses());
+            self.operand_start = None;
+            if self.at(Tok::Comma) {
+                self.unexpected("a comprehension cannot have neighbours without parentheses");
+            }
         }
     }
 
@@ -84,10 +88,8 @@ impl Parser<'_> {
     /// The value that belongs to `key`, from the colon on.
     fn pair(&mut self, key: Expr, braces: &mut Braces) {
         let value = if !self.at(Tok::Colon) {
-            if !self.kind().starts_operand() {
-                let reference = "':' expected after dictionary key";
-                self.error(self.gap(), "`:` and a value are missing here", reference);
-            }
+            let reference = "':' expected after dictionary key";
+            self.error(self.gap(), "`:` and a value are missing here", reference);
             self.missing()
         } else {
             self.bump();

@@ -3,8 +3,8 @@
 use super::Parser;
 use crate::base::{FastSet, TextRange};
 use crate::expr::ast::{Expr, ExprKind, Keyword};
-use crate::expr::lexer::{Bracket, Tok};
 use crate::expr::report::Stage;
+use crate::expr::token::{Bracket, Tok};
 
 /// The arguments of a call, while they are read.
 #[derive(Default)]
@@ -13,6 +13,10 @@ struct Arguments {
     keywords: Vec<Keyword>,
     /// Whether there was a `**mapping`.
     unpacking: bool,
+    /// How many errors there were before.
+    mark: usize,
+    /// The first argument that stands too far behind, and CPython's text for that.
+    misplaced: Option<(TextRange, &'static str)>,
     /// A generator without parentheses of its own; it must be the only argument.
     generator: Option<TextRange>,
 }
@@ -45,8 +49,9 @@ impl Parser<'_> {
     pub(super) fn subscript(&mut self, start: u32, value: Expr) -> Expr {
         let open_end = self.bump().range.end;
         if self.kind().is_close() {
-            let index = self.hole("an index");
+            let index = self.missing();
             self.bump();
+            self.error_from(start, index.range, "an index is missing here", self.no_index(0));
             return self.indexed(start, value, index);
         }
         let mut items = Vec::new();
@@ -57,13 +62,19 @@ impl Parser<'_> {
         let index = match items.pop() {
             Some(only) if !comma && items.is_empty() && !matches!(only.kind, ExprKind::Starred(_)) => only,
             last => {
-                let end = last.as_ref().map_or(open_end, |last| last.range.end);
+                let end = self.items_end;
                 items.extend(last);
                 let from = items.first().map_or(open_end, |first| first.range.start);
                 Expr { kind: ExprKind::Tuple(items), range: TextRange::new(from, end) }
             }
         };
         self.indexed(start, value, index)
+    }
+
+    /// CPython's text for brackets that are no index: within others it takes them for a list.
+    /// `own` is 1 while the level counts these brackets themselves.
+    fn no_index(&self, own: u32) -> &'static str {
+        if self.level > own { "invalid syntax. Perhaps you forgot a comma?" } else { "invalid syntax" }
     }
 
     fn indexed(&self, start: u32, value: Expr, index: Expr) -> Expr {
@@ -87,9 +98,27 @@ impl Parser<'_> {
         if self.at(Tok::Comma) {
             return self.hole("an index");
         }
+        let item = self.slice_or_index(start);
+        if !matches!(self.kind(), Tok::For | Tok::Async) {
+            return item;
+        }
+        let (at, error) = (self.token().range, self.report.len());
+        let message = "a comprehension needs brackets of its own";
+        self.error_from(at.start, at, message, self.no_index(1));
+        let clauses = self.clauses();
+        self.operand_start = None;
+        self.reword_unclosed(error);
+        self.comprehension_of(start, Bracket::Round, vec![item], clauses)
+    }
+
+    fn slice_or_index(&mut self, start: u32) -> Expr {
         let lower = if self.at(Tok::Colon) { None } else { Some(self.starred_or_named()) };
         if !self.at(Tok::Colon) {
             return lower.unwrap_or_else(|| self.missing());
+        }
+        if matches!(lower.as_ref().map(|l| &l.kind), Some(ExprKind::NamedExpr { .. } | ExprKind::Starred(_)))
+        {
+            self.unexpected("`:=` and `*` are not possible in front of `:`");
         }
         self.bump();
         let upper = self.bound();
@@ -109,15 +138,20 @@ impl Parser<'_> {
 
     /// `(arguments)`
     pub(super) fn call(&mut self, start: u32, func: Expr) -> Expr {
-        self.bump();
-        let mut found = Arguments::default();
+        let open = self.bump().range.start;
+        let mut found = Arguments { mark: self.report.len(), ..Arguments::default() };
         let comma = self.nested_items(|p| p.argument(&mut found));
-        if let Some(range) = found.generator
-            && (comma || found.args.len() + found.keywords.len() > 1)
-        {
-            let reference = "Generator expression must be parenthesized";
-            self.error(range, "a generator needs parentheses beside other arguments", reference);
+        let alone = !comma && found.args.len() + found.keywords.len() == 1;
+        match (found.generator, found.args.as_mut_slice()) {
+            // CPython counts the parentheses of the call to the generator.
+            (Some(_), [generator]) if alone => generator.range = TextRange::new(open, self.prev_end),
+            (Some(range), _) => {
+                let reference = "Generator expression must be parenthesized";
+                self.error(range, "a generator needs parentheses beside other arguments", reference);
+            }
+            (None, _) => {}
         }
+        self.check_order(&found);
         self.check_repeated(&found.keywords);
         let kind = ExprKind::Call { func: Box::new(func), args: found.args, keywords: found.keywords };
         Expr { kind, range: self.range_from(start) }
@@ -185,6 +219,7 @@ impl Parser<'_> {
         if matches!(self.kind(), Tok::For | Tok::Async) {
             let clauses = self.clauses();
             let expr = self.comprehension_of(start, Bracket::Round, vec![expr], clauses);
+            self.operand_start = None;
             found.generator = Some(expr.range);
             found.args.push(expr);
             return;
@@ -205,21 +240,33 @@ impl Parser<'_> {
                 found.args.push(expr);
             }
             _ => {
-                self.check_order(&expr, found);
+                self.note_order(&expr, found);
                 found.args.push(expr);
             }
         }
     }
 
-    fn check_order(&mut self, expr: &Expr, found: &Arguments) {
-        if found.keywords.is_empty() || matches!(expr.kind, ExprKind::Missing) {
+    /// `positional` behind a keyword is reported at the end of the call, as CPython does.
+    fn note_order(&self, expr: &Expr, found: &mut Arguments) {
+        let broken = matches!(expr.kind, ExprKind::Missing) || self.report.len() > found.mark;
+        if found.keywords.is_empty() || found.misplaced.is_some() || broken {
             return;
         }
-        let reference = match found.unpacking {
-            true => "positional argument follows keyword argument unpacking",
-            false => "positional argument follows keyword argument",
-        };
-        self.error(expr.range, "arguments without a name must stand before those with one", reference);
+        found.misplaced = Some((
+            expr.range,
+            match found.unpacking {
+                true => "positional argument follows keyword argument unpacking",
+                false => "positional argument follows keyword argument",
+            },
+        ));
+    }
+
+    fn check_order(&mut self, found: &Arguments) {
+        let Some((range, reference)) = found.misplaced else { return };
+        match self.report.plain_since(found.mark) {
+            Some(index) => self.reword(index, range.start, reference),
+            None => self.error(range, "arguments without a name must stand before those with one", reference),
+        }
     }
 
     fn check_repeated(&mut self, keywords: &[Keyword]) {

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use super::{Parser, power};
 use crate::base::TextRange;
 use crate::expr::ast::{CompFor, CompKind, Comprehension, Expr, ExprKind};
-use crate::expr::lexer::{Bracket, Tok};
 use crate::expr::report::Stage;
+use crate::expr::token::{Bracket, Tok};
 
 impl Parser<'_> {
     /// All `for` clauses that follow.
@@ -34,8 +34,23 @@ impl Parser<'_> {
 
     fn clause(&mut self) -> CompFor {
         let target = self.target_list();
-        self.check_target(&target);
-        let iter = if self.eat(Tok::In) { self.operand(power::OR) } else { self.hole("`in`") };
+        let iter = if self.at(Tok::In) {
+            self.check_target(&target);
+            self.bump();
+            self.operand(power::OR)
+        } else if self.suggests_comma() && !matches!(target.kind, ExprKind::Missing) {
+            let reference = "invalid syntax. Perhaps you forgot a comma?";
+            let error = self.report.len();
+            self.error_from(target.range.start, self.gap(), "`in` is missing here", reference);
+            let iter = self.operand(power::OR);
+            self.reword_unclosed(error);
+            iter
+        } else if self.is_invalid_target(&target) {
+            self.check_target(&target);
+            self.missing()
+        } else {
+            self.hole("`in`")
+        };
         let mut conditions = Vec::new();
         while self.eat(Tok::If) {
             conditions.push(self.operand(power::OR));
@@ -70,10 +85,15 @@ impl Parser<'_> {
             return self.hole("a name");
         }
         let start = self.start();
-        if !self.eat(Tok::Star) {
-            return self.operand(power::BIT_OR);
+        if !self.at(Tok::Star) {
+            let index = self.pos;
+            let target = self.operand(power::BIT_OR);
+            self.operand_start = Some(index);
+            return target;
         }
+        self.bump();
         let value = self.operand(power::BIT_OR);
+        self.operand_start = None;
         self.node(start, value, ExprKind::Starred)
     }
 

@@ -111,7 +111,7 @@ impl Parser<'_> {
         scan.pos += 1;
         let start = scan.pos;
         find_value_end(scan)?;
-        let value = Box::new(self.field_value(start, scan.pos)?);
+        let value = Box::new(self.field_value(start, scan.pos, scan.byte(0))?);
         let mut debug = None;
         if scan.byte(0) == Some(b'=') {
             scan.pos += 1;
@@ -138,11 +138,16 @@ impl Parser<'_> {
     }
 
     /// The expression of a field: what could stand in parentheses.
-    fn field_value(&mut self, start: usize, end: usize) -> Result<Expr, Problem> {
+    fn field_value(&mut self, start: usize, end: usize, behind: Option<u8>) -> Result<Expr, Problem> {
         let range = TextRange::new(start as u32, end as u32);
         if range.slice(self.text).trim_matches(is_python_space).is_empty() {
-            let reference = "f-string: empty expression not allowed";
-            return Err(problem("a value is missing between the braces", reference));
+            let reference = match behind {
+                Some(b @ (b'!' | b':' | b'=')) => {
+                    format!("f-string: expression required before '{}'", char::from(b))
+                }
+                _ => "f-string: empty expression not allowed".to_owned(),
+            };
+            return Err(("a value is missing between the braces".to_owned(), reference));
         }
         let mut report = Report::new(self.text, self.report.start());
         let source = Source { text: self.text, start, end, outer_end: end, bracketed: true };
@@ -173,12 +178,11 @@ fn find_value_end(scan: &mut Scan<'_>) -> Result<(), Problem> {
             return Err(problem("a backslash is not possible between the braces", reference));
         }
         match (quote, b) {
-            (Some((q, triple)), _) => {
-                if b == q && (!triple || scan.at_tripled(q)) {
-                    scan.pos += if triple { 2 } else { 0 };
-                    quote = None;
-                }
+            (Some((q, triple)), _) if b == q && (!triple || scan.at_tripled(q)) => {
+                scan.pos += if triple { 2 } else { 0 };
+                quote = None;
             }
+            (Some(_), _) => {}
             (None, b'\'' | b'"') => {
                 let triple = scan.at_tripled(b);
                 scan.pos += if triple { 2 } else { 0 };

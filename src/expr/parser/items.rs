@@ -1,80 +1,22 @@
 //! What stands between brackets, separated by commas.
 
-use super::{Parser, print_reference};
-use crate::base::TextRange;
+use super::Parser;
 use crate::expr::ast::{CmpOp, Expr, ExprKind};
-use crate::expr::lexer::{Bracket, Tok};
 use crate::expr::parser::power;
-
-/// A place where a comma is missing, to be reported once the item behind it was read.
-struct Gap {
-    range: TextRange,
-    reference: String,
-}
+use crate::expr::token::{Bracket, Tok};
 
 impl Parser<'_> {
-    /// Read items up to the closing bracket and that bracket; true if there was a comma.
-    /// The opening bracket was taken already; `item` must report when it takes nothing.
-    pub(super) fn items(&mut self, mut item: impl FnMut(&mut Self)) -> bool {
-        let mut comma = false;
-        let mut gap: Option<Gap> = None;
-        while !self.at_close() {
-            let before = self.pos;
-            self.operand_start = None;
-            item(self);
-            if let Some(gap) = gap.take() {
-                let message = "a comma or an operator is missing here";
-                self.error(gap.range, message, &gap.reference);
-            }
-            if self.eat(Tok::Comma) {
-                comma = true;
-            } else if !self.at_close() {
-                gap = self.between_items(before);
-            }
-        }
-        if self.kind().is_close() {
-            self.bump();
-        }
-        comma
-    }
-
-    /// Neither a comma nor the end: report at once, or say what to report after the next item.
-    fn between_items(&mut self, item_start: usize) -> Option<Gap> {
-        let start = self.operand_start.unwrap_or(item_start);
-        let alone = start + 1 == self.pos && self.token_at(start).kind == Tok::Name;
-        let first = self.token_at(start).range.slice(self.text);
-        if self.kind().starts_operand() {
-            let soft = matches!(first, "_" | "case" | "match");
-            let name_string =
-                self.token_at(start).kind == Tok::Name && self.token_at(start + 1).kind == Tok::Str;
-            let reference = if alone && matches!(first, "print" | "exec") {
-                print_reference(first)
-            } else if soft || name_string || self.operand_start.is_none() {
-                "invalid syntax".to_owned()
-            } else {
-                "invalid syntax. Perhaps you forgot a comma?".to_owned()
-            };
-            return Some(Gap { range: self.gap(), reference });
-        }
-        let found = self.token().range.slice(self.text).to_owned();
-        self.unexpected(format!("`{found}` cannot stand here"));
-        if !matches!(self.kind(), Tok::Open(_)) {
-            self.bump();
-        } else {
-            self.skip();
-        }
-        None
-    }
-
     /// `star_named_expression`: `*x`, or [`Parser::named`].
     pub(super) fn starred_or_named(&mut self) -> Expr {
         if !self.at(Tok::Star) {
             return self.named();
         }
         let start = self.start();
+        let first = self.pos > 0 && matches!(self.token_at(self.pos - 1).kind, Tok::Open(_));
         self.bump();
+        let operand = self.pos;
         let value = self.operand(power::BIT_OR);
-        self.operand_start = None;
+        self.operand_start = first.then_some(operand);
         self.node(start, value, ExprKind::Starred)
     }
 
@@ -138,9 +80,10 @@ impl Parser<'_> {
     /// The content of parentheses and the closing one.
     pub(super) fn group(&mut self, start: u32) -> Expr {
         if self.at(Tok::DoubleStar) {
-            self.bump();
-            let reference = "cannot use double starred expression here";
-            self.error(self.gap(), "`**` is only possible in calls and dicts", reference);
+            return self.double_starred(start);
+        }
+        if self.at(Tok::Yield) {
+            return self.yielded(start);
         }
         let (mut items, comma, done) = self.elements(start, Bracket::Round);
         if let Some(comprehension) = done {
@@ -160,6 +103,19 @@ impl Parser<'_> {
                 Expr { kind: ExprKind::Tuple(items), range }
             }
         }
+    }
+
+    /// `(**x)`
+    fn double_starred(&mut self, start: u32) -> Expr {
+        let stars = self.bump().range;
+        let value = self.expression();
+        let alone = self.at_close() && !matches!(value.kind, ExprKind::Missing);
+        let reference = if alone { "cannot use double starred expression here" } else { "invalid syntax" };
+        self.error(stars, "`**` is only possible in calls and dicts", reference);
+        let mut values = vec![value];
+        self.eat(Tok::Comma);
+        self.items(|p| values.push(p.starred_or_named()));
+        Expr { kind: ExprKind::Tuple(values), range: self.range_from(start) }
     }
 
     /// `[…]` as a display.
@@ -184,6 +140,10 @@ impl Parser<'_> {
             if matches!(p.kind(), Tok::For | Tok::Async) {
                 p.check_elements(&items, bracket);
                 clauses = Some(p.clauses());
+                p.operand_start = None;
+                if p.at(Tok::Comma) {
+                    p.unexpected("a comprehension cannot have neighbours without parentheses");
+                }
             }
         });
         let done =

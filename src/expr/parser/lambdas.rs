@@ -5,8 +5,8 @@ use std::sync::Arc;
 use super::Parser;
 use crate::base::{FastSet, TextRange};
 use crate::expr::ast::{Expr, ExprKind, Lambda, Param, ParamKind};
-use crate::expr::lexer::{Bracket, Tok};
 use crate::expr::report::Stage;
+use crate::expr::token::{Bracket, Tok};
 
 /// How far the parameter list has got.
 #[derive(Default)]
@@ -54,19 +54,34 @@ impl Parser<'_> {
                 list.params.push(Param { name, kind: ParamKind::VarKeywords, default: None });
             }
             Tok::Open(Bracket::Round) => {
-                let reference = "Lambda expression parameters cannot be parenthesized";
-                self.error(self.token().range, "parameters cannot stand in parentheses", reference);
-                self.skip();
+                let range = self.token().range;
+                let reference = if self.skip_names() {
+                    "Lambda expression parameters cannot be parenthesized"
+                } else {
+                    "invalid syntax"
+                };
+                self.error(range, "parameters cannot stand in parentheses", reference);
             }
             _ => self.plain_parameter(list),
         }
+    }
+
+    /// Skip a bracket; true if it held nothing but names.
+    fn skip_names(&mut self) -> bool {
+        let start = self.pos + 1;
+        self.skip();
+        let names =
+            (start..self.pos.saturating_sub(1)).step_by(2).all(|i| self.token_at(i).kind == Tok::Name);
+        let commas =
+            (start + 1..self.pos.saturating_sub(1)).step_by(2).all(|i| self.token_at(i).kind == Tok::Comma);
+        names && commas && self.pos > start + 1
     }
 
     fn plain_parameter(&mut self, list: &mut Params) {
         self.after_double_star(list);
         let at = self.token().range;
         let name = self.parameter_name();
-        let default = self.eat(Tok::Equal).then(|| self.expression());
+        let default = self.eat(Tok::Equal).then(|| self.default_value());
         let kind = if list.star { ParamKind::KeywordOnly } else { ParamKind::Normal };
         if kind == ParamKind::Normal && default.is_none() && list.defaults {
             let reference = "non-default argument follows default argument";
@@ -74,6 +89,15 @@ impl Parser<'_> {
         }
         list.defaults |= default.is_some();
         list.params.push(Param { name, kind, default });
+    }
+
+    fn default_value(&mut self) -> Expr {
+        if matches!(self.kind(), Tok::Comma | Tok::Close(Bracket::Round)) {
+            let range = self.gap();
+            self.error(range, "a default is missing here", "expected default value expression");
+            return self.missing();
+        }
+        self.expression()
     }
 
     fn parameter_name(&mut self) -> ecow::EcoString {
@@ -87,13 +111,14 @@ impl Parser<'_> {
 
     /// `/`: all parameters before it go by place only.
     fn slash(&mut self, list: &mut Params) {
+        self.after_double_star(list);
         let at = self.bump().range;
         let problem = if list.slash {
             Some("/ may appear only once")
         } else if list.star {
             Some("/ must be ahead of *")
         } else if list.params.is_empty() {
-            Some("at least one argument must precede /")
+            Some(if self.at(Tok::Comma) { "at least one argument must precede /" } else { "invalid syntax" })
         } else {
             None
         };
@@ -143,7 +168,7 @@ impl Parser<'_> {
     }
 
     fn after_double_star(&mut self, list: &Params) {
-        if list.double_star {
+        if list.double_star && matches!(self.kind(), Tok::Name | Tok::Star | Tok::DoubleStar | Tok::Slash) {
             let reference = "arguments cannot follow var-keyword argument";
             self.error(self.token().range, "nothing can follow `**`", reference);
         }

@@ -1,13 +1,15 @@
 //! String and bytes literals.
 
+use std::borrow::Cow;
+
 use ecow::EcoString;
 
 use super::Parser;
 use crate::base::TextRange;
 use crate::expr::ast::{Const, Expr, ExprKind, FPart};
 use crate::expr::escape;
-use crate::expr::lexer::Tok;
 use crate::expr::report::Stage;
+use crate::expr::token::Tok;
 
 /// A string token taken apart.
 #[derive(Clone, Copy)]
@@ -86,18 +88,11 @@ impl Parser<'_> {
 
     /// The text that a piece of a literal stands for.
     pub(super) fn decoded(&mut self, body: TextRange, raw: bool, token: TextRange) -> String {
-        let source = body.slice(self.text);
-        let unified;
-        let source = if source.contains('\r') {
-            unified = source.replace("\r\n", "\n").replace('\r', "\n");
-            &unified
-        } else {
-            source
-        };
+        let source = unify_line_ends(body.slice(self.text));
         if raw || !source.contains('\\') {
-            return source.to_owned();
+            return source.into_owned();
         }
-        let decoded = escape::decode_str(source);
+        let decoded = escape::decode_str(&source);
         if let Some(error) = decoded.error {
             self.report.add(Stage::Grammar, token, error.message, &error.reference);
         } else if let Some(message) = decoded.not_supported {
@@ -107,7 +102,7 @@ impl Parser<'_> {
     }
 
     fn bytes(&mut self, literal: &Literal, token: TextRange) -> Vec<u8> {
-        let source = literal.body.slice(self.text);
+        let source = unify_line_ends(literal.body.slice(self.text));
         if !source.is_ascii() {
             let reference = "bytes can only contain ASCII literal characters";
             self.report.add(Stage::Grammar, token, "only ASCII characters are possible in bytes", reference);
@@ -116,7 +111,7 @@ impl Parser<'_> {
         if literal.raw || !source.contains('\\') {
             return source.as_bytes().to_vec();
         }
-        let (bytes, error) = escape::decode_bytes(source);
+        let (bytes, error) = escape::decode_bytes(&source);
         if let Some(error) = error {
             self.report.add(Stage::Grammar, token, error.message, &error.reference);
         }
@@ -134,6 +129,15 @@ impl Joined {
             (None, Some(bytes)) if self.text.is_empty() => ExprKind::Const(Const::Bytes(bytes)),
             _ => ExprKind::Const(Const::Str(EcoString::from(self.text))),
         }
+    }
+}
+
+/// Python reads every line end as a line feed.
+fn unify_line_ends(text: &str) -> Cow<'_, str> {
+    if text.contains('\r') {
+        Cow::Owned(text.replace("\r\n", "\n").replace('\r', "\n"))
+    } else {
+        Cow::Borrowed(text)
     }
 }
 

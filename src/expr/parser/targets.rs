@@ -2,6 +2,7 @@
 
 use super::Parser;
 use crate::expr::ast::{CompKind, Const, Expr, ExprKind};
+use crate::expr::report::Stage;
 
 impl Expr {
     /// CPython's noun for the expression in messages such as "cannot assign to …".
@@ -62,10 +63,26 @@ impl Expr {
 impl Parser<'_> {
     /// Report what cannot be the target of a `for`.
     pub(super) fn check_target(&mut self, target: &Expr) {
-        let Some(wrong) = invalid_target(target) else { return };
+        let Some(wrong) = invalid_target(target) else { return self.check_stars(target) };
         let what = wrong.kind_name();
         let message = format!("`for` cannot assign to this {what}");
         self.error(wrong.range, message, &format!("cannot assign to {what}"));
+    }
+
+    /// Whether [`Parser::check_target`] would report something.
+    pub(super) fn is_invalid_target(&self, target: &Expr) -> bool {
+        invalid_target(target).is_some()
+    }
+
+    /// One list of targets has at most one `*`.
+    fn check_stars(&mut self, target: &Expr) {
+        let (ExprKind::List(items) | ExprKind::Tuple(items)) = &target.kind else { return };
+        let mut starred = items.iter().filter(|item| matches!(item.kind, ExprKind::Starred(_)));
+        if let Some(second) = starred.nth(1) {
+            let reference = "multiple starred expressions in assignment";
+            self.report.add(Stage::Tree, second.range, "only one target may have a `*`", reference);
+        }
+        items.iter().for_each(|item| self.check_stars(item));
     }
 }
 

@@ -1,4 +1,5 @@
 use super::MAX_DEPTH;
+use crate::expr::dump::dump;
 use crate::expr::parse;
 
 /// Nested far beyond any limit: an error, no overflow, and quick.
@@ -39,4 +40,48 @@ fn deep_nesting_is_an_error() {
     }
     let flat = format!("1{}", "+1".repeat(MAX_DEPTH as usize - 10));
     assert_eq!(parse(&flat).errors, []);
+}
+
+/// A line of a table: JSON text, tab, the rest.
+fn rows(table: &'static str) -> impl Iterator<Item = (String, &'static str)> {
+    table.lines().map(|line| {
+        let (input, rest) = line.split_once('\t').unwrap();
+        (serde_json::from_str(input).unwrap(), rest)
+    })
+}
+
+/// Trees and ranges are those of CPython.
+#[test]
+fn valid_expressions() {
+    let mut wrong = Vec::new();
+    for (text, rest) in rows(include_str!("../testdata/valid.txt")) {
+        let (tree, ranges) = rest.split_once('\t').unwrap();
+        let parsed = parse(&text);
+        let (found, found_ranges) = dump(&parsed.expr);
+        let found_ranges: Vec<String> =
+            found_ranges.iter().map(|r| format!("{}:{}", r.start, r.end)).collect();
+        if !parsed.errors.is_empty() {
+            wrong.push(format!("{text:?}: {:?}", parsed.errors));
+        } else if found != tree {
+            wrong.push(format!("{text:?}\n  want {tree}\n  got  {found}"));
+        } else if ranges != "-" && found_ranges.join(" ") != ranges {
+            wrong.push(format!("{text:?} {tree}\n  want {ranges}\n  got  {}", found_ranges.join(" ")));
+        }
+    }
+    assert!(wrong.is_empty(), "{} wrong\n{}", wrong.len(), wrong.join("\n"));
+}
+
+/// The first error has the text of CPython.
+#[test]
+fn invalid_expressions() {
+    let mut wrong = Vec::new();
+    for (text, rest) in rows(include_str!("../testdata/invalid.txt")) {
+        let want: String = serde_json::from_str(rest).unwrap();
+        let errors = parse(&text).errors;
+        let got = errors.first().map_or("no error", |e| &e.reference);
+        if got != want {
+            wrong.push(format!("{text:?}\n  want {want}\n  got  {got}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{} wrong\n{}", wrong.len(), wrong.join("\n"));
 }

@@ -1,0 +1,157 @@
+//! How the arguments of a call fit a built-in function, and what Python says when they do not.
+
+use super::builtins::Function;
+use super::stop::{Eval, Stop};
+use super::value::{Str, Value};
+
+/// The arguments of a call.
+#[derive(Debug, Default)]
+pub(crate) struct Args {
+    /// Positional ones; after [`bind`] also named ones at their place, with [`Value::Unknown`] for one not given.
+    pub(crate) pos: Vec<Value>,
+    pub(crate) named: Vec<(Str, Value)>,
+}
+
+impl Args {
+    pub(crate) fn len(&self) -> usize {
+        self.pos.len()
+    }
+
+    pub(crate) fn has_unknown(&self) -> bool {
+        self.pos.iter().any(Value::is_unknown) || self.named.iter().any(|(_, value)| value.is_unknown())
+    }
+
+    /// The argument at `place`, if it was given.
+    pub(crate) fn get(&self, place: usize) -> Option<&Value> {
+        self.pos.get(place).filter(|value| !value.is_unknown())
+    }
+
+    /// The argument at `place`, which the arity guarantees; `None` stands for one left out.
+    pub(crate) fn at(&self, place: usize) -> &Value {
+        static NONE: Value = Value::None;
+        self.get(place).unwrap_or(&NONE)
+    }
+
+    /// A named argument that [`Arity::Any`] left in place.
+    pub(crate) fn named(&self, name: &str) -> Option<&Value> {
+        self.named.iter().find(|(given, _)| given == name).map(|(_, value)| value)
+    }
+}
+
+/// Which arguments a function takes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Arity {
+    /// None at all.
+    Zero,
+    /// Exactly one, by position.
+    One,
+    /// So many, by position.
+    Range(usize, usize),
+    /// By position or name; the first `required` must be given, the first `positional` may be given by position.
+    Named { names: &'static [&'static str], required: usize, positional: usize },
+    /// The function sees for itself.
+    Any,
+    /// Any number by position, none by name.
+    Positional,
+}
+
+/// The arguments in the order of the parameters.
+pub(crate) fn bind(function: &Function, args: Args) -> Eval<Args> {
+    let given = args.len();
+    match function.arity {
+        Arity::Any => return Ok(args),
+        Arity::Named { names, required, positional } => {
+            return bind_named(function.name, names, required, positional, args);
+        }
+        _ if !args.named.is_empty() => {
+            let name = function.qualified_name();
+            return Err(Stop::typ(format!("{name} takes no keyword arguments")));
+        }
+        Arity::Zero if given != 0 => {
+            let name = function.qualified_name();
+            Err(Stop::typ(format!("{name} takes no arguments ({given} given)")))
+        }
+        Arity::One if given != 1 => {
+            let name = function.qualified_name();
+            Err(Stop::typ(format!("{name} takes exactly one argument ({given} given)")))
+        }
+        Arity::Range(min, max) => check_count(function.name, given, min, max),
+        Arity::Zero | Arity::One | Arity::Positional => Ok(()),
+    }?;
+    Ok(args)
+}
+
+/// `pow expected 2 arguments, got 1`
+pub(crate) fn check_count(name: &str, given: usize, min: usize, max: usize) -> Eval<()> {
+    if (min..=max).contains(&given) {
+        return Ok(());
+    }
+    let (bound, how) = match () {
+        () if min == max => (min, ""),
+        () if given < min => (min, "at least "),
+        () => (max, "at most "),
+    };
+    let plural = if bound == 1 { "" } else { "s" };
+    Err(Stop::typ(format!("{name} expected {how}{bound} argument{plural}, got {given}")))
+}
+
+/// `round() takes at most 2 arguments (3 given)` and its relatives.
+pub(crate) fn bind_named(
+    function: &str,
+    names: &[&str],
+    required: usize,
+    positional: usize,
+    args: Args,
+) -> Eval<Args> {
+    let Args { mut pos, named } = args;
+    let given = pos.len() + named.len();
+    if given > names.len() {
+        let how = if required == names.len() { "exactly" } else { "at most" };
+        let keyword = if pos.is_empty() && !named.is_empty() { "keyword " } else { "" };
+        let (most, plural) = (names.len(), if names.len() == 1 { "" } else { "s" });
+        return Err(Stop::typ(format!(
+            "{function}() takes {how} {most} {keyword}argument{plural} ({given} given)"
+        )));
+    }
+    if pos.len() > positional {
+        let count = pos.len();
+        if positional == 0 {
+            return Err(Stop::typ(format!("{function}() takes no positional arguments")));
+        }
+        let how = if required >= positional { "exactly" } else { "at most" };
+        let plural = if positional == 1 { "" } else { "s" };
+        return Err(Stop::typ(format!(
+            "{function}() takes {how} {positional} positional argument{plural} ({count} given)"
+        )));
+    }
+    let by_position = pos.len();
+    pos.resize(names.len(), Value::Unknown);
+    let mut wrong = None;
+    for (name, value) in named {
+        let place = names.iter().position(|known| *known == name);
+        match place {
+            None => wrong = wrong.or(Some(name)),
+            Some(place) if place < by_position => {
+                return Err(Stop::typ(format!(
+                    "argument for {function}() given by name ('{name}') and position ({})",
+                    place + 1
+                )));
+            }
+            Some(place) => {
+                if let Some(slot) = pos.get_mut(place) {
+                    *slot = value;
+                }
+            }
+        }
+    }
+    for (i, name) in names.iter().enumerate().take(required) {
+        if pos.get(i).is_none_or(Value::is_unknown) {
+            let place = i + 1;
+            return Err(Stop::typ(format!("{function}() missing required argument '{name}' (pos {place})")));
+        }
+    }
+    match wrong {
+        Some(name) => Err(Stop::typ(format!("'{name}' is an invalid keyword argument for {function}()"))),
+        None => Ok(Args { pos, named: Vec::new() }),
+    }
+}

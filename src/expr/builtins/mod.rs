@@ -1,0 +1,162 @@
+//! The global symbols: functions and constants that every expression can use.
+
+mod catalog;
+pub(crate) mod math;
+mod math_exact;
+mod math_float;
+mod math_gamma;
+mod python;
+mod sorting;
+pub(crate) mod types;
+mod xacro;
+
+pub use catalog::{GlobalSymbol, SymbolKind, global_symbols};
+pub(crate) use python::integer;
+pub(crate) use sorting::sort;
+pub(crate) use types::add_entries;
+
+use super::args::{Args, Arity};
+use super::interp::Interp;
+use super::stop::Eval;
+use super::value::{Builtin, Module, Type, Value};
+
+/// The code of a built-in function or method; methods get their object as second argument.
+type Run = fn(&mut Interp, &Value, &Args) -> Eval;
+
+/// A built-in function or method.
+#[derive(Debug)]
+pub(crate) struct Function {
+    /// Its name.
+    pub(crate) name: &'static str,
+    /// Its type or module; empty for Python's own functions.
+    pub(crate) owner: &'static str,
+    /// Its parameters as documentation shows them.
+    pub(crate) params: &'static str,
+    /// What it does, in a line.
+    pub(crate) doc: &'static str,
+    pub(crate) arity: Arity,
+    pub(crate) run: Run,
+}
+
+impl Function {
+    /// A method of the type `owner`.
+    pub(crate) const fn method(owner: &'static str, name: &'static str, arity: Arity, run: Run) -> Self {
+        Self { name, owner, params: "", doc: "", arity, run }
+    }
+
+    /// `len()`, `math.sin()`, `str.upper()`
+    pub(crate) fn qualified_name(&self) -> String {
+        match self.owner {
+            "" | "xacro" => format!("{}()", self.name),
+            owner => format!("{owner}.{}()", self.name),
+        }
+    }
+
+    /// Whether it is a Python function, which only matters for its type.
+    pub(crate) fn is_python(&self) -> bool {
+        self.owner == "xacro"
+    }
+
+    /// Whether it keeps its argument without looking at it, so that an unknown one may pass.
+    pub(crate) fn stores_unknown(&self) -> bool {
+        self.owner == "list" && matches!(self.name, "append" | "insert")
+    }
+}
+
+/// The function called `name` in a table sorted by name.
+pub(crate) fn find(table: &'static [Function], name: &str) -> Option<&'static Function> {
+    let place = table.binary_search_by(|function| function.name.cmp(name)).ok()?;
+    table.get(place)
+}
+
+fn value_of(table: &'static [Function], name: &str) -> Option<Value> {
+    Some(Value::Builtin(Builtin { function: find(table, name)?, deprecated: None }))
+}
+
+/// Bare names that should be written with their namespace.
+const DEPRECATED: [(&str, &str); 5] = [
+    ("abs_filename", "xacro"),
+    ("dotify", "xacro"),
+    ("load_yaml", "xacro"),
+    ("range", "python"),
+    ("sorted", "python"),
+];
+
+/// The value of a global symbol.
+pub(crate) fn global(name: &str) -> Option<Value> {
+    match name {
+        "list" | "dict" | "map" | "str" | "float" | "int" | "bool" => types::named(name).map(Value::Type),
+        "len" | "min" | "max" | "round" => value_of(python::FUNCTIONS, name),
+        "True" => Some(Value::Bool(true)),
+        "False" => Some(Value::Bool(false)),
+        "math" => Some(Value::Module(Module::Math)),
+        "python" => Some(Value::Module(Module::Python)),
+        "xacro" => Some(Value::Module(Module::Xacro)),
+        _ => attribute(Module::Math, name).or_else(|| deprecated(name)),
+    }
+}
+
+fn deprecated(name: &str) -> Option<Value> {
+    let &(_, namespace) = DEPRECATED.iter().find(|(bare, _)| *bare == name)?;
+    let table = match name {
+        "range" | "dotify" => types::CONSTRUCTORS,
+        "sorted" => python::FUNCTIONS,
+        _ => xacro::FUNCTIONS,
+    };
+    Some(Value::Builtin(Builtin { function: find(table, name)?, deprecated: Some(namespace) }))
+}
+
+/// The value of `module.name`.
+pub(crate) fn attribute(module: Module, name: &str) -> Option<Value> {
+    match module {
+        Module::Math => math::constant(name).map(Value::Float).or_else(|| value_of(math::FUNCTIONS, name)),
+        Module::Python => match name {
+            "True" => Some(Value::Bool(true)),
+            "False" => Some(Value::Bool(false)),
+            _ => types::named(name).map(Value::Type).or_else(|| value_of(python::FUNCTIONS, name)),
+        },
+        Module::Xacro if name == "dotify" => Some(Value::Type(Type::YamlDict)),
+        Module::Xacro => value_of(xacro::FUNCTIONS, name),
+    }
+}
+
+pub(crate) use types::float;
+
+/// The value of a global symbol, as an expression without properties sees it.
+pub fn global_symbol(name: &str) -> Option<Value> {
+    global(name)
+}
+
+/// The value of `module.name`.
+pub fn module_symbol(module: Module, name: &str) -> Option<Value> {
+    attribute(module, name)
+}
+
+/// Whether `name` is a global symbol, which a property would redefine.
+pub fn is_global_symbol(name: &str) -> bool {
+    global(name).is_some()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tables_are_sorted() {
+        for table in [python::FUNCTIONS, math::FUNCTIONS, xacro::FUNCTIONS, types::CONSTRUCTORS] {
+            assert!(table.is_sorted_by_key(|function| function.name));
+        }
+    }
+
+    #[test]
+    fn global_names() {
+        for name in
+            ["pi", "sin", "list", "sorted", "dotify", "math", "python", "xacro", "True", "e", "len", "cbrt"]
+        {
+            assert!(is_global_symbol(name), "{name}");
+        }
+        for name in ["abs", "sum", "zip", "print", "tokenize", "", "None", "message"] {
+            assert!(!is_global_symbol(name), "{name}");
+        }
+    }
+}

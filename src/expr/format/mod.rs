@@ -1,0 +1,11 @@
+//! Formatting: the mini-language of `format()`, `%`, `str.format` and f-strings.
+
+mod float;
+mod int;
+mod percent;
+mod spec;
+mod template;
+mod value;
+
+pub(crate) use percent::percent;
+pub(crate) use template::{fstring, str_format, str_format_map};

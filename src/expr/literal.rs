@@ -1,0 +1,162 @@
+//! How xacro reads literals from attribute text and booleans from values.
+
+use super::stop::Stop;
+use super::{EvalError, Value};
+use super::numeric::{Num, ParsedInt, parse_float, parse_int};
+
+/// The literal rule for properties, parameters and their defaults.
+///
+/// One pair of single quotes makes a string; text with an underscore is a string; then integer, float, boolean are
+/// tried, and what is left is a string.
+pub fn from_text(text: &str) -> Value {
+    if let Some(inner) = text.strip_prefix('\'').and_then(|rest| rest.strip_suffix('\'')) {
+        return Value::from(inner);
+    }
+    if !may_be_literal(text) {
+        return Value::from(text);
+    }
+    if let ParsedInt::Int(int) = parse_int(text, 10) {
+        return int;
+    }
+    if let Some(float) = parse_float(text) {
+        return Value::Float(float);
+    }
+    match text {
+        "true" | "True" => Value::Bool(true),
+        "false" | "False" => Value::Bool(false),
+        _ => Value::from(text),
+    }
+}
+
+/// Python's `int(text)`; none if it fails.
+pub fn int(text: &str) -> Option<Value> {
+    match parse_int(text, 10) {
+        ParsedInt::Int(int) => Some(int),
+        ParsedInt::TooLong(_) | ParsedInt::Invalid => None,
+    }
+}
+
+/// Python's `float(text)`; none if it fails.
+pub fn float(text: &str) -> Option<Value> {
+    parse_float(text).map(Value::Float)
+}
+
+/// Python's `float(value)`; an unknown value gives not-a-number.
+///
+/// # Errors
+/// The exception Python raises.
+pub fn float_of(value: &Value) -> Result<f64, EvalError> {
+    match super::builtins::float(value) {
+        Ok(number) => Ok(number),
+        Err(Stop::Unknown) => Ok(f64::NAN),
+        Err(Stop::Raise(error)) => Err(*error),
+    }
+}
+
+/// A quick look that sends most names and formulas away.
+fn may_be_literal(text: &str) -> bool {
+    let first = text.trim_start_matches(super::numeric::is_space).chars().next();
+    let hopeful = |c: char| c.is_ascii_digit() || !c.is_ascii() || "+-.iInNtTfF".contains(c);
+    first.is_some_and(hopeful) && !text.contains('_')
+}
+
+/// The value of a condition or of a boolean attribute; none if it is not a boolean.
+///
+/// Strings are `true`, `True`, `false`, `False` or an integer; any other value has its Python truth.
+pub fn boolean(value: &Value) -> Option<bool> {
+    let Value::Str(text) = value else { return truth(value) };
+    match text.as_str() {
+        "true" | "True" => Some(true),
+        "false" | "False" => Some(false),
+        other => match parse_int(other, 10) {
+            ParsedInt::Int(int) => truth(&int),
+            ParsedInt::TooLong(_) | ParsedInt::Invalid => None,
+        },
+    }
+}
+
+/// Python's `bool()`; none for an unknown value.
+pub fn truth(value: &Value) -> Option<bool> {
+    Some(match value {
+        Value::Unknown => return None,
+        Value::None => false,
+        Value::Str(text) => !text.is_empty(),
+        Value::Bytes(bytes) => !bytes.is_empty(),
+        Value::List(list) => !list.is_empty(),
+        Value::Tuple(tuple) => !tuple.items().is_empty(),
+        Value::Dict(dict) => !dict.is_empty(),
+        Value::View(view) => !view.dict.is_empty(),
+        Value::Set(set) => !set.is_empty(),
+        Value::Range(range) => !range.is_empty(),
+        other => Num::of(other).is_none_or(Num::truth),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::display::repr;
+
+    #[test]
+    fn literals() {
+        let table = [
+            ("42", "42"),
+            (" 42 ", "42"),
+            ("007", "7"),
+            ("-0", "0"),
+            ("+5", "5"),
+            ("1_000", "'1_000'"),
+            ("٣", "3"),
+            ("１.５", "1.5"),
+            ("123456789012345678901234567890", "123456789012345678901234567890"),
+            ("1.50", "1.5"),
+            ("1.", "1.0"),
+            (".5", "0.5"),
+            ("1e3", "1000.0"),
+            ("1e5", "100000.0"),
+            ("-Infinity", "-inf"),
+            ("nan", "nan"),
+            ("iNf", "inf"),
+            ("0x10", "'0x10'"),
+            ("1e", "'1e'"),
+            ("- 1", "'- 1'"),
+            ("true", "True"),
+            ("False", "False"),
+            ("TRUE", "'TRUE'"),
+            (" true ", "' true '"),
+            ("'42'", "'42'"),
+            ("''42''", "\"'42'\""),
+            ("'", "\"'\""),
+            ("''", "''"),
+            ("\"42\"", "'\"42\"'"),
+            ("", "''"),
+            ("base_link", "'base_link'"),
+            ("\u{a0}7\u{2003}", "7"),
+        ];
+        for (text, expected) in table {
+            assert_eq!(repr(&from_text(text)).as_deref(), Some(expected), "{text:?}");
+        }
+    }
+
+    #[test]
+    fn booleans() {
+        let table = [
+            ("true", Some(true)),
+            ("False", Some(false)),
+            ("1", Some(true)),
+            (" -0 ", Some(false)),
+            ("1_0", Some(true)),
+            ("1.0", None),
+            ("TRUE", None),
+            ("", None),
+            (" true ", None),
+        ];
+        for (text, expected) in table {
+            assert_eq!(boolean(&Value::from(text)), expected, "{text:?}");
+        }
+        assert_eq!(boolean(&Value::Float(0.0)), Some(false));
+        assert_eq!(boolean(&Value::Float(f64::NAN)), Some(true));
+        assert_eq!(boolean(&Value::None), Some(false));
+        assert_eq!(boolean(&Value::list([])), Some(false));
+    }
+}

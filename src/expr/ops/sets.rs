@@ -1,0 +1,40 @@
+//! `|`, `&`, `-`, `^` and order of sets and dict views.
+
+use std::sync::Arc;
+
+use crate::expr::ast::BinOp;
+use crate::expr::stop::Eval;
+use crate::expr::value::{Key, Set, SetMap, Value, ViewKind};
+
+/// The elements of a set or set-like view; `None` for anything else, an error for unhashable ones.
+pub(crate) fn elements(value: &Value) -> Option<Eval<Arc<SetMap>>> {
+    match value {
+        Value::Set(set) => Some(Ok(set.snapshot())),
+        Value::View(view) => match view.kind {
+            ViewKind::Values => None,
+            ViewKind::Keys => Some(Ok(Arc::new(view.dict.snapshot().keys().cloned().collect()))),
+            ViewKind::Items => {
+                let pair = |(key, value)| Key::new(Value::tuple_from([key, value]));
+                Some(view.dict.entries().into_iter().map(pair).collect::<Eval<SetMap>>().map(Arc::new))
+            }
+        },
+        _ => None,
+    }
+}
+
+/// A set operator; none if an operand is no set.
+pub(super) fn binary(op: BinOp, a: &Value, b: &Value) -> Option<Eval> {
+    let frozen = matches!(a, Value::Set(set) if set.is_frozen());
+    let (x, y) = (elements(a)?, elements(b)?);
+    Some(x.and_then(|x| y.map(|y| Value::Set(Set::new(combine(op, &x, &y), frozen)))))
+}
+
+/// The elements of `x op y`.
+pub(crate) fn combine(op: BinOp, x: &SetMap, y: &SetMap) -> SetMap {
+    match op {
+        BinOp::BitOr => x.union(y).cloned().collect(),
+        BinOp::BitAnd => x.intersection(y).cloned().collect(),
+        BinOp::Sub => x.difference(y).cloned().collect(),
+        _ => x.symmetric_difference(y).cloned().collect(),
+    }
+}

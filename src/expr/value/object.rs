@@ -1,0 +1,217 @@
+//! The less common objects.
+
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use super::bury::{bury, is_nested};
+use super::{Dict, Str, Value};
+use crate::expr::ast;
+use crate::expr::builtins::Function;
+use crate::expr::host::ScopeId;
+
+/// `range(start, stop, step)`
+#[derive(Clone, Copy, Debug)]
+pub struct Range {
+    /// First number.
+    pub start: i128,
+    /// Number behind the last.
+    pub stop: i128,
+    /// Distance, not zero.
+    pub step: i128,
+}
+
+impl Range {
+    /// How many numbers it has.
+    pub fn len(&self) -> u128 {
+        let (low, high) = if self.step > 0 { (self.start, self.stop) } else { (self.stop, self.start) };
+        if low >= high {
+            return 0;
+        }
+        (high.abs_diff(low) - 1) / self.step.unsigned_abs() + 1
+    }
+
+    /// Whether it has none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The number at `index`; the caller has checked that it exists.
+    pub(crate) fn nth(&self, index: u128) -> i128 {
+        let index = i128::try_from(index).unwrap_or(i128::MAX);
+        self.start.saturating_add(self.step.saturating_mul(index))
+    }
+
+    /// Place of `number`, if it is one of the range's.
+    pub(crate) fn position(&self, number: i128) -> Option<u128> {
+        let inside = if self.step > 0 {
+            self.start <= number && number < self.stop
+        } else {
+            self.stop < number && number <= self.start
+        };
+        let distance = number.abs_diff(self.start);
+        let step = self.step.unsigned_abs();
+        (inside && distance.is_multiple_of(step)).then(|| distance / step)
+    }
+}
+
+/// `slice(start, stop, step)`
+#[derive(Clone, Debug, Default)]
+pub struct Slice {
+    /// First index or `None`.
+    pub start: Value,
+    /// Index behind the last or `None`.
+    pub stop: Value,
+    /// Step or `None`.
+    pub step: Value,
+}
+
+/// A live view of a dict.
+#[derive(Clone, Debug)]
+pub struct View {
+    /// Of what.
+    pub dict: Dict,
+    /// What it shows.
+    pub kind: ViewKind,
+}
+
+/// What a dict view shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum ViewKind {
+    Keys,
+    Values,
+    Items,
+}
+
+/// A date, or date and time.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct DateValue {
+    /// Year, month, day.
+    pub date: (i32, u32, u32),
+    /// Hour, minute, second, microsecond; none for a plain date.
+    pub time: Option<(u32, u32, u32, u32)>,
+    /// Offset from UTC in seconds, if given.
+    pub utc_offset: Option<i32>,
+}
+
+/// The namespaces of global names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Module {
+    Math,
+    Python,
+    Xacro,
+}
+
+impl Module {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Math => "math",
+            Self::Python => "python",
+            Self::Xacro => "xacro",
+        }
+    }
+}
+
+/// A method with its object; for a type as `receiver`, the plain function found on it.
+#[derive(Debug)]
+pub struct Bound {
+    /// The object.
+    pub(crate) receiver: Value,
+    /// The method.
+    pub(crate) function: &'static Function,
+    /// Whether the first argument of a call is the object (`str.upper`).
+    pub(crate) unbound: bool,
+}
+
+impl Drop for Bound {
+    fn drop(&mut self) {
+        if is_nested(&self.receiver) {
+            bury(std::mem::take(&mut self.receiver));
+        }
+    }
+}
+
+/// A function literal, the values of its defaults and the variables around it.
+#[derive(Debug)]
+pub struct Closure {
+    pub(crate) lambda: Arc<ast::Lambda>,
+    /// One per parameter that has a default.
+    pub(crate) defaults: Vec<Option<Value>>,
+    pub(crate) env: Option<Arc<Frame>>,
+    /// The evaluation whose text the lambda stands in.
+    pub(crate) home: u64,
+    /// The host's scope in which its free names are looked up.
+    pub(crate) scope: Option<ScopeId>,
+}
+
+impl Drop for Closure {
+    fn drop(&mut self) {
+        bury((std::mem::take(&mut self.defaults), self.env.take()));
+    }
+}
+
+/// Local variables of a lambda call, a comprehension or a whole evaluation.
+#[derive(Debug)]
+pub(crate) struct Frame {
+    pub(crate) parent: Option<Arc<Frame>>,
+    /// A comprehension: `:=` inside binds in the frame around it.
+    pub(crate) comprehension: bool,
+    vars: Mutex<Vec<(Str, Value)>>,
+}
+
+impl Frame {
+    pub(crate) fn new(parent: Option<Arc<Frame>>, comprehension: bool, vars: Vec<(Str, Value)>) -> Self {
+        Self { parent, comprehension, vars: Mutex::new(vars) }
+    }
+
+    fn vars(&self) -> MutexGuard<'_, Vec<(Str, Value)>> {
+        self.vars.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The value of `name` in this frame alone.
+    pub(crate) fn get(&self, name: &str) -> Option<Value> {
+        self.vars().iter().find(|(n, _)| n == name).map(|(_, value)| value.clone())
+    }
+
+    /// Bind `name` in this frame.
+    pub(crate) fn set(&self, name: &Str, value: Value) {
+        let mut vars = self.vars();
+        let old = match vars.iter_mut().find(|(n, _)| n == name) {
+            Some((_, slot)) => std::mem::replace(slot, value),
+            None => {
+                vars.push((name.clone(), value));
+                return;
+            }
+        };
+        // The old value may hold this frame: let go of the lock before it is dropped.
+        drop(vars);
+        drop(old);
+    }
+}
+
+impl Drop for Frame {
+    fn drop(&mut self) {
+        let vars = std::mem::take(&mut *self.vars());
+        bury((vars, self.parent.take()));
+    }
+}
+
+impl DateValue {
+    /// Microseconds since year zero in UTC (local time where there is no offset), for comparison.
+    pub(crate) fn instant(&self) -> i64 {
+        let (year, month, day) = self.date;
+        let (hour, minute, second, micro) = self.time.unwrap_or_default();
+        let days = days_before(year, month) + i64::from(day);
+        let seconds = days * 86_400 + i64::from(hour) * 3600 + i64::from(minute) * 60 + i64::from(second);
+        (seconds - i64::from(self.utc_offset.unwrap_or(0))) * 1_000_000 + i64::from(micro)
+    }
+}
+
+/// Days of the Gregorian calendar before the first of a month.
+fn days_before(year: i32, month: u32) -> i64 {
+    // Counting years from March puts the leap day last.
+    let (year, month) =
+        if month <= 2 { (i64::from(year) - 1, month + 9) } else { (i64::from(year), month - 3) };
+    year * 365 + year / 4 - year / 100 + year / 400 + (i64::from(month) * 153 + 2) / 5
+}

@@ -1,0 +1,499 @@
+//! From tokens to a tree of tagged nodes, in which an alias is the node of its anchor.
+
+use std::borrow::Cow;
+
+use super::error::{Failure, repr};
+use super::reader::Mark;
+use super::resolve::{MAP, SEQ, STR, resolve};
+use super::scanner::Scanner;
+use super::token::{Directive, TokenKind};
+use crate::base::{FastMap, TextRange};
+
+/// Nesting allowed; Python gives up at about twice that.
+const MAX_DEPTH: u32 = 200;
+
+/// Number of a node in its [`Tree`].
+pub(super) type Id = usize;
+
+/// All nodes of a document.
+pub(super) type Tree = Vec<Raw>;
+
+/// A node before its value is made.
+#[derive(Debug)]
+pub(super) struct Raw {
+    /// The full name of its type.
+    pub(super) tag: Cow<'static, str>,
+    /// What it holds.
+    pub(super) content: Content,
+    /// Where it begins.
+    pub(super) start: Mark,
+    /// Offset behind it.
+    pub(super) end: u32,
+}
+
+impl Raw {
+    /// The text of it.
+    pub(super) fn range(&self) -> TextRange {
+        TextRange::new(self.start.offset, self.end)
+    }
+}
+
+/// The three kinds of nodes.
+#[derive(Debug)]
+pub(super) enum Content {
+    Scalar(String),
+    Sequence(Vec<Id>),
+    Mapping(Vec<(Id, Id)>),
+}
+
+impl Content {
+    /// The name of the kind in messages.
+    pub(super) fn name(&self) -> &'static str {
+        match self {
+            Content::Scalar(_) => "scalar",
+            Content::Sequence(_) => "sequence",
+            Content::Mapping(_) => "mapping",
+        }
+    }
+}
+
+/// Where a node stands: what may begin there.
+#[derive(Clone, Copy, PartialEq)]
+enum Place {
+    Flow,
+    Block,
+    /// A value of a block mapping: its list need not be indented.
+    BlockValue,
+}
+
+struct Composer<'t> {
+    scanner: Scanner<'t>,
+    tree: Tree,
+    anchors: FastMap<String, Id>,
+    handles: FastMap<String, String>,
+    depth: u32,
+}
+
+/// The one document of `text`, or nothing.
+///
+/// # Errors
+/// When it is not well-formed, or not one.
+pub(super) fn compose(text: &str) -> Result<Option<(Tree, Id)>, Failure> {
+    let mut composer = Composer {
+        scanner: Scanner::new(text)?,
+        tree: Tree::new(),
+        anchors: FastMap::default(),
+        handles: default_handles(),
+        depth: 0,
+    };
+    let Some(root) = composer.document()? else { return Ok(None) };
+    if let Some(other) = composer.next_document()? {
+        let start = composer.start(root);
+        let context = "expected a single document in the stream";
+        return Err(Failure::within(context, start, "but found another document", other));
+    }
+    Ok(Some((composer.tree, root)))
+}
+
+fn default_handles() -> FastMap<String, String> {
+    let handles = [("!", "!"), ("!!", "tag:yaml.org,2002:")];
+    handles.iter().map(|(handle, prefix)| ((*handle).to_owned(), (*prefix).to_owned())).collect()
+}
+
+impl Composer<'_> {
+    fn peek(&mut self) -> Result<&TokenKind, Failure> {
+        Ok(&self.scanner.peek()?.kind)
+    }
+
+    fn at(&mut self, kinds: &[TokenKind]) -> Result<bool, Failure> {
+        Ok(kinds.contains(self.peek()?))
+    }
+
+    /// Take the next token if it is `kind`; its end.
+    fn take(&mut self, kind: &TokenKind) -> Result<Option<Mark>, Failure> {
+        if self.peek()? == kind { self.scanner.next().map(|token| Some(token.end)) } else { Ok(None) }
+    }
+
+    fn here(&mut self) -> Result<Mark, Failure> {
+        Ok(self.scanner.peek()?.start)
+    }
+
+    fn start(&self, id: Id) -> Mark {
+        self.tree.get(id).map_or_else(Mark::default, |node| node.start)
+    }
+
+    fn end(&self, id: Id) -> u32 {
+        self.tree.get(id).map_or(0, |node| node.end)
+    }
+
+    fn add(&mut self, tag: impl Into<Cow<'static, str>>, content: Content, start: Mark, end: u32) -> Id {
+        self.tree.push(Raw { tag: tag.into(), content, start, end });
+        self.tree.len() - 1
+    }
+
+    fn empty(&mut self, at: Mark) -> Id {
+        self.add(resolve(""), Content::Scalar(String::new()), at, at.offset)
+    }
+
+    fn expected(&mut self, context: &str, began: Mark, problem: &str) -> Failure {
+        match self.scanner.peek() {
+            Ok(token) => {
+                let (found, at) = (repr(token.kind.name()), token.start);
+                Failure::within(context, began, format!("{problem} {found}"), at)
+            }
+            Err(failure) => failure,
+        }
+    }
+
+    // Documents.
+
+    fn document(&mut self) -> Result<Option<Id>, Failure> {
+        let explicit =
+            matches!(self.peek()?, TokenKind::Directive(_) | TokenKind::DocumentStart | TokenKind::StreamEnd);
+        let root = if !explicit {
+            self.node(Place::Block)?
+        } else if self.next_document()?.is_none() {
+            return Ok(None);
+        } else {
+            let no_content = matches!(
+                self.peek()?,
+                TokenKind::Directive(_)
+                    | TokenKind::DocumentStart
+                    | TokenKind::DocumentEnd
+                    | TokenKind::StreamEnd
+            );
+            let here = self.here()?;
+            if no_content { self.empty(here) } else { self.node(Place::Block)? }
+        };
+        self.take(&TokenKind::DocumentEnd)?;
+        Ok(Some(root))
+    }
+
+    /// Move behind the head of the next document and return where that began; `None` at the end.
+    fn next_document(&mut self) -> Result<Option<Mark>, Failure> {
+        while self.take(&TokenKind::DocumentEnd)?.is_some() {}
+        if self.at(&[TokenKind::StreamEnd])? {
+            return Ok(None);
+        }
+        let start = self.here()?;
+        self.directives()?;
+        if self.take(&TokenKind::DocumentStart)?.is_none() {
+            let at = self.here()?;
+            let found = repr(self.peek()?.name());
+            return Err(Failure::new(format!("expected '<document start>', but found {found}"), at));
+        }
+        Ok(Some(start))
+    }
+
+    fn directives(&mut self) -> Result<(), Failure> {
+        let mut has_version = false;
+        let mut declared = FastMap::default();
+        while matches!(self.peek()?, TokenKind::Directive(_)) {
+            let token = self.scanner.next()?;
+            match token.kind {
+                TokenKind::Directive(Directive::Yaml(_)) if has_version => {
+                    return Err(Failure::new("found duplicate YAML directive", token.start));
+                }
+                TokenKind::Directive(Directive::Yaml(major)) => {
+                    if major.trim_start_matches('0') != "1" {
+                        let problem = "found incompatible YAML document (version 1.* is required)";
+                        return Err(Failure::new(problem, token.start));
+                    }
+                    has_version = true;
+                }
+                TokenKind::Directive(Directive::Tag(handle, prefix)) => {
+                    if declared.contains_key(&handle) {
+                        let problem = format!("duplicate tag handle {}", repr(&handle));
+                        return Err(Failure::new(problem, token.start));
+                    }
+                    declared.insert(handle, prefix);
+                }
+                _ => {}
+            }
+        }
+        self.handles = default_handles();
+        self.handles.extend(declared);
+        Ok(())
+    }
+
+    // Nodes.
+
+    fn node(&mut self, place: Place) -> Result<Id, Failure> {
+        let at = self.here()?;
+        if self.depth >= MAX_DEPTH {
+            return Err(Failure::new(format!("found more than {MAX_DEPTH} levels of nesting"), at));
+        }
+        self.depth += 1;
+        let node =
+            if matches!(self.peek()?, TokenKind::Alias(_)) { self.alias() } else { self.content(place) };
+        self.depth -= 1;
+        node
+    }
+
+    fn alias(&mut self) -> Result<Id, Failure> {
+        let token = self.scanner.next()?;
+        let name = if let TokenKind::Alias(name) = token.kind { name } else { String::new() };
+        self.anchors.get(&name).copied().ok_or_else(|| {
+            let range = TextRange::new(token.start.offset, token.end.offset);
+            Failure::new(format!("found undefined alias {}", repr(&name)), token.start).blaming(range)
+        })
+    }
+
+    fn content(&mut self, place: Place) -> Result<Id, Failure> {
+        let properties = self.properties()?;
+        let start = match properties.start {
+            Some(start) => start,
+            None => self.here()?,
+        };
+        let block = place != Place::Flow;
+        let begins = match self.peek()? {
+            TokenKind::BlockEntry => place == Place::BlockValue,
+            TokenKind::BlockSequenceStart | TokenKind::BlockMappingStart => block,
+            TokenKind::Scalar(..) | TokenKind::FlowSequenceStart | TokenKind::FlowMappingStart => true,
+            _ => false,
+        };
+        if !begins && properties.start.is_none() {
+            let context = if block { "while parsing a block node" } else { "while parsing a flow node" };
+            return Err(self.expected(context, start, "expected the node content, but found"));
+        }
+        // A scalar is taken, with what must be read to know whether it is a key, before its anchor counts.
+        let scalar = match self.peek()? {
+            TokenKind::Scalar(..) => Some(self.scanner.next()?),
+            _ => None,
+        };
+        self.check_anchor(properties.anchor.as_deref(), start)?;
+        let (tag, end) = (properties.tag, properties.end);
+        if let Some(token) = scalar {
+            let TokenKind::Scalar(text, plain) = token.kind else { return Ok(self.empty(start)) };
+            let tag = match tag {
+                Some(tag) => tag,
+                None if plain || properties.is_bare => Cow::Borrowed(resolve(&text)),
+                None => Cow::Borrowed(STR),
+            };
+            let id = self.add(tag, Content::Scalar(text), start, token.end.offset);
+            self.register(properties.anchor, id);
+            return Ok(id);
+        }
+        if !begins {
+            let tag = tag.unwrap_or_else(|| Cow::Borrowed(resolve("")));
+            let id = self.add(tag, Content::Scalar(String::new()), start, end);
+            self.register(properties.anchor, id);
+            return Ok(id);
+        }
+        self.collection(tag, properties.anchor, start)
+    }
+
+    /// Anchor and tag, in either order.
+    fn properties(&mut self) -> Result<Properties, Failure> {
+        let mut found = Properties::default();
+        let mut tag: Option<(Option<String>, String, Mark)> = None;
+        loop {
+            match self.peek()? {
+                TokenKind::Anchor(_) if found.anchor.is_none() => {}
+                TokenKind::Tag(..) if tag.is_none() => {}
+                _ => break,
+            }
+            let token = self.scanner.next()?;
+            found.start.get_or_insert(token.start);
+            found.end = token.end.offset;
+            match token.kind {
+                TokenKind::Anchor(name) => found.anchor = Some(name),
+                TokenKind::Tag(handle, suffix) => tag = Some((handle, suffix, token.start)),
+                _ => {}
+            }
+        }
+        let Some((handle, suffix, at)) = tag else { return Ok(found) };
+        let tag = match handle {
+            None => suffix,
+            Some(handle) => match self.handles.get(&handle) {
+                Some(prefix) => format!("{prefix}{suffix}"),
+                None => {
+                    let problem = format!("found undefined tag handle {}", repr(&handle));
+                    let start = found.start.unwrap_or(at);
+                    return Err(Failure::within("while parsing a node", start, problem, at));
+                }
+            },
+        };
+        found.is_bare = tag == "!";
+        found.tag = (!found.is_bare).then_some(Cow::Owned(tag));
+        Ok(found)
+    }
+
+    fn check_anchor(&self, anchor: Option<&str>, start: Mark) -> Result<(), Failure> {
+        match anchor.and_then(|anchor| Some((anchor, *self.anchors.get(anchor)?))) {
+            Some((anchor, first)) => {
+                let context = format!("found duplicate anchor {}; first occurrence", repr(anchor));
+                Err(Failure::within(&context, self.start(first), "second occurrence", start))
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn register(&mut self, anchor: Option<String>, id: Id) {
+        if let Some(anchor) = anchor {
+            self.anchors.insert(anchor, id);
+        }
+    }
+
+    fn collection(
+        &mut self,
+        tag: Option<Cow<'static, str>>,
+        anchor: Option<String>,
+        start: Mark,
+    ) -> Result<Id, Failure> {
+        let is_sequence = matches!(
+            self.peek()?,
+            TokenKind::BlockEntry | TokenKind::BlockSequenceStart | TokenKind::FlowSequenceStart
+        );
+        let (default, content) = if is_sequence {
+            (SEQ, Content::Sequence(Vec::new()))
+        } else {
+            (MAP, Content::Mapping(Vec::new()))
+        };
+        let id = self.add(tag.unwrap_or(Cow::Borrowed(default)), content, start, start.offset);
+        // Known from here on: what it holds may refer to it.
+        self.register(anchor, id);
+        let (content, end) = match self.peek()? {
+            TokenKind::BlockEntry => self.indentless_sequence()?,
+            TokenKind::BlockSequenceStart => self.block_sequence()?,
+            TokenKind::FlowSequenceStart => self.flow_sequence()?,
+            TokenKind::FlowMappingStart => self.flow_mapping()?,
+            _ => self.block_mapping()?,
+        };
+        if let Some(node) = self.tree.get_mut(id) {
+            node.content = content;
+            node.end = end.unwrap_or(start.offset);
+        }
+        Ok(id)
+    }
+
+    // Collections: their content and where the last item, or the closing bracket, ends.
+
+    fn last_end(&self, id: Option<Id>) -> Option<u32> {
+        id.map(|id| self.end(id))
+    }
+
+    fn block_sequence(&mut self) -> Result<(Content, Option<u32>), Failure> {
+        let start = self.scanner.next()?.start;
+        let mut items = Vec::new();
+        while let Some(dash) = self.take(&TokenKind::BlockEntry)? {
+            let none = self.at(&[TokenKind::BlockEntry, TokenKind::BlockEnd])?;
+            items.push(if none { self.empty(dash) } else { self.node(Place::Block)? });
+        }
+        if self.take(&TokenKind::BlockEnd)?.is_none() {
+            let problem = "expected <block end>, but found";
+            return Err(self.expected("while parsing a block collection", start, problem));
+        }
+        let end = self.last_end(items.last().copied());
+        Ok((Content::Sequence(items), end))
+    }
+
+    fn indentless_sequence(&mut self) -> Result<(Content, Option<u32>), Failure> {
+        let none = [TokenKind::BlockEntry, TokenKind::Key, TokenKind::Value, TokenKind::BlockEnd];
+        let mut items = Vec::new();
+        while let Some(dash) = self.take(&TokenKind::BlockEntry)? {
+            items.push(if self.at(&none)? { self.empty(dash) } else { self.node(Place::Block)? });
+        }
+        let end = self.last_end(items.last().copied());
+        Ok((Content::Sequence(items), end))
+    }
+
+    fn block_mapping(&mut self) -> Result<(Content, Option<u32>), Failure> {
+        let start = self.scanner.next()?.start;
+        let none = [TokenKind::Key, TokenKind::Value, TokenKind::BlockEnd];
+        let mut items = Vec::new();
+        while let Some(mark) = self.take(&TokenKind::Key)? {
+            let key = if self.at(&none)? { self.empty(mark) } else { self.node(Place::BlockValue)? };
+            let value = match self.take(&TokenKind::Value)? {
+                Some(_) if !self.at(&none)? => self.node(Place::BlockValue)?,
+                Some(colon) => self.empty(colon),
+                None => {
+                    let here = self.here()?;
+                    self.empty(here)
+                }
+            };
+            items.push((key, value));
+        }
+        if self.take(&TokenKind::BlockEnd)?.is_none() {
+            let problem = "expected <block end>, but found";
+            return Err(self.expected("while parsing a block mapping", start, problem));
+        }
+        let end = items.last().map(|&(key, value)| self.end(key).max(self.end(value)));
+        Ok((Content::Mapping(items), end))
+    }
+
+    fn flow_sequence(&mut self) -> Result<(Content, Option<u32>), Failure> {
+        let start = self.scanner.next()?.start;
+        let mut items = Vec::new();
+        while !self.at(&[TokenKind::FlowSequenceEnd])? {
+            if !items.is_empty() && self.take(&TokenKind::FlowEntry)?.is_none() {
+                let problem = "expected ',' or ']', but got";
+                return Err(self.expected("while parsing a flow sequence", start, problem));
+            }
+            if self.at(&[TokenKind::Key])? {
+                items.push(self.flow_pair()?);
+            } else if !self.at(&[TokenKind::FlowSequenceEnd])? {
+                items.push(self.node(Place::Flow)?);
+            }
+        }
+        let end = self.scanner.next()?.end.offset;
+        Ok((Content::Sequence(items), Some(end)))
+    }
+
+    /// `key: value` as an item of a list: a mapping of one.
+    fn flow_pair(&mut self) -> Result<Id, Failure> {
+        let start = self.here()?;
+        let (key, value) = self.flow_item(&TokenKind::FlowSequenceEnd)?;
+        let end = self.end(key).max(self.end(value));
+        Ok(self.add(MAP, Content::Mapping(vec![(key, value)]), start, end))
+    }
+
+    /// Key and value in brackets that `close` ends; the next token is the `Key`.
+    fn flow_item(&mut self, close: &TokenKind) -> Result<(Id, Id), Failure> {
+        let mark = self.scanner.next()?.end;
+        let none = [TokenKind::Value, TokenKind::FlowEntry, close.clone()];
+        let key = if self.at(&none)? { self.empty(mark) } else { self.node(Place::Flow)? };
+        let value = match self.take(&TokenKind::Value)? {
+            Some(_) if !self.at(&[TokenKind::FlowEntry, close.clone()])? => self.node(Place::Flow)?,
+            Some(colon) => self.empty(colon),
+            None => {
+                let here = self.here()?;
+                self.empty(here)
+            }
+        };
+        Ok((key, value))
+    }
+
+    fn flow_mapping(&mut self) -> Result<(Content, Option<u32>), Failure> {
+        let start = self.scanner.next()?.start;
+        let mut items = Vec::new();
+        while !self.at(&[TokenKind::FlowMappingEnd])? {
+            if !items.is_empty() && self.take(&TokenKind::FlowEntry)?.is_none() {
+                let problem = "expected ',' or '}', but got";
+                return Err(self.expected("while parsing a flow mapping", start, problem));
+            }
+            if self.at(&[TokenKind::Key])? {
+                items.push(self.flow_item(&TokenKind::FlowMappingEnd)?);
+            } else if !self.at(&[TokenKind::FlowMappingEnd])? {
+                let key = self.node(Place::Flow)?;
+                let here = self.here()?;
+                let value = self.empty(here);
+                items.push((key, value));
+            }
+        }
+        let end = self.scanner.next()?.end.offset;
+        Ok((Content::Mapping(items), Some(end)))
+    }
+}
+
+/// What stands before a node.
+#[derive(Default)]
+struct Properties {
+    anchor: Option<String>,
+    /// The full tag, unless it is missing or `!`.
+    tag: Option<Cow<'static, str>>,
+    /// Whether the tag is `!`.
+    is_bare: bool,
+    start: Option<Mark>,
+    end: u32,
+}
