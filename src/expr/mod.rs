@@ -7,11 +7,8 @@ mod budget;
 mod builtins;
 mod call;
 pub mod display;
-<<<<<<< HEAD
 #[cfg(test)]
 mod dump;
-=======
->>>>>>> expr-eval
 mod escape;
 mod eval;
 mod float_repr;
@@ -32,15 +29,14 @@ mod stop;
 mod substitution;
 mod syntax;
 mod template;
-<<<<<<< HEAD
 mod token;
-=======
->>>>>>> expr-eval
 mod value;
 pub mod visit;
 
 pub use budget::Budget;
-pub use builtins::{GlobalSymbol, SymbolKind, global_symbol, global_symbols, is_global_symbol, module_symbol};
+pub use builtins::{
+    GlobalSymbol, SymbolKind, global_symbol, global_symbols, is_global_symbol, module_symbol,
+};
 pub use host::{ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId};
 pub use interp::evaluate;
 pub use methods::method_names;
@@ -48,9 +44,6 @@ pub use substitution::{Subst, SubstArg, SubstError, parse_substitution, resolve}
 pub use syntax::{ExprError, ExprErrorKind, NameUse, Parsed, is_identifier, is_python_space, names, parse};
 pub use template::{Code, Template, Token, split};
 pub use value::{DateValue, Dict, List, Module, Range, Set, Slice, Str, Tuple, Type, Value, View, ViewKind};
-<<<<<<< HEAD
-=======
 
 #[cfg(test)]
 mod eval_tests;
->>>>>>> expr-eval
