@@ -90,7 +90,12 @@ fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
 }
 
 /// Put standard input in the place of a file; the name to expand.
-fn read_stdin(options: &ExpandOptions, env: &Environment, vfs: &Vfs, io: &mut Io<'_>) -> Result<String, String> {
+fn read_stdin(
+    options: &ExpandOptions,
+    env: &Environment,
+    vfs: &Vfs,
+    io: &mut Io<'_>,
+) -> Result<String, String> {
     const NAME: &str = "<stdin>";
     if options.input != "-" {
         return Ok(options.input.clone());
@@ -115,7 +120,8 @@ pub fn package_options(explicit: &[String], env: &Environment, environment_first
 
 fn unreadable(error: &LoadError, request: &Request) -> String {
     let root = request.root_dir.as_deref().unwrap_or(".");
-    let name = if request.file.starts_with('/') { request.file.clone() } else { format!("{root}/{}", request.file) };
+    let name =
+        if request.file.starts_with('/') { request.file.clone() } else { format!("{root}/{}", request.file) };
     let LoadError { strerror, errno, .. } = error;
     visible(&format!("{strerror}: {name} [Errno {errno}] {strerror}: '{name}'"))
 }

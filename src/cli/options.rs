@@ -34,8 +34,16 @@ pub enum UsageError {
     Mapping(String),
 }
 
-const LONG: [&str; 8] =
-    ["--deps", "--inorder", "--root-dir", "--verbosity", "--help", "--package-path", "--source-map", "--output"];
+const LONG: [&str; 8] = [
+    "--deps",
+    "--inorder",
+    "--root-dir",
+    "--verbosity",
+    "--help",
+    "--package-path",
+    "--source-map",
+    "--output",
+];
 
 /// `a:=b` on the command line, in the reference's way: stripped, empty ones and `_private` ones ignored.
 ///
@@ -102,8 +110,11 @@ fn long_option<'a>(
         None => (arg, None),
     };
     // any unambiguous beginning will do
-    let matching: Vec<&str> =
-        if LONG.contains(&given) { vec![given] } else { LONG.into_iter().filter(|l| l.starts_with(given)).collect() };
+    let matching: Vec<&str> = if LONG.contains(&given) {
+        vec![given]
+    } else {
+        LONG.into_iter().filter(|l| l.starts_with(given)).collect()
+    };
     let name = match matching.as_slice() {
         [one] => *one,
         [] => return Err(UsageError::Usage(format!("no such option: {given}"))),
@@ -112,7 +123,8 @@ fn long_option<'a>(
             return Err(UsageError::Usage(format!("ambiguous option: {given} ({list}?)")));
         }
     };
-    let takes_value = matches!(name, "--root-dir" | "--verbosity" | "--package-path" | "--source-map" | "--output");
+    let takes_value =
+        matches!(name, "--root-dir" | "--verbosity" | "--package-path" | "--source-map" | "--output");
     if !takes_value && value.is_some() {
         return Err(UsageError::Usage(format!("{name} option does not take a value")));
     }
@@ -132,8 +144,9 @@ fn long_option<'a>(
         "--output" => options.output = Some(value),
         "--verbosity" => {
             let number = value.parse();
-            options.verbosity = number
-                .map_err(|_| UsageError::Usage(format!("option --verbosity: invalid integer value: '{value}'")))?;
+            options.verbosity = number.map_err(|_| {
+                UsageError::Usage(format!("option --verbosity: invalid integer value: '{value}'"))
+            })?;
         }
         _ => return Err(UsageError::Help),
     }

@@ -78,6 +78,10 @@ impl Expander<'_> {
     /// The start of a tag: from `<` to the end of its name.
     pub fn tag_origin(&self, tag: Tag<'_>, cx: Cx) -> Origin {
         let name = tag.node.name_range();
-        Origin { src: tag.src, range: TextRange::new(name.start.saturating_sub(1), name.end), frame: cx.frame }
+        Origin {
+            src: tag.src,
+            range: TextRange::new(name.start.saturating_sub(1), name.end),
+            frame: cx.frame,
+        }
     }
 }

@@ -62,7 +62,8 @@ impl Expander<'_> {
                 });
                 let reads = self.reads.drain(mark..).collect();
                 let origin = default.map_or(place.origin, |(_, place)| place.origin);
-                let info = BindingInfo { reads, ..BindingInfo::new(name.clone(), BindingKind::Argument, origin) };
+                let info =
+                    BindingInfo { reads, ..BindingInfo::new(name.clone(), BindingKind::Argument, origin) };
                 let info = self.add_binding(info);
                 self.result.record.add(super::Read::Arg(name.to_string(), None));
                 self.args.insert(name, (value, info));
@@ -94,7 +95,7 @@ impl Expander<'_> {
         let frame = self.push_frame(FrameKind::Block, name.as_ref().into(), at, definition);
         let cx = Cx { frame, ..cx };
         match block {
-            Block::Source(at, _) => {
+            Block::Source(at) => {
                 if let Some(item) = self.item(at.src) {
                     let node = item.node(at.node);
                     let content = self.container(Origin { src: at.src, range: node.range(), frame });
@@ -124,9 +125,12 @@ impl Expander<'_> {
             .problem("XAC004", place.origin, format!("block `{name}` is not defined"))
             .says(format!("Undefined block \"{name}\""));
         if self.scopes.find(cx.scope, name).is_some() {
-            problem = problem.help(format!("`{name}` is a value; a block parameter is declared as `*{name}`"));
+            problem =
+                problem.help(format!("`{name}` is a value; a block parameter is declared as `*{name}`"));
         } else {
-            problem = problem.help(format!("declare it as `*{name}` in the macro's params, or as a property without value"));
+            problem = problem.help(format!(
+                "declare it as `*{name}` in the macro's params, or as a property without value"
+            ));
         }
         self.push(problem);
     }

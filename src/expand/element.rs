@@ -70,7 +70,9 @@ impl Expander<'_> {
         let namespace = self.attr(tag, "xacro:targetNamespace", cx).filter(|(value, _)| !value.is_empty());
         if let Some((text, place)) = namespace {
             let (value, pieces) = self.eval_pieces(&text, place, cx);
-            self.result.tree.set_attr(root, XAttr { name: "xmlns".into(), value, origin: place.origin, pieces });
+            self.result
+                .tree
+                .set_attr(root, XAttr { name: "xmlns".into(), value, origin: place.origin, pieces });
         }
         self.eval_root_content(file, root, cx);
     }
@@ -266,7 +268,9 @@ impl Expander<'_> {
                 let message = "the name of this attribute is empty";
                 self.error("XAC025", name_place.origin, message, "xacro:attribute: empty name");
             }
-            Some(name) => self.result.tree.set_attr(out, XAttr { name, value, origin: value_place.origin, pieces }),
+            Some(name) => {
+                self.result.tree.set_attr(out, XAttr { name, value, origin: value_place.origin, pieces })
+            }
         }
     }
 
@@ -297,5 +301,9 @@ fn no_entities() -> &'static Entities {
 
 /// Line ends inside comments, CDATA sections and the like, as an XML parser reports them.
 fn normalise_lines(text: &str) -> Cow<'_, str> {
-    if text.contains('\r') { Cow::Owned(text.replace("\r\n", "\n").replace('\r', "\n")) } else { Cow::Borrowed(text) }
+    if text.contains('\r') {
+        Cow::Owned(text.replace("\r\n", "\n").replace('\r', "\n"))
+    } else {
+        Cow::Borrowed(text)
+    }
 }

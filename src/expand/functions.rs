@@ -9,9 +9,7 @@ use super::record::Read;
 use super::text::CodeSite;
 use super::yaml_value::file_value;
 use crate::base::TextRange;
-use crate::expr::{
-    ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display, literal,
-};
+use crate::expr::{ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display, literal};
 use crate::vfs::LoadError;
 use crate::yaml;
 
@@ -75,8 +73,7 @@ impl Host for ExprHost<'_, '_, '_> {
     fn deprecated(&mut self, name: &str, namespace: &str, range: TextRange) {
         let at = self.machine.origin_of(self.at, range);
         let message = format!("bare `{name}` is deprecated: xacro warns about it on each call");
-        let reference =
-            format!("Using {name}() directly is deprecated. Use {namespace}.{name}() instead.");
+        let reference = format!("Using {name}() directly is deprecated. Use {namespace}.{name}() instead.");
         let problem = self
             .machine
             .problem("XAC029", at, message)
@@ -99,7 +96,12 @@ impl ExprHost<'_, '_, '_> {
         self.machine.location_lines(self.at.site.place.origin)
     }
 
-    fn arg(&mut self, args: &[Value], keywords: &[(EcoString, Value)], range: TextRange) -> Result<Value, EvalError> {
+    fn arg(
+        &mut self,
+        args: &[Value],
+        keywords: &[(EcoString, Value)],
+        range: TextRange,
+    ) -> Result<Value, EvalError> {
         let name = text_argument("<lambda>", "name", args, keywords)?;
         match self.machine.args.get(&name) {
             Some((Some(value), info)) => {

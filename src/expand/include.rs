@@ -94,7 +94,9 @@ impl Expander<'_> {
 
     /// The scopes an included file is evaluated in: those of `ns=`, or the includer's.
     fn include_scope(&mut self, tag: Tag<'_>, cx: Cx) -> Cx {
-        let Some((text, place)) = self.attr(tag, "ns", cx).filter(|(text, _)| !text.is_empty()) else { return cx };
+        let Some((text, place)) = self.attr(tag, "ns", cx).filter(|(text, _)| !text.is_empty()) else {
+            return cx;
+        };
         let value = self.eval_text(&text, place, cx.scope);
         let Some(name) = display::to_str(&value) else { return cx };
         let macros = self.macros.push(None);
@@ -215,7 +217,8 @@ impl Expander<'_> {
         }
         self.include_missing = true;
         self.result.complete = false;
-        let shown = if name.starts_with('/') { name.to_owned() } else { format!("{}/{name}", self.root_name()) };
+        let shown =
+            if name.starts_with('/') { name.to_owned() } else { format!("{}/{name}", self.root_name()) };
         let LoadError { strerror, errno, .. } = &error;
         let message = match error.kind {
             LoadErrorKind::NotFound => format!("included file `{name}` does not exist"),
@@ -246,8 +249,12 @@ impl Expander<'_> {
         let position = document.line_col(first.expat_offset, crate::base::Encoding::Utf32);
         let at = Origin { src: base, range: first.range, frame: super::FrameId::ROOT };
         let mut problem = self.syntax_problem(first, at, file);
-        problem.reference =
-            format!("XML parsing error: {}: line {}, column {}", first.expat, position.line + 1, position.col);
+        problem.reference = format!(
+            "XML parsing error: {}: line {}, column {}",
+            first.expat,
+            position.line + 1,
+            position.col
+        );
         self.push(problem);
     }
 
@@ -286,7 +293,8 @@ impl Expander<'_> {
             let start = self.open_files.iter().position(|f| f.file == Some(file)).unwrap_or(0);
             let chain = chain.get(start..).unwrap_or_default().join("` -> `");
             let message = format!("`{name}` includes itself: `{chain}` -> `{name}`");
-            let problem = self.problem("XAC009", inclusion.tag, message).says("maximum recursion depth exceeded");
+            let problem =
+                self.problem("XAC009", inclusion.tag, message).says("maximum recursion depth exceeded");
             self.push(problem);
         } else {
             let message = format!("includes are nested more than {most} deep, here into `{name}`");

@@ -308,27 +308,39 @@ impl<'w> Expander<'w> {
             return;
         }
         self.stopped = true;
-        let problem = self
-            .problem("XAC034", at, message)
-            .says("maximum recursion depth exceeded")
-            .help(format!("if the robot really is that large, raise `{key}` under `[limits]` in xacro-lint.toml"));
+        let problem = self.problem("XAC034", at, message).says("maximum recursion depth exceeded").help(
+            format!("if the robot really is that large, raise `{key}` under `[limits]` in xacro-lint.toml"),
+        );
         self.problems.push(problem);
     }
 
     /// A problem at `at`, with the way that led there.
     pub fn problem(&self, code: &'static str, at: Origin, message: impl Into<String>) -> Problem {
-        let place = self.result.place(at).unwrap_or(ProblemPlace { file: FileIdx(0), range: TextRange::default() });
+        let place =
+            self.result.place(at).unwrap_or(ProblemPlace { file: FileIdx(0), range: TextRange::default() });
         Problem::new(code, place, message).via(self.trace(at))
     }
 
     /// Report an error at `at`; `reference` is what xacro says.
-    pub fn error(&mut self, code: &'static str, at: Origin, message: impl Into<String>, reference: impl Into<String>) {
+    pub fn error(
+        &mut self,
+        code: &'static str,
+        at: Origin,
+        message: impl Into<String>,
+        reference: impl Into<String>,
+    ) {
         let problem = self.problem(code, at, message).says(reference);
         self.push(problem);
     }
 
     /// Report a warning at `at`; `reference` is what xacro says.
-    pub fn warn(&mut self, code: &'static str, at: Origin, message: impl Into<String>, reference: impl Into<String>) {
+    pub fn warn(
+        &mut self,
+        code: &'static str,
+        at: Origin,
+        message: impl Into<String>,
+        reference: impl Into<String>,
+    ) {
         let problem = self.problem(code, at, message).says(reference).warning();
         self.push(problem);
     }

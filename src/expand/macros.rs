@@ -63,7 +63,12 @@ impl Expander<'_> {
         let Some((text, place)) = self.required_attr(tag, "macro", cx) else { return };
         if text.is_empty() {
             let message = "`xacro:call` does not say which macro to call";
-            return self.error("XAC032", place.origin, message, "xacro:call is missing the 'macro' attribute");
+            return self.error(
+                "XAC032",
+                place.origin,
+                message,
+                "xacro:call is missing the 'macro' attribute",
+            );
         }
         let value = self.eval_text(&text, place, cx.scope);
         let Some(name) = display::to_str(&value) else { return self.skip_unknown(tag, cx) };
@@ -123,7 +128,9 @@ impl Expander<'_> {
         for attr in tag.attrs() {
             let at = Origin { src: tag.src, range: attr.name_range(), frame: cx.frame };
             let given = open.iter().position(|p| p.name == attr.name());
-            let Some(i) = given.or_else(|| self.misspelt_param(tag, def, open, attr.name(), at)) else { continue };
+            let Some(i) = given.or_else(|| self.misspelt_param(tag, def, open, attr.name(), at)) else {
+                continue;
+            };
             let param = open.remove(i);
             let origin = Origin { range: attr.value_range(), ..at };
             let text = attr.value(self.entities(tag.src)).into_owned();
@@ -136,11 +143,20 @@ impl Expander<'_> {
         let mark = self.reads.len();
         let value = literal_of(self.eval_text(text, place, cx.scope));
         let reads = self.reads.drain(mark..).collect();
-        let info = BindingInfo { reads, ..BindingInfo::new(name.clone(), BindingKind::Parameter, place.origin) };
+        let info =
+            BindingInfo { reads, ..BindingInfo::new(name.clone(), BindingKind::Parameter, place.origin) };
         self.bind(body.scope, name.clone(), State::Ready(value), info, place.origin);
     }
 
-    fn bind_blocks(&mut self, tag: Tag<'_>, content: XId, def: &MacroDef, open: &mut Vec<&Param>, cx: Cx, body: Cx) {
+    fn bind_blocks(
+        &mut self,
+        tag: Tag<'_>,
+        content: XId,
+        def: &MacroDef,
+        open: &mut Vec<&Param>,
+        cx: Cx,
+        body: Cx,
+    ) {
         let mut blocks = self.result.tree.elements(content).collect::<Vec<_>>().into_iter();
         let wanted: Vec<&Param> = open.iter().copied().filter(|p| p.is_block()).collect();
         open.retain(|p| !p.is_block());
@@ -180,7 +196,8 @@ impl Expander<'_> {
         let mut left = Vec::new();
         for param in std::mem::take(open) {
             // of parameters with one name, the last default counts
-            let spec = def.params.iter().rev().find(|p| p.name == param.name && (p.forward || p.default.is_some()));
+            let spec =
+                def.params.iter().rev().find(|p| p.name == param.name && (p.forward || p.default.is_some()));
             let Some(spec) = spec else {
                 left.push(param);
                 continue;
@@ -216,7 +233,10 @@ impl Expander<'_> {
     }
 
     fn nothing_to_forward(&mut self, def: &MacroDef, name: &EcoString, at: Origin, body: Cx) {
-        let message = format!("parameter `{name}` of macro `{}` takes the caller's `{name}`, which is not defined", def.name);
+        let message = format!(
+            "parameter `{name}` of macro `{}` takes the caller's `{name}`, which is not defined",
+            def.name
+        );
         let problem = self
             .problem("XAC005", at, message)
             .says(format!("Undefined property to forward: {name}"))
@@ -313,7 +333,8 @@ impl Expander<'_> {
         let near = nearest(name, names.iter().copied()).map(str::to_owned);
         if near.is_some() || !self.include_missing {
             let message = format!("macro `{name}` is not defined");
-            let mut problem = self.problem("XAC002", at, message).says(format!("unknown macro name: {}", tag.name));
+            let mut problem =
+                self.problem("XAC002", at, message).says(format!("unknown macro name: {}", tag.name));
             if let Some(near) = near {
                 problem = problem
                     .help(format!("a macro with a similar name exists: `{near}`"))
@@ -358,7 +379,8 @@ impl Expander<'_> {
         let most = self.request.limits.macro_depth;
         let deep = self.calls.len() as u32 >= most;
         if deep {
-            let message = format!("macro calls are nested more than {most} deep, here into macro `{}`", def.name);
+            let message =
+                format!("macro calls are nested more than {most} deep, here into macro `{}`", def.name);
             self.stop(at, message, "macro-depth");
         }
         deep
@@ -371,7 +393,8 @@ impl Expander<'_> {
             let old = self.result.tree.attr(to, &attr.name).map(|a| a.value.clone());
             match old {
                 Some(old) if old != attr.value => {
-                    let message = format!("`{}` is bound to `{}` here and to `{old}` around it", attr.name, attr.value);
+                    let message =
+                        format!("`{}` is bound to `{}` here and to `{old}` around it", attr.name, attr.value);
                     let reference = format!(
                         "inconsistent namespace redefinitions for {}:\n old: {old}\n new: {} ({})",
                         attr.name,

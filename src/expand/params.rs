@@ -86,11 +86,7 @@ fn param(text: &str, start: usize, end: usize, forward: bool, default: Option<(u
 /// Lengths of the forward mark to try at `at`: `^|`, `^`, nothing.
 fn forward_marks(text: &str, at: usize) -> impl Iterator<Item = usize> {
     let rest = text.get(at..).unwrap_or("");
-    let longest = if rest.starts_with("^|") {
-        2
-    } else {
-        usize::from(rest.starts_with('^'))
-    };
+    let longest = if rest.starts_with("^|") { 2 } else { usize::from(rest.starts_with('^')) };
     (0..=longest).rev()
 }
 

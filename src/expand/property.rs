@@ -37,8 +37,7 @@ impl Expander<'_> {
         if let Some((_, place)) = &default {
             if scope.is_some() {
                 let message = format!("`default` of property `{name}` ignores `scope`");
-                let reference =
-                    format!("{name}: default property value can only be defined on local scope");
+                let reference = format!("{name}: default property value can only be defined on local scope");
                 let at = scope.as_ref().map_or(place.origin, |(_, p)| p.origin);
                 self.warn("XAC040", at, message, reference);
             }
@@ -72,14 +71,17 @@ impl Expander<'_> {
         let (key, state, origin) = match value {
             None => {
                 let at = self.tag_origin(tag, cx);
-                let block = Block::Source(SrcRef { src: tag.src, node: tag.node.id() }, cx.frame);
+                let block = Block::Source(SrcRef { src: tag.src, node: tag.node.id() });
                 (EcoString::from(format!("**{name}")), State::Block(block), at)
             }
             Some((text, place)) if at_once => {
                 let mark = self.reads.len();
                 let value = literal_of(self.eval_text(&text, place, cx.scope));
                 let reads = self.reads.drain(mark..).collect();
-                let info = BindingInfo { reads, ..BindingInfo::new(name.clone(), BindingKind::Property, place.origin) };
+                let info = BindingInfo {
+                    reads,
+                    ..BindingInfo::new(name.clone(), BindingKind::Property, place.origin)
+                };
                 return self.put(target, name.clone(), State::Ready(value), info, name_place.origin, scope);
             }
             Some((text, place)) => (name.clone(), lazy_state(&text, place), place.origin),
@@ -180,7 +182,11 @@ impl Expander<'_> {
         let range = given.last().map_or(tag.node.name_range(), |a| a.range());
         let at = Origin { src: tag.src, range, frame: cx.frame };
         let problem = self
-            .problem("XAC036", at, format!("property `{name}` has {}: only one of them can be", names.join(" and ")))
+            .problem(
+                "XAC036",
+                at,
+                format!("property `{name}` has {}: only one of them can be", names.join(" and ")),
+            )
             .says(format!("Property attributes default, value, and remove are mutually exclusive: {name}"));
         self.push(problem);
         // later uses of the name are no news

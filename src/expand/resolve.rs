@@ -152,7 +152,8 @@ impl Expander<'_> {
             .problem("XAC001", at, format!("property `{name}` is not defined"))
             .says(format!("name '{name}' is not defined \nwhen evaluating expression '{code}'"));
         if let Some(near) = near {
-            problem = problem.help(format!("a property with a similar name exists: `{near}`")).replace_with(near);
+            problem =
+                problem.help(format!("a property with a similar name exists: `{near}`")).replace_with(near);
         } else if self.args.contains_key(name) {
             problem = problem.help(format!("`{name}` is an argument: write `$(arg {name})`"));
         } else {
@@ -170,8 +171,7 @@ impl Expander<'_> {
         }
         let names: Vec<EcoString> = self.args.keys().cloned().collect();
         let near = nearest(name, names.iter().map(EcoString::as_str)).map(str::to_owned);
-        let mut problem =
-            self.problem("XAC003", at, format!("argument `{name}` is not defined")).says(said);
+        let mut problem = self.problem("XAC003", at, format!("argument `{name}` is not defined")).says(said);
         problem = match near {
             Some(near) => problem
                 .help(format!("an argument with a similar name exists: `{near}`"))

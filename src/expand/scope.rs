@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::origin::{FrameId, Origin, SrcId};
+use super::origin::{Origin, SrcId};
 use super::tree::XId;
 use crate::base::{FastMap, TextRange};
 use crate::expr::{ScopeId, Value};
@@ -50,7 +50,7 @@ pub(super) enum State {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Block {
     /// The unevaluated property element.
-    Source(SrcRef, FrameId),
+    Source(SrcRef),
     /// An evaluated child of a macro call.
     Built(XId),
 }

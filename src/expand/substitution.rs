@@ -8,7 +8,8 @@ use super::record::Read;
 use super::text::TextSite;
 use crate::base::TextRange;
 use crate::expr::{
-    self, EvalError, Host, HostFn, Lookup, Module, ScopeId, Subst, SubstArg, SubstError, Value, display, literal,
+    self, EvalError, Host, HostFn, Lookup, Module, ScopeId, Subst, SubstArg, SubstError, Value, display,
+    literal,
 };
 
 /// Why a substitution has no value.
@@ -66,7 +67,9 @@ impl Expander<'_> {
                     Err(Failure::Error(SubstError::new(message)))
                 }
             },
-            Subst::OptEnv { name, default } => Ok(self.env_var(&name.text).unwrap_or_else(|| default.clone())),
+            Subst::OptEnv { name, default } => {
+                Ok(self.env_var(&name.text).unwrap_or_else(|| default.clone()))
+            }
             Subst::Cwd => {
                 let root = self.file_path("");
                 let text = root.to_string_lossy();
@@ -110,12 +113,14 @@ impl Expander<'_> {
             }
             Err(missing) => {
                 self.result.record.add(Read::Package(name.text.to_string(), None));
-                let places: Vec<String> = missing.tried.iter().map(|(_, p)| format!("'{}'", p.display())).collect();
-                let text = format!("\"package '{}' not found, searching: [{}]\"", name.text, places.join(", "));
-                let reference = format!(
-                    "<class 'ament_index_python.packages.PackageNotFoundError'>: {text} {text}"
-                );
-                let message = format!("package `{}` is not found (looked in {} places)", name.text, places.len());
+                let places: Vec<String> =
+                    missing.tried.iter().map(|(_, p)| format!("'{}'", p.display())).collect();
+                let text =
+                    format!("\"package '{}' not found, searching: [{}]\"", name.text, places.join(", "));
+                let reference =
+                    format!("<class 'ament_index_python.packages.PackageNotFoundError'>: {text} {text}");
+                let message =
+                    format!("package `{}` is not found (looked in {} places)", name.text, places.len());
                 let mut problem = self.problem("PKG001", at, message).says(reference);
                 problem = match missing.nearest {
                     Some(near) => {
@@ -173,7 +178,8 @@ impl Expander<'_> {
                 .help(format!("`find-pkg-share` belongs to launch files; xacro has `{find}`"))
                 .replace_with(find);
         } else if inner == "dirname" {
-            problem = problem.help("relative names are relative to the file they stand in: leave `$(dirname)/` out");
+            problem = problem
+                .help("relative names are relative to the file they stand in: leave `$(dirname)/` out");
         }
         self.push(problem);
     }

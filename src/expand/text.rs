@@ -12,7 +12,9 @@ use super::scope::Place;
 use super::tree::Piece;
 use crate::base::TextRange;
 use crate::expr::ast::ExprKind;
-use crate::expr::{self, Code, ErrorKind, EvalError, ExprErrorKind, Parsed, ScopeId, Template, Token, Value, display};
+use crate::expr::{
+    self, Code, ErrorKind, EvalError, ExprErrorKind, Parsed, ScopeId, Template, Token, Value, display,
+};
 use crate::xml;
 
 /// A text of the source, split and parsed once.
@@ -115,14 +117,20 @@ impl Expander<'_> {
         }
     }
 
-    fn invalid_text(&mut self, range: TextRange, unclosed: Option<&'static str>, site: TextSite<'_>) -> Value {
+    fn invalid_text(
+        &mut self,
+        range: TextRange,
+        unclosed: Option<&'static str>,
+        site: TextSite<'_>,
+    ) -> Value {
         let rest = range.slice(site.text);
         let at = self.origin_in(site, range);
         let reference = format!("invalid expression: {rest}");
         let problem = match unclosed {
             Some(open) => {
                 let close = if open == "${" { "}" } else { ")" };
-                self.problem("XAC026", at, format!("`{open}` is not closed: `{close}` is missing")).says(reference)
+                self.problem("XAC026", at, format!("`{open}` is not closed: `{close}` is missing"))
+                    .says(reference)
             }
             None => self
                 .problem("XAC024", at, format!("`{}` can stand only in front of `{{` or `(`", lead(rest)))

@@ -113,9 +113,8 @@ impl Writer<'_> {
         self.text.push_str(&node.text);
         self.attributes(id);
         let first = self.tree.first_child(id);
-        let only_text = first.is_some_and(|c| {
-            self.tree.get(c).kind == XKind::Text && self.tree.next_sibling(c).is_none()
-        });
+        let only_text = first
+            .is_some_and(|c| self.tree.get(c).kind == XKind::Text && self.tree.next_sibling(c).is_none());
         match first {
             None => self.text.push_str("/>\n"),
             Some(child) if only_text => {

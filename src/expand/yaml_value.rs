@@ -19,7 +19,8 @@ fn convert(node: &Node, top: bool, budget: &mut Budget) -> Result<Value, EvalErr
         items.iter().map(|item| convert(item, false, budget)).collect()
     };
     let pairs = |items: &[(Node, Node)], budget: &mut Budget| -> Result<Vec<(Value, Value)>, EvalError> {
-        let pair = |(key, value): &(Node, Node)| Ok((convert(key, false, budget)?, convert(value, false, budget)?));
+        let pair =
+            |(key, value): &(Node, Node)| Ok((convert(key, false, budget)?, convert(value, false, budget)?));
         items.iter().map(pair).collect()
     };
     Ok(match &node.kind {

@@ -1,8 +1,8 @@
 //! How xacro reads literals from attribute text and booleans from values.
 
+use super::numeric::{Num, ParsedInt, parse_float, parse_int};
 use super::stop::Stop;
 use super::{EvalError, Value};
-use super::numeric::{Num, ParsedInt, parse_float, parse_int};
 
 /// The literal rule for properties, parameters and their defaults.
 ///
