@@ -1,8 +1,12 @@
 //! Many expansions, one list of findings.
 
+use std::path::PathBuf;
+
+use indexmap::IndexMap;
+
 use super::job::Outcome;
-use crate::base::{FastMap, Span};
-use crate::rules::{Finding, Severity};
+use crate::base::{FastMap, FileId, Span};
+use crate::rules::{Finding, Related, Severity};
 
 /// A finding, and where it occurred.
 struct Merged {
@@ -38,9 +42,39 @@ pub(super) fn merge(outcomes: Vec<Outcome>) -> Vec<Finding> {
     merged.into_iter().map(|merged| merged.finish(&runs)).collect()
 }
 
+/// Of findings that whole packages share, keep the first of each package, with the others beside it.
+pub(super) fn once_per_package(findings: &mut Vec<Finding>, package: impl Fn(FileId) -> Option<PathBuf>) {
+    const RULES: [&str; 1] = ["XML003"];
+    let mut groups: IndexMap<(&str, PathBuf), (usize, Vec<Related>)> = IndexMap::new();
+    let mut at = 0;
+    findings.retain(|finding| {
+        let package = RULES.contains(&finding.rule.code).then(|| package(finding.span.file)).flatten();
+        let Some(package) = package else {
+            at += 1;
+            return true;
+        };
+        if let Some((_, others)) = groups.get_mut(&(finding.rule.code, package.clone())) {
+            others.push(Related { span: finding.span, message: "here too".to_owned() });
+            return false;
+        }
+        groups.insert((finding.rule.code, package), (at, Vec::new()));
+        at += 1;
+        true
+    });
+    for (at, others) in groups.into_values() {
+        if let (Some(finding), false) = (findings.get_mut(at), others.is_empty()) {
+            finding.message.push_str(&format!(", in {} files of this package", others.len() + 1));
+            finding.related.extend(others.into_iter().take(MOST_PLACES));
+        }
+    }
+}
+
+/// Further places listed with a finding.
+const MOST_PLACES: usize = 10;
+
 /// An expansion: the file and its preset.
 struct Run {
-    file: std::path::PathBuf,
+    file: PathBuf,
     preset: Option<String>,
 }
 

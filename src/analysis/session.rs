@@ -8,13 +8,13 @@ use rayon::prelude::*;
 
 use super::includes;
 use super::job::{self, Outcome};
-use super::merge::merge;
+use super::merge::{merge, once_per_package};
 use super::report::{Report, Unreadable};
 use super::roots::{Job, Reason, RootSpec};
 use super::walk;
 use crate::base::{CancelFlag, FastSet};
 use crate::expand::Limits;
-use crate::rules::{Finding, Selection};
+use crate::rules::{Finding, PackageWorld, Selection};
 use crate::vfs::{Environment, Vfs};
 use crate::workspace::{PackageOptions, Packages, workspace_root};
 
@@ -55,6 +55,14 @@ impl Session {
         Self { vfs, packages, env: env.clone() }
     }
 
+    /// Where rules look for packages.
+    pub(super) fn package_world(&self) -> PackageWorld<'_> {
+        let variables = ["AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "ROS_PACKAGE_PATH"];
+        let sourced = variables.iter().any(|name| self.env.var(name).is_some_and(|value| !value.is_empty()));
+        let has_ros = sourced || self.vfs.is_dir(Path::new("/opt/ros"));
+        PackageWorld { packages: &self.packages, has_ros }
+    }
+
     /// Check files and folders. `selection` says for each file which rules run.
     pub fn check(&self, options: &CheckOptions, selection: &(dyn Fn(&Path) -> Arc<Selection> + Sync)) -> Report {
         let mut report = Report::default();
@@ -69,11 +77,12 @@ impl Session {
         let homes = self.homes(options);
         let mut findings = merge(kept);
         findings.retain_mut(|finding| self.admit(finding, &homes, selection));
+        findings.sort_by_cached_key(|f| (self.vfs.path(f.span.file), f.span.range.start, f.rule.code));
+        once_per_package(&mut findings, |file| Some(self.packages.containing(&self.vfs.path(file))?.folder));
         for finding in &findings {
             let spans = std::iter::once(finding.span).chain(finding.related.iter().map(|related| related.span));
             report.paths.extend(spans.map(|span| (span.file, self.vfs.path(span.file))));
         }
-        findings.sort_by_cached_key(|f| (report.path(f.span.file).to_owned(), f.span.range.start, f.rule.code));
         report.findings = findings;
         report
     }
@@ -194,6 +203,11 @@ impl Session {
         let path = self.vfs.path(finding.span.file);
         let Some(severity) = selection(&path).severity(finding) else { return false };
         finding.severity = severity;
+        // what `$(find)` made absolute is shown as the user would write it
+        let cwd = format!("{}/", self.env.cwd.display());
+        if finding.message.contains(&cwd) {
+            finding.message = finding.message.replace(&cwd, "");
+        }
         severity == crate::rules::Severity::Error || homes.iter().any(|home| path.starts_with(home))
     }
 }

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use annotate_snippets::Level;
+use indexmap::IndexMap;
 
 use super::io::Io;
 use super::render::{Mark, Report as Drawing, ShownFile, render, shown_path, visible};
@@ -70,7 +71,7 @@ fn property(text: &str) -> String {
 
 /// How often each rule fired, most often first.
 pub(super) fn statistics(report: &Report, io: &mut Io<'_>) {
-    let mut counts: FastMap<&str, (usize, &Finding)> = FastMap::default();
+    let mut counts: IndexMap<&str, (usize, &Finding)> = IndexMap::new();
     for finding in &report.findings {
         counts.entry(finding.rule.code).or_insert((0, finding)).0 += 1;
     }

@@ -4,6 +4,7 @@ use crate::base::FastSet;
 use crate::expand::{Expansion, FileIdx};
 use crate::model::{Kinematics, Robot};
 use crate::vfs::SourceFile;
+use crate::workspace::Packages;
 use crate::xml::{Attr, Node, NodeKind};
 
 /// What an expanded file is taken for.
@@ -28,9 +29,11 @@ pub struct FileCx<'a> {
 }
 
 impl FileCx<'_> {
-    /// Whether the file's name ends in `.urdf`: plain URDF, read by parsers that know no xacro.
-    pub fn is_urdf(&self) -> bool {
-        self.source.path.extension().is_some_and(|e| e == "urdf")
+    /// Whether the file is taken for plain URDF, which parsers that know no xacro read: by its name, and because
+    /// nothing includes it.
+    pub fn is_plain_urdf(&self) -> bool {
+        let name = self.source.path.file_name().map(|name| name.to_string_lossy()).unwrap_or_default();
+        name.ends_with(".urdf") && !name.contains(".xacro") && self.file == FileIdx(0)
     }
 
     /// All elements but the root, each with the offset its ranges count from.
@@ -56,6 +59,17 @@ pub struct DocumentCx<'a> {
     pub explicit: bool,
     /// The robot in it.
     pub robot: Option<&'a Robot>,
+    /// Where packages are looked for.
+    pub packages: PackageWorld<'a>,
+}
+
+/// Where packages are looked for.
+#[derive(Clone, Copy)]
+pub struct PackageWorld<'a> {
+    /// The look-up.
+    pub packages: &'a Packages,
+    /// Whether any ROS is around: without one, that a package is not found says little.
+    pub has_ros: bool,
 }
 
 /// An expanded robot.

@@ -17,7 +17,7 @@ mod xacro;
 mod xml;
 
 pub use catalogue::catalogue;
-pub use context::{DocumentCx, FileCx, RobotCx, RootKind};
+pub use context::{DocumentCx, FileCx, PackageWorld, RobotCx, RootKind};
 pub use finding::{Edit, Finding, Fix, Related};
 pub use registry::{Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector};
 pub use run::{check_expansion, check_files};

@@ -1,9 +1,10 @@
 //! Running rules.
 
-use super::context::{DocumentCx, FileCx, RobotCx, RootKind};
+use super::context::{DocumentCx, FileCx, PackageWorld, RobotCx, RootKind};
 use super::finding::{Edit, Finding, Fix, Related};
-use super::registry::{Check, Rule, Safety, all, by_code};
+use super::registry::{Check, Rule, Safety, Severity, all, by_code};
 use super::sink::{Sink, limit_calls, span};
+use super::package::is_news;
 use super::xacro::is_unprefixed;
 use crate::base::FastSet;
 use crate::expand::{Expansion, FileIdx, Problem, Step};
@@ -14,14 +15,20 @@ const LOSES_CONTENT: [&str; 8] =
     ["XML001", "XML002", "XAC002", "XAC004", "XAC009", "XAC032", "XAC034", "XAC041"];
 
 /// What expansion reported, and what the rules say about the expanded document.
-pub fn check_expansion(expansion: &Expansion, kind: RootKind, explicit: bool) -> Vec<Finding> {
+pub fn check_expansion(
+    expansion: &Expansion,
+    kind: RootKind,
+    explicit: bool,
+    packages: PackageWorld<'_>,
+) -> Vec<Finding> {
     let unprefixed = Unprefixed::of(expansion);
     let problems = expansion.problems.iter().filter(|problem| !unprefixed.explains(expansion, problem));
     let mut findings: Vec<Finding> = problems.filter_map(|problem| finding(expansion, problem)).collect();
+    excuse_packages(&mut findings, packages);
     let robot = Robot::of(expansion);
     let Some(first) = all().next() else { return findings };
     let mut sink = Sink::new(expansion, first);
-    let document = DocumentCx { expansion, kind, explicit, robot: robot.as_ref() };
+    let document = DocumentCx { expansion, kind, explicit, robot: robot.as_ref(), packages };
     run(&mut sink, |rule, sink| {
         if let Check::Document(check) = rule.check {
             check(&document, sink);
@@ -105,6 +112,20 @@ impl Unprefixed {
         let undefined = ["XAC001", "XAC002", "XAC003", "XAC004"].contains(&problem.code);
         undefined && (self.names.contains(name) || self.structure)
     }
+}
+
+/// Where no ROS is, a missing package is a note, once for each name and file.
+fn excuse_packages(findings: &mut Vec<Finding>, packages: PackageWorld<'_>) {
+    let mut said = FastSet::default();
+    findings.retain_mut(|finding| {
+        // the expander offers a replacement when a package has almost the same name
+        let near = finding.fix.as_ref().map(|_| "");
+        if finding.rule.code != "PKG001" || is_news(packages, near) {
+            return true;
+        }
+        finding.severity = Severity::Info;
+        said.insert((finding.span.file, finding.message.clone()))
+    });
 }
 
 /// A problem of the expander as a finding.

@@ -1,7 +1,10 @@
 //! Packages and files of the workspace.
 
-use super::registry::{Category::Package, Rule, Safety, Severity::Error, page};
+mod package_not_found;
+
+use super::registry::Rule;
+
+pub(super) use package_not_found::is_news;
 
 /// The rules.
-pub(super) static RULES: &[Rule] =
-    &[Rule::found("PKG001", "package-not-found", Package, Error, page!("package-not-found")).fixed(Safety::Unsafe)];
+pub(super) static RULES: &[Rule] = &[package_not_found::RULE];

@@ -18,7 +18,7 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
-    if !cx.is_urdf() {
+    if !cx.is_plain_urdf() {
         return;
     }
     let Some((base, node)) = cx.elements().find(|(_, node)| node.name().starts_with("xacro:")) else { return };
