@@ -10,7 +10,8 @@ use crate::workspace::Packages;
 /// The files that a file may include, as patterns of absolute paths.
 pub(super) fn patterns(source: &SourceFile, packages: &Packages) -> Vec<GlobMatcher> {
     let document = &source.document;
-    let nodes = document.parts().flat_map(|(_, item)| item.all_nodes()).filter(|node| node.name() == "xacro:include");
+    let nodes =
+        document.parts().flat_map(|(_, item)| item.all_nodes()).filter(|node| node.name() == "xacro:include");
     let names = nodes.filter_map(|node| Some(node.attr("filename")?.value(document.entities()).into_owned()));
     names.filter_map(|name| pattern(&name, &source.path, packages)).collect()
 }
@@ -25,7 +26,9 @@ fn pattern(name: &str, from: &Path, packages: &Packages) -> Option<GlobMatcher> 
         let close = if after.starts_with("${") { '}' } else { ')' };
         let end = after.find(close)?;
         match after.get(2..end)?.trim().strip_prefix("find ") {
-            Some(package) => pattern.push_str(&globset::escape(packages.find(package.trim(), from).ok()?.path.to_str()?)),
+            Some(package) => {
+                pattern.push_str(&globset::escape(packages.find(package.trim(), from).ok()?.path.to_str()?))
+            }
             None => pattern.push('*'),
         }
         rest = after.get(end + 1..)?;

@@ -36,7 +36,8 @@ pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcom
     let world = World { vfs: &session.vfs, packages: &session.packages, env: &session.env };
     let expansion = expand(world, &request);
     let kind = kind(&expansion, &job);
-    let mut findings = check_expansion(&expansion, kind, job.reason != Reason::Walked, session.package_world());
+    let mut findings =
+        check_expansion(&expansion, kind, job.reason != Reason::Walked, session.package_world());
     findings.append(&mut check_files(&expansion));
     if let Some(error) = &expansion.root_error {
         findings.extend(unreadable(session.vfs.file_id(&job.file), error));
@@ -52,8 +53,10 @@ pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcom
 
 /// A file is a robot when it is configured as one, calls itself plain URDF, or gives one by itself.
 fn kind(expansion: &Expansion, job: &Job) -> RootKind {
-    let uses_xacro = |file: &FileUse| file.source.document.root().is_some_and(|root| root.attr("xmlns:xacro").is_some());
-    let plain = job.file.extension().is_some_and(|ending| ending == "urdf") && !expansion.files.first().is_some_and(uses_xacro);
+    let uses_xacro =
+        |file: &FileUse| file.source.document.root().is_some_and(|root| root.attr("xmlns:xacro").is_some());
+    let plain = job.file.extension().is_some_and(|ending| ending == "urdf")
+        && !expansion.files.first().is_some_and(uses_xacro);
     let by_itself = || Robot::of(expansion).is_some_and(|robot| robot.is_entry());
     if job.reason == Reason::Root || plain || by_itself() { RootKind::Robot } else { RootKind::Library }
 }

@@ -99,7 +99,8 @@ impl Merged {
     /// Say in which presets the finding occurs, when not in all of them.
     fn finish(mut self, runs: &[Run]) -> Finding {
         let own = |number: &usize| runs.get(*number);
-        let presets: Vec<&str> = self.outcomes.iter().filter_map(own).filter_map(|run| run.preset.as_deref()).collect();
+        let presets: Vec<&str> =
+            self.outcomes.iter().filter_map(own).filter_map(|run| run.preset.as_deref()).collect();
         let has = |run: &Run| self.outcomes.iter().filter_map(own).any(|own| own.file == run.file);
         let possible = runs.iter().filter(|run| has(run)).count();
         if !presets.is_empty() && self.outcomes.len() < possible {

@@ -58,6 +58,10 @@ impl RootSpec {
                 preset: preset.map(|preset| preset.name.clone()),
             }
         };
-        if self.presets.is_empty() { vec![job(None)] } else { self.presets.iter().map(|p| job(Some(p))).collect() }
+        if self.presets.is_empty() {
+            vec![job(None)]
+        } else {
+            self.presets.iter().map(|p| job(Some(p))).collect()
+        }
     }
 }

@@ -64,7 +64,11 @@ impl Session {
     }
 
     /// Check files and folders. `selection` says for each file which rules run.
-    pub fn check(&self, options: &CheckOptions, selection: &(dyn Fn(&Path) -> Arc<Selection> + Sync)) -> Report {
+    pub fn check(
+        &self,
+        options: &CheckOptions,
+        selection: &(dyn Fn(&Path) -> Arc<Selection> + Sync),
+    ) -> Report {
         let mut report = Report::default();
         let jobs = self.jobs(options, &mut report);
         let outcomes: Vec<Outcome> = jobs.into_par_iter().map(|job| job::run(self, options, job)).collect();
@@ -80,7 +84,8 @@ impl Session {
         findings.sort_by_cached_key(|f| (self.vfs.path(f.span.file), f.span.range.start, f.rule.code));
         once_per_package(&mut findings, |file| Some(self.packages.containing(&self.vfs.path(file))?.folder));
         for finding in &findings {
-            let spans = std::iter::once(finding.span).chain(finding.related.iter().map(|related| related.span));
+            let spans =
+                std::iter::once(finding.span).chain(finding.related.iter().map(|related| related.span));
             report.paths.extend(spans.map(|span| (span.file, self.vfs.path(span.file))));
         }
         report.findings = findings;
@@ -185,7 +190,8 @@ impl Session {
         let home = self.env.var("HOME").map(Path::new);
         let paths = options.paths.iter().chain(&options.entries).map(|path| self.vfs.absolute(path));
         let homes = paths.flat_map(|path| {
-            let folder = if self.vfs.is_dir(&path) { Some(path.clone()) } else { path.parent().map(Path::to_owned) };
+            let folder =
+                if self.vfs.is_dir(&path) { Some(path.clone()) } else { path.parent().map(Path::to_owned) };
             let package = self.packages.containing(&path.join("_")).map(|package| package.folder);
             let workspace = folder.as_ref().and_then(|folder| workspace_root(&self.vfs, folder, home));
             [folder, package, workspace]

@@ -19,7 +19,8 @@ pub(super) fn descriptions(folder: &Path, exclude: &[String]) -> Vec<PathBuf> {
         !(is_dir && built) || entry.path() == top
     });
     let files = walk.build().flatten().filter(|entry| !entry.file_type().is_some_and(|kind| kind.is_dir()));
-    let mut found: Vec<PathBuf> = files.map(ignore::DirEntry::into_path).filter(|path| is_description(path)).collect();
+    let mut found: Vec<PathBuf> =
+        files.map(ignore::DirEntry::into_path).filter(|path| is_description(path)).collect();
     found.sort();
     found
 }

@@ -15,7 +15,8 @@ fn main() -> ExitCode {
     let mut out = std::io::BufWriter::with_capacity(1 << 16, std::io::stdout().lock());
     let mut err = std::io::BufWriter::new(std::io::stderr().lock());
     let mut stdin = std::io::stdin().lock();
-    let code = cli::run(&args, &env, &mut Io { out: &mut out, err: &mut err, stdin: &mut stdin, color, color_out });
+    let code =
+        cli::run(&args, &env, &mut Io { out: &mut out, err: &mut err, stdin: &mut stdin, color, color_out });
     let _ = out.flush();
     let _ = err.flush();
     ExitCode::from(code)

@@ -24,7 +24,8 @@ pub(super) fn run(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     let session = Session::new(env, MAX_FILE_BYTES, package_options(&args.package_path, env, false));
     if let Some(name) = &args.stdin_filename {
         let mut input = Vec::new();
-        let read = std::io::Read::read_to_end(&mut std::io::Read::take(&mut *io.stdin, MAX_FILE_BYTES), &mut input);
+        let read =
+            std::io::Read::read_to_end(&mut std::io::Read::take(&mut *io.stdin, MAX_FILE_BYTES), &mut input);
         if let Err(error) = read {
             return usage(io, &format!("standard input cannot be read: {error}"));
         }
@@ -51,7 +52,8 @@ pub(super) fn run(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
 
 /// The options of the check, and the rules that run.
 fn prepare(args: &CheckArgs) -> Result<(CheckOptions, Selection), String> {
-    let (mapped, paths): (Vec<&String>, Vec<&String>) = args.paths.iter().partition(|path| path.contains(":="));
+    let (mapped, paths): (Vec<&String>, Vec<&String>) =
+        args.paths.iter().partition(|path| path.contains(":="));
     let mut paths: Vec<PathBuf> = paths.into_iter().map(PathBuf::from).collect();
     paths.extend(args.stdin_filename.clone());
     if paths.is_empty() && args.entry.is_empty() {

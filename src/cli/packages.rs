@@ -41,7 +41,8 @@ pub(super) fn run(args: &PackagesArgs, env: &Environment, io: &mut Io<'_>) -> u8
 }
 
 fn table(entries: &[Entry], cwd: &Path, io: &mut Io<'_>) {
-    let width = |text: &dyn Fn(&Entry) -> String| entries.iter().map(|e| text(e).chars().count()).max().unwrap_or(0);
+    let width =
+        |text: &dyn Fn(&Entry) -> String| entries.iter().map(|e| text(e).chars().count()).max().unwrap_or(0);
     let names = width(&|entry| entry.name.clone());
     let steps = width(&|entry| entry.step.to_string());
     for entry in entries {

@@ -47,7 +47,9 @@ pub(super) fn draw(tree: &Tree<'_>) -> String {
     );
     let middle = |placed: &Placed| MARGIN + placed.row * ROW + BOX / 2.0;
     for child in &placed {
-        let Some((parent, (joint, kind))) = child.parent.and_then(|p| placed.get(p)).zip(child.joint.as_ref()) else {
+        let Some((parent, (joint, kind))) =
+            child.parent.and_then(|p| placed.get(p)).zip(child.joint.as_ref())
+        else {
             continue;
         };
         let (x0, y0) = (left(parent.depth) + width(parent), middle(parent));
@@ -124,8 +126,12 @@ fn columns(tree: &Tree<'_>, placed: &[Placed]) -> Vec<Column> {
     let mut boxes = vec![0.0_f64; depth + 1];
     let mut labels = vec![0.0_f64; depth + 1];
     for p in placed {
-        let label = p.joint.as_ref().map_or(0.0, |(joint, kind)| (length(joint) + length(kind) + 3.0) * CHAR * 0.92);
-        boxes.get_mut(p.depth).into_iter().for_each(|w| *w = w.max(length(tree.link(p.link)) * CHAR + 2.0 * PADDING));
+        let label =
+            p.joint.as_ref().map_or(0.0, |(joint, kind)| (length(joint) + length(kind) + 3.0) * CHAR * 0.92);
+        boxes
+            .get_mut(p.depth)
+            .into_iter()
+            .for_each(|w| *w = w.max(length(tree.link(p.link)) * CHAR + 2.0 * PADDING));
         labels.get_mut(p.depth).into_iter().for_each(|w| *w = w.max(label));
     }
     let mut columns = Vec::new();

@@ -94,7 +94,9 @@ fn listed(report: &Report, hints: bool, mut print: impl FnMut(&Finding, &mut Io<
     }
     let left: usize = seen.values().map(|count| count.saturating_sub(MOST_OF_A_RULE)).sum();
     if left > 0 {
-        io.line(&format!("note: {left} findings are not shown: more than {MOST_OF_A_RULE} of one rule in one file"));
+        io.line(&format!(
+            "note: {left} findings are not shown: more than {MOST_OF_A_RULE} of one rule in one file"
+        ));
     }
 }
 

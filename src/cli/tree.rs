@@ -104,7 +104,11 @@ fn explain(
 }
 
 /// Expand the one file among `names`, with `name:=value` from there as well.
-pub(super) fn expand_named(names: &[String], package_path: &[String], env: &Environment) -> Result<Expansion, String> {
+pub(super) fn expand_named(
+    names: &[String],
+    package_path: &[String],
+    env: &Environment,
+) -> Result<Expansion, String> {
     let (file, arguments) = file_and_arguments(names)?;
     let session = Session::new(env, MAX_FILE_BYTES, package_options(package_path, env, false));
     let expansion = expand_in(&session, &file, arguments);

@@ -34,7 +34,8 @@ impl Kinematics {
         let mut up = vec![Vec::new(); robot.links.len()];
         let mut ends = Vec::with_capacity(robot.joints.len());
         for (i, joint) in robot.joints.iter().enumerate() {
-            let pair = joint.ends().and_then(|(parent, child)| Some((*links.get(parent)?, *links.get(child)?)));
+            let pair =
+                joint.ends().and_then(|(parent, child)| Some((*links.get(parent)?, *links.get(child)?)));
             if let Some((parent, child)) = pair {
                 down.get_mut(parent).into_iter().for_each(|joints| joints.push(i));
                 up.get_mut(child).into_iter().for_each(|joints| joints.push(i));
@@ -43,7 +44,8 @@ impl Kinematics {
         }
         // urdfdom keeps joints in a map by name and hangs children up in its order
         for joints in &mut down {
-            joints.sort_by_key(|&joint: &usize| robot.joints.get(joint).map(|joint| joint.shown().to_owned()));
+            joints
+                .sort_by_key(|&joint: &usize| robot.joints.get(joint).map(|joint| joint.shown().to_owned()));
         }
         Self { links, down, up, ends }
     }
@@ -98,7 +100,9 @@ impl Kinematics {
                 };
                 *tried += 1;
                 *taken = Some(joint);
-                let Some((_, child)) = self.ends(joint).filter(|(parent, child)| parent != child) else { continue };
+                let Some((_, child)) = self.ends(joint).filter(|(parent, child)| parent != child) else {
+                    continue;
+                };
                 match state.get(child) {
                     Some(State::New) => {
                         set(&mut state, child, State::OnWay);

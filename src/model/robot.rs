@@ -88,7 +88,8 @@ impl Robot {
     pub fn of(expansion: &Expansion) -> Option<Self> {
         let tree = &expansion.tree;
         let element = tree.root().filter(|&root| tree.get(root).text == "robot")?;
-        let mut robot = Self { element, name: Text::attr(tree, element, "name"), links: Vec::new(), joints: Vec::new() };
+        let mut robot =
+            Self { element, name: Text::attr(tree, element, "name"), links: Vec::new(), joints: Vec::new() };
         for child in tree.elements(element) {
             match tree.get(child).text.as_str() {
                 "link" => robot.links.push(Link { element: child, name: Text::attr(tree, child, "name") }),
@@ -108,7 +109,10 @@ impl Robot {
     pub fn names_are_known(&self) -> bool {
         let known = |text: &Option<Text>| text.as_ref().is_none_or(|text| text.known);
         self.links.iter().all(|link| known(&link.name))
-            && self.joints.iter().all(|joint| known(&joint.name) && known(&joint.parent) && known(&joint.child))
+            && self
+                .joints
+                .iter()
+                .all(|joint| known(&joint.name) && known(&joint.parent) && known(&joint.child))
     }
 }
 

@@ -84,4 +84,3 @@ pub struct RobotCx<'a> {
     /// condition could not be resolved, nothing may be said about what is missing.
     pub whole: bool,
 }
-

@@ -118,8 +118,14 @@ impl Rule {
 
     /// The first paragraph of the page: what the rule finds, in a sentence or two.
     pub fn summary(&self) -> &'static str {
-        let body = self.docs.split_once("\n\n").map_or("", |(_, body)| body);
-        body.split("\n\n").find(|part| !part.starts_with(['`', '#'])).unwrap_or("").trim()
+        self.docs.split("\n\n").nth(2).unwrap_or("").trim()
+    }
+
+    /// The line below the title of the page.
+    pub fn headline(&self) -> String {
+        let fix = self.fix.map_or("no fix".to_owned(), |safety| format!("{} fix", safety.name()));
+        let Self { code, severity, default, since, .. } = self;
+        format!("`{code}` · {severity} · {default} by default · {fix} · since {since}")
     }
 
     /// Whether `selector` (a code, the beginning of a code, or a name) means this rule.

@@ -2,9 +2,9 @@
 
 use super::context::{DocumentCx, FileCx, PackageWorld, RobotCx, RootKind};
 use super::finding::{Edit, Finding, Fix, Related};
+use super::package::is_news;
 use super::registry::{Check, Rule, Safety, Severity, all, by_code};
 use super::sink::{Sink, limit_calls, span};
-use super::package::is_news;
 use super::xacro::is_unprefixed;
 use crate::base::FastSet;
 use crate::expand::{Expansion, FileIdx, Problem, Step};
@@ -132,9 +132,8 @@ fn excuse_packages(findings: &mut Vec<Finding>, packages: PackageWorld<'_>) {
 fn finding(expansion: &Expansion, problem: &Problem) -> Option<Finding> {
     let rule = by_code(problem.code)?;
     let place = span(expansion, problem.place)?;
-    let related = |step: &Step| {
-        Some(Related { span: span(expansion, step.place)?, message: step.message.clone() })
-    };
+    let related =
+        |step: &Step| Some(Related { span: span(expansion, step.place)?, message: step.message.clone() });
     let fix = problem.replacement.as_ref().map(|content| Fix {
         safety: rule.fix.unwrap_or(Safety::Unsafe),
         message: format!("replace by `{content}`"),

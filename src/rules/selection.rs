@@ -38,7 +38,8 @@ impl Selection {
     pub fn new(options: &SelectionOptions) -> (Self, Vec<UnknownSelector>) {
         let rules = all().filter_map(|rule| Some((rule.code, setting(rule, options)?))).collect();
         let lists = [options.select.as_deref().unwrap_or(&[]), &options.extend_select, &options.ignore];
-        let selectors = lists.into_iter().flatten().chain(options.severity.iter().map(|(selector, _)| selector));
+        let selectors =
+            lists.into_iter().flatten().chain(options.severity.iter().map(|(selector, _)| selector));
         let unknown = selectors.filter(|s| *s != "ALL" && find(s).next().is_none());
         let unknown = unknown.map(|selector| UnknownSelector(selector.clone())).collect();
         (Self { rules }, unknown)
@@ -60,7 +61,9 @@ fn setting(rule: &Rule, options: &SelectionOptions) -> Option<Option<Severity>> 
     let by_default = match (&options.select, rule.default) {
         (Some(_), _) | (None, Activation::Off) => false,
         (None, Activation::On) => true,
-        (None, Activation::Profiles(profiles)) => profiles.iter().any(|p| options.profiles.iter().any(|o| o == p)),
+        (None, Activation::Profiles(profiles)) => {
+            profiles.iter().any(|p| options.profiles.iter().any(|o| o == p))
+        }
     };
     let select = options.select.iter().flatten().chain(&options.extend_select);
     let on = select.filter_map(|selector| weight(rule, selector)).max();
@@ -72,7 +75,8 @@ fn setting(rule: &Rule, options: &SelectionOptions) -> Option<Option<Severity>> 
         (None, None) => by_default,
     };
     let overrides = options.severity.iter().filter(|(selector, _)| rule.is_named(selector));
-    let configured = overrides.max_by_key(|(selector, _)| weight(rule, selector)).map(|(_, severity)| *severity);
+    let configured =
+        overrides.max_by_key(|(selector, _)| weight(rule, selector)).map(|(_, severity)| *severity);
     match configured {
         _ if !runs => None,
         Some(None) => None,

@@ -54,15 +54,27 @@ impl<'a> Sink<'a> {
     }
 
     /// Report a defect at an absolute range of a file.
-    pub fn report_in(&mut self, file: FileIdx, range: TextRange, message: impl Into<String>) -> Reported<'_, 'a> {
+    pub fn report_in(
+        &mut self,
+        file: FileIdx,
+        range: TextRange,
+        message: impl Into<String>,
+    ) -> Reported<'_, 'a> {
         let span = self.span(Place { file, range });
         self.draft(span.unwrap_or_else(|| self.nowhere()), Vec::new(), message.into())
     }
 
     fn draft(&mut self, span: Span, calls: Vec<Related>, message: String) -> Reported<'_, 'a> {
         let rule = self.rule;
-        let finding =
-            Finding { rule, severity: rule.severity, message, span, related: Vec::new(), help: None, fix: None };
+        let finding = Finding {
+            rule,
+            severity: rule.severity,
+            message,
+            span,
+            related: Vec::new(),
+            help: None,
+            fix: None,
+        };
         Reported { draft: Draft { finding, calls }, sink: self }
     }
 
@@ -70,7 +82,8 @@ impl<'a> Sink<'a> {
         let key = (draft.finding.rule.code, draft.finding.span);
         match self.by_place.get(&key).and_then(|&i| self.drafts.get_mut(i)) {
             Some(old) => {
-                let new = draft.calls.into_iter().filter(|call| !old.calls.contains(call)).collect::<Vec<_>>();
+                let new =
+                    draft.calls.into_iter().filter(|call| !old.calls.contains(call)).collect::<Vec<_>>();
                 old.calls.extend(new);
             }
             None => {
@@ -97,7 +110,11 @@ impl<'a> Sink<'a> {
     /// The macro calls and inserted blocks that led to `origin`, innermost first.
     fn calls(&self, origin: Origin) -> Vec<Related> {
         let steps = self.expansion.frames_of(origin).filter(|frame| frame.kind != FrameKind::Include);
-        steps.filter_map(|frame| Some(Related { span: self.span_of(frame.call)?, message: call_message(frame) })).collect()
+        steps
+            .filter_map(|frame| {
+                Some(Related { span: self.span_of(frame.call)?, message: call_message(frame) })
+            })
+            .collect()
     }
 }
 
@@ -148,7 +165,12 @@ impl Reported<'_, '_> {
 
     /// With the reported text replaced.
     #[must_use]
-    pub fn replace_with(mut self, safety: Safety, message: impl Into<String>, content: impl Into<String>) -> Self {
+    pub fn replace_with(
+        mut self,
+        safety: Safety,
+        message: impl Into<String>,
+        content: impl Into<String>,
+    ) -> Self {
         let edits = vec![Edit { span: self.draft.finding.span, content: content.into() }];
         self.draft.finding.fix = Some(Fix { safety, message: message.into(), edits });
         self

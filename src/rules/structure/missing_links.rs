@@ -71,7 +71,8 @@ fn near_link(cx: &RobotCx<'_>, name: &str) -> Option<EcoString> {
     if let Some(near) = nearest(name, names()) {
         return Some(near.into());
     }
-    let extends = |long: &str, short: &str| long.strip_suffix(short).is_some_and(|prefix| prefix.ends_with('_'));
+    let extends =
+        |long: &str, short: &str| long.strip_suffix(short).is_some_and(|prefix| prefix.ends_with('_'));
     let mut prefixed = names().filter(|other| extends(other, name) || extends(name, other));
     match (prefixed.next(), prefixed.next()) {
         (Some(only), None) => Some(only.into()),

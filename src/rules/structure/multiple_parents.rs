@@ -24,7 +24,12 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let Some(first) = joints.next() else { continue };
         for joint in joints.filter(|joint| joint.shown() != first.shown()) {
             let (Some(child), Some(earlier)) = (&joint.child, &first.child) else { continue };
-            let message = format!("link `{}` is child of joint `{}` and of joint `{}`", child.value, first.shown(), joint.shown());
+            let message = format!(
+                "link `{}` is child of joint `{}` and of joint `{}`",
+                child.value,
+                first.shown(),
+                joint.shown()
+            );
             out.report(child.origin, message)
                 .also(earlier.origin, format!("joint `{}` is its first parent joint", first.shown()))
                 .help("a link hangs on one joint: describe closed chains outside of the URDF, or swap parent and child")

@@ -24,7 +24,8 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     for missing in missing_links(cx) {
         let name = &missing.name;
         let (first, others) = (&missing.uses.first, &missing.uses.others);
-        let message = format!("joint `{}` names {} link `{name}`, which does not exist", first.joint, first.end);
+        let message =
+            format!("joint `{}` names {} link `{name}`, which does not exist", first.joint, first.end);
         let mut report = out.report(first.at, message);
         for other in others {
             report = report.also(other.at, format!("joint `{}` names it as {} link", other.joint, other.end));

@@ -26,8 +26,12 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         }
         let start = node.name_range().shift(base);
         let end = node.end_name_range().map(|range| range.shift(base));
-        let edits = [Some(start), end].into_iter().flatten().map(|range| (TextRange::empty(range.start), "xacro:".to_owned()));
-        let message = format!("macro `{name}` is called without the prefix `xacro:`: nothing is expanded here");
+        let edits = [Some(start), end]
+            .into_iter()
+            .flatten()
+            .map(|range| (TextRange::empty(range.start), "xacro:".to_owned()));
+        let message =
+            format!("macro `{name}` is called without the prefix `xacro:`: nothing is expanded here");
         out.report_in(cx.file, TextRange::new(start.start - 1, start.end), message)
             .help(format!("write `xacro:{name}`"))
             .fix(Safety::Safe, format!("write `xacro:{name}`"), cx.file, edits)

@@ -32,7 +32,10 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         let name = node.name();
         let start = node.name_range().shift(base);
         let end = node.end_name_range().map(|range| range.shift(base));
-        let edits = [Some(start), end].into_iter().flatten().map(|range| (TextRange::empty(range.start), "xacro:".to_owned()));
+        let edits = [Some(start), end]
+            .into_iter()
+            .flatten()
+            .map(|range| (TextRange::empty(range.start), "xacro:".to_owned()));
         let message = format!("`{name}` lacks its prefix `xacro:`: it goes into the robot as it stands");
         out.report_in(cx.file, TextRange::new(start.start - 1, start.end), message)
             .help(format!("write `xacro:{name}`"))

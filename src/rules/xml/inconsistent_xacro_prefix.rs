@@ -19,9 +19,12 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     for attr in cx.root_attrs() {
-        let Some(prefix) = attr.name().strip_prefix("xmlns:").filter(|&prefix| prefix != "xacro") else { continue };
+        let Some(prefix) = attr.name().strip_prefix("xmlns:").filter(|&prefix| prefix != "xacro") else {
+            continue;
+        };
         if is_xacro_uri(attr.raw()) {
-            let message = format!("xacro's namespace is bound to `{prefix}`: tags `{prefix}:...` are not expanded");
+            let message =
+                format!("xacro's namespace is bound to `{prefix}`: tags `{prefix}:...` are not expanded");
             out.report_in(cx.file, attr.range(), message)
                 .help("xacro compares the letters `xacro:`, not namespaces: name the prefix `xacro`")
                 .done();

@@ -24,9 +24,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
     let Some(root) = tree.root().filter(|_| cx.kind == RootKind::Robot && cx.robot.is_none()) else { return };
     let name = &tree.get(root).text;
-    let report = out.report(tag_start(cx.expansion, root), format!("the root element is `{name}` instead of `robot`"));
+    let report =
+        out.report(tag_start(cx.expansion, root), format!("the root element is `{name}` instead of `robot`"));
     if OTHER_FORMATS.contains(&name.as_str()) && !cx.explicit {
-        return report.severity(Severity::Info).help("this file is of another format and was not checked").done();
+        return report
+            .severity(Severity::Info)
+            .help("this file is of another format and was not checked")
+            .done();
     }
     report.help("urdfdom reads nothing but a `robot`").done();
 }

@@ -21,9 +21,15 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     if !cx.is_plain_urdf() {
         return;
     }
-    let Some((base, node)) = cx.elements().find(|(_, node)| node.name().starts_with("xacro:")) else { return };
+    let Some((base, node)) = cx.elements().find(|(_, node)| node.name().starts_with("xacro:")) else {
+        return;
+    };
     let name = node.name_range().shift(base);
-    out.report_in(cx.file, TextRange::new(name.start - 1, name.end), format!("`{}` in a file that ends in `.urdf`", node.name()))
-        .help("readers of plain URDF skip it in silence: rename the file to `.urdf.xacro`, and expand it")
-        .done();
+    out.report_in(
+        cx.file,
+        TextRange::new(name.start - 1, name.end),
+        format!("`{}` in a file that ends in `.urdf`", node.name()),
+    )
+    .help("readers of plain URDF skip it in silence: rename the file to `.urdf.xacro`, and expand it")
+    .done();
 }
