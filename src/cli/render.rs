@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use annotate_snippets::renderer::DecorStyle;
-use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
-use crate::base::{Encoding, LineCol, TextRange};
+use crate::base::{Encoding, TextRange};
 use crate::vfs::SourceFile;
 
 /// A file as it is shown: its text, and its path relative to where the user is.
@@ -42,8 +42,8 @@ pub struct Report<'a> {
     pub help: Option<String>,
 }
 
-/// Longest line that is still drawn.
-const MOST_LINE: usize = 2000;
+/// Longest line that is still drawn: nobody reads a line of a megabyte.
+const MOST_LINE: usize = 20_000;
 /// Steps of a trace that are drawn.
 const MOST_STEPS: usize = 8;
 
@@ -62,9 +62,9 @@ pub fn render(report: &Report<'_>, color: bool) -> String {
     if let Some(id) = &report.id {
         head = head.id(id.as_str());
     }
-    let mut group = head.element(primary.snippet(AnnotationKind::Primary));
+    let mut group = primary.draw(Group::with_title(head), AnnotationKind::Primary);
     for piece in &trace {
-        group = group.element(piece.snippet(AnnotationKind::Context));
+        group = piece.draw(group, AnnotationKind::Context);
     }
     let left = report.trace.len().saturating_sub(MOST_STEPS);
     let more = format!("{left} more steps led there");
@@ -78,12 +78,6 @@ pub fn render(report: &Report<'_>, color: bool) -> String {
     let renderer = if color { Renderer::styled() } else { Renderer::plain() };
     let groups: [Group<'_>; 1] = [group];
     renderer.decor_style(DecorStyle::Ascii).render(&groups)
-}
-
-/// `path:line:column`, columns in characters from 1.
-pub fn position(file: &ShownFile<'_>, offset: u32) -> String {
-    let LineCol { line, col } = file.source.document.line_col(offset, Encoding::Utf32);
-    format!("{}:{}:{}", file.path, line + 1, col + 1)
 }
 
 /// The lines of a mark, ready to be drawn.
@@ -104,40 +98,25 @@ impl Piece {
         let col = start.col as usize;
         // of a range over several lines, the first says enough
         let to = if end.line == start.line { end.col as usize } else { first.len() };
-        let mut piece = Self {
+        Self {
             path: visible(&mark.file.path),
             line: start.line as usize + 1,
             span: col..to.clamp(col, first.len().max(col)),
             text: first,
             label: visible(&mark.label),
-        };
-        if piece.text.len() > MOST_LINE {
-            piece.narrow(col);
         }
-        piece
     }
 
-    /// Keep only what stands around the mark: nobody reads a line of a megabyte.
-    fn narrow(&mut self, col: usize) {
-        let from = floor_boundary(&self.text, col.saturating_sub(MOST_LINE / 2));
-        let to = floor_boundary(&self.text, (col + MOST_LINE / 2).min(self.text.len()));
-        self.text = self.text.get(from..to).unwrap_or("").to_owned();
-        let start = col - from;
-        self.span = start..(self.span.end.saturating_sub(from)).clamp(start, self.text.len().max(start));
-        self.path = format!("{}:{}:{}", self.path, self.line, col + 1);
-    }
-
-    fn snippet(&self, kind: AnnotationKind) -> Snippet<'_, annotate_snippets::Annotation<'_>> {
+    fn draw<'g>(&'g self, group: Group<'g>, kind: AnnotationKind) -> Group<'g> {
         let label = (!self.label.is_empty()).then_some(self.label.as_str());
-        Snippet::source(self.text.as_str())
-            .line_start(self.line)
-            .path(self.path.as_str())
-            .annotation(kind.span(self.span.clone()).label(label))
+        if self.text.len() > MOST_LINE {
+            let origin = Origin::path(self.path.as_str()).line(self.line).char_column(self.span.start + 1);
+            let group = group.element(origin);
+            return group.elements(label.map(|label| Level::NOTE.message(label)));
+        }
+        let snippet = Snippet::source(self.text.as_str()).line_start(self.line).path(self.path.as_str());
+        group.element(snippet.annotation(kind.span(self.span.clone()).label(label)))
     }
-}
-
-fn floor_boundary(text: &str, at: usize) -> usize {
-    (0..=at.min(text.len())).rev().find(|&i| text.is_char_boundary(i)).unwrap_or(0)
 }
 
 /// Control characters made visible: text of a file must not steer the terminal.

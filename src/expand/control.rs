@@ -89,7 +89,7 @@ impl Expander<'_> {
         let at = self.tag_origin(tag, cx);
         if self.block_depth >= Self::MAX_BLOCK_DEPTH {
             let message = format!("block `{name}` inserts itself");
-            return self.stop(at, message, "macro-depth");
+            return self.stop(at, message, None);
         }
         self.block_depth += 1;
         let frame = self.push_frame(FrameKind::Block, name.as_ref().into(), at, definition);

@@ -110,11 +110,24 @@ impl Expander<'_> {
         cx: Cx,
         siblings: &mut Siblings,
     ) {
+        let mut joined = None;
         for node in nodes {
             if self.tick(Origin { src, range: node.range(), frame: cx.frame }) {
                 return;
             }
+            if joined == Some(node.id()) {
+                // its text was taken together with the one in front of an empty CDATA section
+                joined = behind_empty_cdata(node).map(|text| text.id());
+                continue;
+            }
             match node.kind() {
+                NodeKind::CData if node.raw().is_empty() => {}
+                NodeKind::Text if behind_empty_cdata(node).is_some() => {
+                    joined = behind_empty_cdata(node).map(|text| text.id());
+                    let texts = std::iter::successors(Some(node), |&text| behind_empty_cdata(text));
+                    let text: String = texts.map(|text| text.text(self.entities(src)).into_owned()).collect();
+                    self.push_text(&text, node, src, out, cx, siblings);
+                }
                 NodeKind::Element => {
                     siblings.eval_comments = false;
                     let has_next = more || node.next_sibling().is_some();
@@ -129,14 +142,21 @@ impl Expander<'_> {
     }
 
     fn eval_text_node(&mut self, node: Node<'_>, src: SrcId, out: XId, cx: Cx, siblings: &mut Siblings) {
-        let origin = Origin { src, range: node.range(), frame: cx.frame };
         let text = node.text(self.entities(src));
-        let value = if node.has_dollar() || text.contains('$') {
-            let text = text.into_owned();
-            self.eval_pieces(&text, Place { origin, is_attr: false }, cx).0
-        } else {
-            EcoString::from(text.as_ref())
-        };
+        self.push_text(&text, node, src, out, cx, siblings);
+    }
+
+    fn push_text(
+        &mut self,
+        text: &str,
+        node: Node<'_>,
+        src: SrcId,
+        out: XId,
+        cx: Cx,
+        siblings: &mut Siblings,
+    ) {
+        let origin = Origin { src, range: node.range(), frame: cx.frame };
+        let value = self.eval_pieces(text, Place { origin, is_attr: false }, cx).0;
         if !strip(&value).is_empty() {
             siblings.eval_comments = false;
         }
@@ -207,7 +227,7 @@ impl Expander<'_> {
         self.eval_attributes(tag, id, cx);
         if self.nesting >= Self::MAX_NESTING {
             let message = format!("elements are nested more than {} deep", Self::MAX_NESTING);
-            self.stop(origin, message, "expand-nodes");
+            self.stop(origin, message, None);
             return;
         }
         self.nesting += 1;
@@ -292,6 +312,17 @@ impl Expander<'_> {
     pub fn item(&self, src: SrcId) -> Option<Arc<Item>> {
         self.result.sources.get(src.0 as usize).map(|s| s.item.clone())
     }
+}
+
+/// The text behind `node` and an empty CDATA section: an XML parser makes no node of the section, so both
+/// texts are one.
+fn behind_empty_cdata(node: Node<'_>) -> Option<Node<'_>> {
+    let section = node.next_sibling().filter(|n| n.kind() == NodeKind::CData && n.raw().is_empty())?;
+    let mut next = section.next_sibling();
+    while let Some(empty) = next.filter(|n| n.kind() == NodeKind::CData && n.raw().is_empty()) {
+        next = empty.next_sibling();
+    }
+    next.filter(|n| n.kind() == NodeKind::Text)
 }
 
 fn no_entities() -> &'static Entities {

@@ -30,6 +30,10 @@ impl Host for ExprHost<'_, '_, '_> {
     }
 
     fn scope_attribute(&mut self, scope: ScopeId, name: &str, range: TextRange) -> Lookup {
+        if name == "depth" && self.machine.scopes.get(scope).is_namespace {
+            // the reference answers with a counter of its own, whatever the file defines
+            return Lookup::Found(Value::Int(self.machine.scopes.depth(scope)));
+        }
         let at = self.machine.origin_of(self.at, range);
         match self.machine.resolve(scope, name, at) {
             Some(value) => Lookup::Found(value),
@@ -160,6 +164,10 @@ impl ExprHost<'_, '_, '_> {
         self.machine.open_files.push(OpenFile { name: name.clone(), file: None, conditions: u32::MAX });
         let loaded = yaml::load(&file.text, &name);
         let value = match &loaded {
+            _ if file.encoding_error.is_some() => {
+                let message = file.encoding_error.as_ref().map(|(_, message)| message.as_str());
+                Err(EvalError::new(ErrorKind::Value, message.unwrap_or_default()).at(range))
+            }
             Ok(node) => file_value(node, &mut self.machine.budget),
             Err(error) => Err(EvalError::new(ErrorKind::Value, error.message.clone()).at(range)),
         };

@@ -1,6 +1,7 @@
 //! `xacro:include`, and loading files.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use ecow::EcoString;
 
@@ -13,7 +14,7 @@ use super::scope::State;
 use super::tree::XId;
 use crate::base::TextRange;
 use crate::expr::{Value, display, literal};
-use crate::vfs::{LoadError, LoadErrorKind};
+use crate::vfs::{LoadError, LoadErrorKind, SourceFile};
 use crate::xml::{NodeKind, SyntaxError, SyntaxErrorKind};
 
 /// What every tag of an include knows.
@@ -179,6 +180,7 @@ impl Expander<'_> {
                 let file = FileIdx(self.result.files.len() as u32);
                 self.by_path.insert(source.path.clone(), file);
                 self.add_sources(file, name, &source);
+                self.report_encoding(file, &source);
                 self.report_syntax(file);
                 Some(file)
             }
@@ -190,7 +192,16 @@ impl Expander<'_> {
         }
     }
 
-    fn add_sources(&mut self, file: FileIdx, name: &str, source: &std::sync::Arc<crate::vfs::SourceFile>) {
+    /// The reference reads every file as UTF-8.
+    fn report_encoding(&mut self, file: FileIdx, source: &SourceFile) {
+        let Some((offset, message)) = &source.encoding_error else { return };
+        let range = TextRange::empty((*offset).min(source.document.len()));
+        let place = super::Place { file, range };
+        let problem = super::Problem::new("XML016", place, format!("this file is not UTF-8: {message}"));
+        self.push(problem.says(message.clone()).help("save it as UTF-8"));
+    }
+
+    fn add_sources(&mut self, file: FileIdx, name: &str, source: &Arc<SourceFile>) {
         let first_source = SrcId(self.result.sources.len() as u32);
         let document = &source.document;
         let footer_base = document.len() - document.footer().text().len() as u32;
@@ -298,7 +309,7 @@ impl Expander<'_> {
             self.push(problem);
         } else {
             let message = format!("includes are nested more than {most} deep, here into `{name}`");
-            self.stop(inclusion.tag, message, "include-depth");
+            self.stop(inclusion.tag, message, Some("include-depth"));
         }
         true
     }

@@ -289,28 +289,30 @@ impl<'w> Expander<'w> {
         self.ticks += 1;
         if self.result.tree.len() as u64 > self.request.limits.expand_nodes {
             let most = self.request.limits.expand_nodes;
-            self.stop(at, format!("the expansion has more than {most} nodes"), "expand-nodes");
+            self.stop(at, format!("the expansion has more than {most} nodes"), Some("expand-nodes"));
         } else if self.ticks.is_multiple_of(256) {
             if self.request.cancel.is_cancelled() {
                 self.stopped = true;
                 self.result.complete = false;
             } else if Instant::now() > self.deadline {
                 let most = self.request.limits.expand_time.as_millis();
-                self.stop(at, format!("the expansion takes more than {most} ms"), "expand-ms");
+                self.stop(at, format!("the expansion takes more than {most} ms"), Some("expand-ms"));
             }
         }
         self.stopped
     }
 
-    /// Wind up because a limit was reached.
-    pub fn stop(&mut self, at: Origin, message: String, key: &str) {
+    /// Wind up because a limit was reached; `key` is its name in the configuration, where it has one.
+    pub(super) fn stop(&mut self, at: Origin, message: String, key: Option<&str>) {
         if self.stopped {
             return;
         }
         self.stopped = true;
-        let problem = self.problem("XAC034", at, message).says("maximum recursion depth exceeded").help(
-            format!("if the robot really is that large, raise `{key}` under `[limits]` in xacro-lint.toml"),
-        );
+        let mut problem = self.problem("XAC034", at, message);
+        if let Some(key) = key {
+            let raise = format!("raise `{key}` under `[limits]` in xacro-lint.toml");
+            problem = problem.help(format!("if the robot really is that large, {raise}"));
+        }
         self.problems.push(problem);
     }
 

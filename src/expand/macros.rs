@@ -381,7 +381,7 @@ impl Expander<'_> {
         if deep {
             let message =
                 format!("macro calls are nested more than {most} deep, here into macro `{}`", def.name);
-            self.stop(at, message, "macro-depth");
+            self.stop(at, message, Some("macro-depth"));
         }
         deep
     }

@@ -21,9 +21,17 @@ pub(super) fn strip(text: &str) -> &str {
 /// The parameters of a `params` text; `None` when it holds nothing but blanks, which the reference refuses.
 pub(super) fn parse(text: &str) -> Option<Vec<Param>> {
     let mut params = Vec::new();
-    let mut at = 0;
+    let (mut text, mut at) = (text, 0);
     while at < text.len() {
-        let (param, next) = with_default(text, at).or_else(|| bare_word(text, at))?;
+        let (param, next) = match with_default(text, at) {
+            Some((param, next)) => {
+                // the expression's last group ends with the line: what stands behind is lost
+                let line = text.get(next..).and_then(|rest| rest.find('\n'));
+                text = line.and_then(|end| text.get(..next + end)).unwrap_or(text);
+                (param, next)
+            }
+            None => bare_word(text, at)?,
+        };
         params.push(param);
         at = next;
     }
@@ -205,6 +213,9 @@ mod tests {
             ("a:=it's b", "a:=it's | b"),
             ("a:=x='1 2'y", "a=x='1 2'y"),
             ("a:b c", "a:b | c"),
+            ("a:=1 b:=2\nc", "a=1 | b=2"),
+            ("a:=1\nb c", "a=1 | b | c"),
+            ("a\nb", "a | b"),
         ];
         for (text, expected) in cases {
             assert_eq!(show(text), expected, "{text}");

@@ -93,6 +93,11 @@ impl Scopes {
         &mut self.list[id.0 as usize]
     }
 
+    /// How many scopes are around `id`.
+    pub(super) fn depth(&self, id: ScopeId) -> i64 {
+        std::iter::successors(self.get(id).parent, |&outer| self.get(outer).parent).count() as i64
+    }
+
     /// The scope in the chain from `id` that holds `name`.
     pub fn holder(&self, id: ScopeId, name: &str) -> Option<ScopeId> {
         let mut at = Some(id);

@@ -46,7 +46,7 @@ impl Expander<'_> {
         site: TextSite<'_>,
     ) -> Value {
         let here = Here { inner, whole, start: static_inner.map(|range| range.start), site };
-        match expr::resolve(inner, |subst| self.substitution_text(subst, here)) {
+        match expr::resolve_substitution(inner, |subst| self.substitution_text(subst, here)) {
             Ok(text) => Value::Str(text),
             Err(Failure::Reported) => Value::Unknown,
             Err(Failure::Error(error)) => {

@@ -95,7 +95,9 @@ pub(crate) fn check_count(name: &str, given: usize, min: usize, max: usize) -> E
     Err(Stop::typ(format!("{name} expected {how}{bound} argument{plural}, got {given}")))
 }
 
-/// `round() takes at most 2 arguments (3 given)` and its relatives.
+/// Arguments by position or name; a parameter without a name is taken by position only.
+///
+/// Errors are `round() takes at most 2 arguments (3 given)` and its relatives.
 pub(crate) fn bind_named(
     function: &str,
     names: &[&str],
@@ -125,6 +127,14 @@ pub(crate) fn bind_named(
         )));
     }
     let by_position = pos.len();
+    let unnamed = names.iter().take(required).take_while(|name| name.is_empty()).count();
+    if by_position < unnamed {
+        let how = if unnamed < positional { "at least" } else { "exactly" };
+        let plural = if unnamed == 1 { "" } else { "s" };
+        return Err(Stop::typ(format!(
+            "{function}() takes {how} {unnamed} positional argument{plural} ({by_position} given)"
+        )));
+    }
     pos.resize(names.len(), Value::Unknown);
     let mut wrong = None;
     for (name, value) in named {

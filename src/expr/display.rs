@@ -184,8 +184,11 @@ fn push(out: &mut String, text: std::fmt::Arguments<'_>) {
 /// Decimal digits of a big integer, unless there are too many.
 pub(crate) fn big_text(big: &num_bigint::BigInt) -> Eval<String> {
     // 3.33 bits make a digit: this many bits are surely too long without converting them.
-    let too_long =
-        || Stop::value(format!("Exceeds the limit ({MAX_STR_DIGITS} digits) for integer string conversion"));
+    let too_long = || {
+        Stop::value(format!(
+            "Exceeds the limit ({MAX_STR_DIGITS} digits) for integer string conversion; use sys.set_int_max_str_digits() to increase the limit"
+        ))
+    };
     if big.bits() > (MAX_STR_DIGITS as u64) * 10 / 3 {
         return Err(too_long());
     }
@@ -193,12 +196,29 @@ pub(crate) fn big_text(big: &num_bigint::BigInt) -> Eval<String> {
     if text.trim_start_matches('-').len() > MAX_STR_DIGITS { Err(too_long()) } else { Ok(text) }
 }
 
+/// The qualified name of a function written in Python.
+fn python_name(name: &'static str, deprecated: bool) -> &'static str {
+    match name {
+        _ if deprecated => "create_global_symbols.<locals>.deprecate.<locals>.wrapper",
+        "message" | "warning" | "error" | "print_location" => {
+            "create_global_symbols.<locals>.message_adapter.<locals>.wrapper"
+        }
+        "arg" => "create_global_symbols.<locals>.<lambda>",
+        "fatal" => "create_global_symbols.<locals>.fatal",
+        "abs_filename" => "abs_filename_spec",
+        other => other,
+    }
+}
+
 fn function_text(value: &Value) -> String {
     match value {
         Value::Builtin(builtin) if Type::of(value) == Type::Builtin => {
             format!("<built-in function {}>", builtin.function.name)
         }
-        Value::Builtin(builtin) => format!("<function {} at {ADDRESS}>", builtin.function.name),
+        Value::Builtin(builtin) => {
+            let name = python_name(builtin.function.name, builtin.deprecated.is_some());
+            format!("<function {name} at {ADDRESS}>")
+        }
         Value::Method(method) if method.unbound => {
             format!("<method '{}' of '{}' objects>", method.function.name, method.function.owner)
         }

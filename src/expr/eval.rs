@@ -156,7 +156,14 @@ impl Interp<'_> {
     /// Hand the items of `*inner` to `each`.
     pub(crate) fn spread(&mut self, inner: &Expr, each: &mut dyn FnMut(Value)) -> Eval<()> {
         let value = self.eval(inner)?;
-        let mut cursor = self.iter(&value).map_err(|stop| stop.at(self.place(inner.range)))?;
+        let mut cursor = self.iter(&value).map_err(|stop| match stop {
+            Stop::Unknown => Stop::Unknown,
+            _ => {
+                let kind = value.type_name();
+                Stop::typ(format!("Value after * must be an iterable, not {kind}"))
+                    .at(self.place(inner.range))
+            }
+        })?;
         while let Some(item) = self.next(&mut cursor)? {
             self.budget.items(1)?;
             each(item);

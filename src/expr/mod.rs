@@ -40,7 +40,7 @@ pub use builtins::{
 pub use host::{ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId};
 pub use interp::evaluate;
 pub use methods::method_names;
-pub use substitution::{Subst, SubstArg, SubstError, parse_substitution, resolve};
+pub use substitution::{Subst, SubstArg, SubstError, parse_substitution, resolve_substitution};
 pub use syntax::{ExprError, ExprErrorKind, NameUse, Parsed, is_identifier, is_python_space, names, parse};
 pub use template::{Code, Template, Token, split};
 pub use value::{DateValue, Dict, List, Module, Range, Set, Slice, Str, Tuple, Type, Value, View, ViewKind};

@@ -79,10 +79,13 @@ struct Parser<'t> {
     pos: usize,
     /// End of the last token taken.
     prev_end: u32,
+    /// The same, or behind a hole after it.
+    reach: u32,
     report: Report<'t>,
     /// Calls of [`Parser::nested`] under way.
     depth: u32,
-    /// At least the height of the subtrees built since the innermost `nested` began.
+    /// At least the height of the subtrees built since the innermost `nested` began; who builds a node on
+    /// top of them calls [`Parser::grow`].
     height: u32,
     too_deep: bool,
     /// Index of the first token of the last operand that stood where a whole expression may.
@@ -106,6 +109,7 @@ impl Parser<'_> {
             return self.missing();
         }
         let first = self.expression();
+        let start = start.min(first.range.start);
         let expr = if self.at(Tok::Comma) { self.bare_tuple(start, first) } else { first };
         let same_line = !self.at(Tok::Newline);
         while self.eat(Tok::Newline) {}
@@ -126,12 +130,18 @@ impl Parser<'_> {
     /// Run `f` one level deeper, or give up with a hole when that is too deep.
     fn nested(&mut self, f: impl FnOnce(&mut Self) -> Expr) -> Expr {
         if self.depth >= MAX_DEPTH {
-            return self.give_up("too many nested parentheses");
+            return self.give_up();
         }
         self.depth += 1;
         let outer = std::mem::take(&mut self.height);
-        let expr = f(self);
-        self.height = outer.max(self.height + 1);
+        let mut expr = f(self);
+        if self.height >= MAX_DEPTH {
+            // Too high already: whatever comes on top stands on a hole.
+            self.give_up();
+            expr.kind = ExprKind::Missing;
+            self.height = 0;
+        }
+        self.height = outer.max(self.height);
         self.depth -= 1;
         expr
     }
@@ -140,15 +150,23 @@ impl Parser<'_> {
     fn grow(&mut self) -> bool {
         self.height += 1;
         if self.height >= MAX_DEPTH {
-            self.give_up("maximum recursion depth exceeded during compilation");
+            self.give_up();
         }
         self.height < MAX_DEPTH
     }
 
-    fn give_up(&mut self, reference: &str) -> Expr {
+    fn give_up(&mut self) -> Expr {
+        let reference = "maximum recursion depth exceeded during compilation";
         let hole = Expr { kind: ExprKind::Missing, range: TextRange::empty(self.prev_end) };
         if !self.too_deep {
-            self.error(self.token().range, "the expression is nested too deeply", reference);
+            let (range, kind) = (self.token().range, ExprErrorKind::Syntax);
+            self.report.push(
+                Stage::Grammar,
+                kind,
+                range,
+                "the expression is nested too deeply",
+                reference.into(),
+            );
         }
         self.too_deep = true;
         self.pos = self.tokens.len().saturating_sub(1);
@@ -162,7 +180,8 @@ impl Parser<'_> {
                 return p.lambda();
             }
             let (start, index) = (p.start(), p.pos);
-            let body = p.operand(power::OR);
+            let body = p.operand_here(power::OR);
+            let start = start.min(body.range.start);
             p.operand_start = Some(index);
             if p.at(Tok::If) { p.conditional(start, body) } else { body }
         })
@@ -188,27 +207,31 @@ impl Parser<'_> {
             }
             self.missing()
         };
-        let range = TextRange::new(start, self.prev_end.max(orelse.range.end));
+        self.grow();
+        let range = self.range_from(start);
         let kind = ExprKind::IfElse { test: Box::new(test), body: Box::new(body), orelse: Box::new(orelse) };
         Expr { kind, range }
     }
 
     /// An operand and all operators behind it that bind at least as tight as `min`.
     fn operand(&mut self, min: u8) -> Expr {
-        self.nested(|p| {
-            let start = p.start();
-            let mut left = p.prefix(min);
-            loop {
-                let range_start = start.min(left.range.start);
-                left = match p.infix(min, left, range_start) {
-                    Ok(longer) => longer,
-                    Err(done) => return done,
-                };
-                if !p.grow() {
-                    return left;
-                }
+        self.nested(|p| p.operand_here(min))
+    }
+
+    /// The same without counting a level.
+    fn operand_here(&mut self, min: u8) -> Expr {
+        let start = self.start();
+        let mut left = self.prefix(min);
+        loop {
+            let start = start.min(left.range.start);
+            left = match self.infix(min, left, start) {
+                Ok(longer) => longer,
+                Err(done) => return done,
+            };
+            if !self.grow() {
+                return left;
             }
-        })
+        }
     }
 
     /// Extend `left` by the operator that follows, or give it back.
@@ -234,34 +257,27 @@ impl Parser<'_> {
 
     /// A node that starts at `start` and ends with `last`, which may be a hole.
     fn node(&self, start: u32, last: Expr, kind: impl FnOnce(Box<Expr>) -> ExprKind) -> Expr {
-        let range = TextRange::new(start, self.prev_end.max(last.range.end));
-        Expr { kind: kind(Box::new(last)), range }
+        Expr { kind: kind(Box::new(last)), range: self.range_from(start) }
     }
 
     fn chain(&mut self, word: Tok, bind: u8, left: Expr, start: u32) -> Expr {
         let mut items = vec![left];
-        let mut end = self.prev_end;
         while self.eat(word) {
-            let item = self.operand(bind + 1);
-            end = end.max(item.range.end).max(self.prev_end);
-            items.push(item);
+            items.push(self.operand(bind + 1));
         }
         let kind = if word == Tok::And { ExprKind::And(items) } else { ExprKind::Or(items) };
-        Expr { kind, range: TextRange::new(start, end) }
+        Expr { kind, range: self.range_from(start) }
     }
 
     fn comparison(&mut self, first: Expr, start: u32) -> Expr {
         let mut rest = Vec::new();
-        let mut end = self.prev_end;
         while let Some((op, words)) = self.comparison_operator() {
             for _ in 0..words {
                 self.bump();
             }
-            let right = self.operand(power::COMPARE + 1);
-            end = end.max(right.range.end).max(self.prev_end);
-            rest.push((op, right));
+            rest.push((op, self.operand(power::COMPARE + 1)));
         }
-        Expr { kind: ExprKind::Compare(Box::new(first), rest), range: TextRange::new(start, end) }
+        Expr { kind: ExprKind::Compare(Box::new(first), rest), range: self.range_from(start) }
     }
 
     /// The comparison operator that starts here, and of how many tokens it consists.
@@ -296,6 +312,7 @@ impl Parser<'_> {
         }
         self.bump();
         let value = self.operand(if op == UnaryOp::Not { power::NOT } else { power::UNARY });
+        self.grow();
         self.node(start, value, |value| ExprKind::Unary(op, value))
     }
 }

@@ -1,4 +1,10 @@
 //! Collecting errors and deciding which one CPython would name.
+//!
+//! CPython tries its grammar twice, the second time with rules for common mistakes, so which text it prints
+//! depends on how far it backtracks. For single mistakes the texts here are the same; for several at once
+//! about one in two hundred differs (measured on mutated expressions). Known: an indented second line in
+//! front of an unmatched bracket ("unexpected indent"), mistakes inside of what it tries behind a missing
+//! comma, and conditions or operators where the target of a `for` belongs.
 
 use super::syntax::{ExprError, ExprErrorKind};
 use crate::base::TextRange;

@@ -100,7 +100,7 @@ pub fn parse_substitution(inner: &str) -> Subst {
 ///
 /// # Errors
 /// What `value` fails with, or what is wrong with the text.
-pub fn resolve<E: From<SubstError>>(
+pub fn resolve_substitution<E: From<SubstError>>(
     inner: &str,
     mut value: impl FnMut(&Subst) -> Result<EcoString, E>,
 ) -> Result<EcoString, E> {
@@ -239,4 +239,70 @@ fn words(content: &str, base: u32) -> impl Iterator<Item = SubstArg> + '_ {
         let range = TextRange::new(start, start + word.len() as u32).shift(base);
         (!word.is_empty()).then(|| SubstArg { text: word.into(), range })
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The world of `tests/oracle/text_tables.py`.
+    fn value(subst: &Subst) -> Result<EcoString, SubstError> {
+        let undefined = |name: &str| SubstError { class: "undefined", message: name.into() };
+        let env = |name: &str| (name == "A").then_some("env-a");
+        match subst {
+            Subst::Arg(arg) => Ok(match arg.text.as_str() {
+                "a" => "1".into(),
+                "b" => "$(arg a)".into(),
+                "c" => "$(find p)/x".into(),
+                "d" => "x(y)".into(),
+                "e" => "$(nope)".into(),
+                "f" => "$( )".into(),
+                "g" => "$".into(),
+                "h" => "$(env)".into(),
+                "i" => "$(find p q)".into(),
+                "j" => "$(arg missing) $(find z)".into(),
+                other => return Err(undefined(other)),
+            }),
+            Subst::Find(package) => Ok(format!("<find {}>", package.text).into()),
+            Subst::Env(name) => env(&name.text)
+                .map(EcoString::from)
+                .ok_or_else(|| SubstError::new(format!("environment variable '{}' is not set", name.text))),
+            Subst::OptEnv { name, default } => Ok(env(&name.text).map_or(default.clone(), EcoString::from)),
+            Subst::Cwd => Ok("<cwd>".into()),
+            other => panic!("{other:?} has no value"),
+        }
+    }
+
+    #[test]
+    fn results_are_those_of_the_reference() {
+        for line in include_str!("testdata/substitutions.txt").lines() {
+            let (inner, want): (String, Vec<String>) = serde_json::from_str(line).unwrap();
+            let got = match resolve_substitution(&inner, value) {
+                Ok(text) => vec!["value".to_owned(), text.into()],
+                Err(error) => vec!["error".to_owned(), error.class.to_owned(), error.message],
+            };
+            assert_eq!(got, want, "{inner:?}");
+        }
+    }
+
+    #[test]
+    fn arguments_have_places() {
+        for (inner, want) in [("arg  a", "a"), ("find my_pkg", "my_pkg"), ("env  A ", "A"), ("é x", "é")] {
+            let arg = match parse_substitution(inner) {
+                Subst::Arg(arg) | Subst::Find(arg) | Subst::Env(arg) => arg,
+                Subst::Unknown { command, .. } => command,
+                other => panic!("{other:?}"),
+            };
+            assert_eq!((arg.text.as_str(), arg.range.slice(inner)), (want, want), "{inner}");
+        }
+    }
+
+    #[test]
+    fn eval_is_taken_as_it_stands() {
+        let inner = "eval 1 + x";
+        let Subst::Eval { code } = parse_substitution(inner) else { panic!() };
+        assert_eq!(code.slice(inner), "1 + x");
+        let bad = SubstError::new("$(eval ...) may not contain double underscore expressions");
+        assert_eq!(parse_substitution("eval a.__b"), Subst::Bad(bad));
+    }
 }

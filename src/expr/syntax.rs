@@ -105,3 +105,76 @@ fn collect_forbidden<'e>(expr: &'e Expr, add: &mut dyn FnMut(&'e str, TextRange)
         _ => {}
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn identifiers() {
+        for name in ["a", "_", "_1", "été", "名", "match", "case", "type", "print", "__x", "ᵃ", "a٣"] {
+            assert!(is_identifier(name), "{name}");
+        }
+        for name in ["", "1a", "a-b", "a.b", "a b", " a", "True", "None", "if", "lambda", "async", "€", "a²"]
+        {
+            assert!(!is_identifier(name), "{name}");
+        }
+    }
+
+    fn free(text: &str) -> String {
+        let parsed = parse(text);
+        let found = names(&parsed.expr);
+        for name in &found {
+            assert_eq!(name.range.slice(text), name.name);
+        }
+        found.iter().map(|n| n.name).collect::<Vec<_>>().join(" ")
+    }
+
+    #[test]
+    fn free_names() {
+        for (text, want) in [
+            ("a + b.c * f(d, k=e)", "a b f d e"),
+            ("a if b else c", "b a c"),
+            ("lambda x, y=z: x + y + w", "z w"),
+            ("(lambda x: x)(x)", "x"),
+            ("[x for x in x]", "x"),
+            ("[x + y for x in a if x > b for z in x if z]", "a b y"),
+            ("{k: v for k, (v, *w) in d.items() if w}", "d"),
+            ("[i for a[i] in b]", "b a i i"),
+            ("[(lambda q: q + i)(j) for i in r]", "r j"),
+            ("[y := a, y]", "a"),
+            ("f'{a:{b}} {[c for c in d]}'", "a b d"),
+            ("a + ", "a"),
+            ("'a'", ""),
+        ] {
+            assert_eq!(free(text), want, "{text}");
+        }
+    }
+
+    /// Order and number are those of `co_names`, which also holds for lambdas and comprehensions with us.
+    #[test]
+    fn forbidden_names_are_listed_once() {
+        for (text, want) in [
+            ("__a", "__a"),
+            ("a.__class__", "__class__"),
+            ("__b + __a + __b", "__b, __a"),
+            ("__x.__y", "__x, __y"),
+            ("__f(__a.__b, k=__c)", "__f, __a, __b, __c"),
+            ("__a if __t else __b", "__t, __a, __b"),
+            ("lambda: ''.__class__", "__class__"),
+            ("[__x.__y for i in __z]", "__z, __x, __y"),
+            ("f'{__a}'", "__a"),
+            ("(__a := 1)", "__a"),
+        ] {
+            let [error] = &*parse(text).errors else { panic!("{text}") };
+            assert_eq!(error.kind, ExprErrorKind::ForbiddenName);
+            assert_eq!(error.reference, format!("Use of invalid name(s):  {want}"), "{text}");
+        }
+        for text in ["'__a'", "f(__k=1)", "a__b", "_a", "a._b"] {
+            assert_eq!(parse(text).errors, [], "{text}");
+        }
+        // A broken expression comes first.
+        let errors = parse("__a +").errors;
+        assert_eq!(errors.first().map(|e| e.kind), Some(ExprErrorKind::Syntax));
+    }
+}

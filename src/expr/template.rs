@@ -182,3 +182,83 @@ impl Splitter<'_> {
         Some(Box::new(Splitter { text: self.text, end, pos, tokens: Vec::new() }.run()))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use super::*;
+
+    /// The tokens as `tests/oracle/text_tables.py` writes them; checks on the way that they cover their text.
+    fn tokens(text: &str, template: &Template, within: TextRange) -> Value {
+        let mut at = within.start;
+        let mut out = Vec::new();
+        for token in &template.tokens {
+            assert_eq!(token.range().start, at, "gap in {text:?}");
+            at = token.range().end;
+            out.push(match token {
+                Token::Text(range) => json!(["text", range.slice(text)]),
+                Token::Escape(range) => json!(["escape", range.slice(text)]),
+                Token::Expr { inner, code, .. } => {
+                    let inner_text = inner.slice(text);
+                    json!([
+                        "expr",
+                        match code {
+                            Code::Dynamic(nested) => tokens(text, nested, *inner),
+                            Code::Static(_) if inner_text.contains('$') => json!([["text", inner_text]]),
+                            Code::Static(_) => json!(inner_text),
+                        }
+                    ])
+                }
+                Token::Subst { inner, nested, .. } => {
+                    let inner_text = inner.slice(text);
+                    json!([
+                        "subst",
+                        match nested {
+                            Some(nested) => tokens(text, nested, *inner),
+                            None if inner_text.contains('$') => json!([["text", inner_text]]),
+                            None => json!(inner_text),
+                        }
+                    ])
+                }
+                Token::Invalid { range, .. } => json!(["invalid", range.slice(text)]),
+            });
+        }
+        assert_eq!(at, within.end, "rest of {text:?}");
+        Value::Array(out)
+    }
+
+    #[test]
+    fn tokens_are_those_of_the_reference() {
+        for line in include_str!("testdata/templates.txt").lines() {
+            let (text, want): (String, Value) = serde_json::from_str(line).unwrap();
+            let all = TextRange::new(0, text.len() as u32);
+            assert_eq!(tokens(&text, &split(&text), all), want, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn unclosed_brackets_are_named() {
+        for (text, want) in [("a ${b", Some("${")), ("$(a", Some("$(")), ("a $$ b", None)] {
+            let template = split(text);
+            let Some(Token::Invalid { unclosed, .. }) = template.tokens.last() else { panic!("{text}") };
+            assert_eq!(*unclosed, want, "{text}");
+        }
+    }
+
+    #[test]
+    fn expressions_count_from_their_start() {
+        let text = "x ${ a+1}";
+        let template = split(text);
+        let Some(Token::Expr { inner, code: Code::Static(parsed), .. }) = template.tokens.last() else {
+            panic!()
+        };
+        assert_eq!(parsed.expr.range.shift(inner.start).slice(text), "a+1");
+    }
+
+    #[test]
+    fn templates_are_shared_between_threads() {
+        fn shared<T: Send + Sync>() {}
+        shared::<Template>();
+    }
+}

@@ -8,4 +8,4 @@ mod tests;
 
 pub use kinematics::Kinematics;
 pub use robot::{Joint, Link, Robot, Text};
-pub use source::{attr_name, tag_start};
+pub use source::tag_start;

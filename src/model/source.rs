@@ -13,15 +13,6 @@ pub fn tag_start(expansion: &Expansion, element: XId) -> Origin {
     }
 }
 
-/// The name of an attribute in the source; where it was set by `xacro:attribute`, its value.
-pub fn attr_name(expansion: &Expansion, element: XId, name: &str) -> Option<Origin> {
-    let tree = &expansion.tree;
-    let value = tree.attr(element, name)?.origin;
-    let origin = tree.get(element).origin;
-    let attr = node(expansion, origin).and_then(|node| node.attrs().find(|a| a.value_range() == value.range));
-    Some(attr.map_or(value, |attr| Origin { range: attr.name_range(), ..value }))
-}
-
 /// The source element whose start tag is at `origin`.
 fn node(expansion: &Expansion, origin: Origin) -> Option<Node<'_>> {
     let item = &expansion.sources.get(origin.src.0 as usize)?.item;

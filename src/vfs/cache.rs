@@ -30,10 +30,10 @@ impl<T> Cache<T> {
         &self,
         id: FileId,
         stamp: Stamp,
-        make: impl FnOnce() -> Result<T, LoadError>,
+        make: impl FnOnce() -> Result<Arc<T>, LoadError>,
     ) -> Result<Arc<T>, LoadError> {
         let cell = self.cell(id, stamp);
-        let result = cell.get_or_init(|| make().map(Arc::new)).clone();
+        let result = cell.get_or_init(make).clone();
         if result.is_err() {
             // An error may go away without a change of the stamp (permissions): ask again next time.
             let mut slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);

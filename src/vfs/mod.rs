@@ -6,6 +6,7 @@
 // The file system is allowed here, and only here: this module is what the others use instead.
 #![allow(clippy::disallowed_methods)]
 
+mod buffer;
 mod cache;
 mod decode;
 mod environment;
@@ -25,11 +26,13 @@ use std::sync::{Arc, PoisonError, RwLock};
 
 pub use environment::Environment;
 pub use error::{LoadError, LoadErrorKind};
-pub use glob::has_magic;
+pub use glob::{Wildcard, covers, has_magic};
 pub use output::write_atomically;
 
-use crate::base::{FastMap, FileId};
+use crate::base::{FastMap, FileId, TextRange};
 use crate::xml::Document;
+use crate::yaml::{self, Node, YamlError};
+use buffer::Buffer;
 use cache::Cache;
 use ids::Ids;
 use read::{Identity, Stamp};
@@ -55,9 +58,9 @@ pub struct SourceFile {
     pub id: FileId,
     /// Its absolute path.
     pub path: Arc<Path>,
-    /// The parsed text.
+    /// The tree, which holds the text.
     pub document: Document,
-    /// Hash of the decoded text.
+    /// Equal hashes mean equal texts; in an edited buffer, equal texts may have different ones.
     pub hash: u64,
     /// Byte offset in the file and description of the first byte that is not valid in its encoding.
     pub encoding_error: Option<(u32, String)>,
@@ -72,6 +75,39 @@ impl std::fmt::Debug for SourceFile {
     }
 }
 
+impl SourceFile {
+    fn parse(file: &TextFile) -> Arc<Self> {
+        Arc::new(Self {
+            id: file.id,
+            path: file.path.clone(),
+            document: Document::parse(&file.text),
+            hash: file.hash,
+            encoding_error: file.encoding_error.clone(),
+        })
+    }
+}
+
+/// A YAML file, loaded.
+pub struct YamlFile {
+    /// The text.
+    pub file: Arc<TextFile>,
+    /// Its value, or the error Python would raise.
+    pub value: Result<Node, YamlError>,
+}
+
+impl YamlFile {
+    fn load(file: Arc<TextFile>, name: &str) -> Self {
+        let value = match &file.encoding_error {
+            Some((_, message)) => {
+                let range = TextRange::default();
+                Err(YamlError { message: message.clone(), range, short: message.clone() })
+            }
+            None => yaml::load(&file.text, name),
+        };
+        Self { file, value }
+    }
+}
+
 /// One name in a folder.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct DirEntry {
@@ -81,18 +117,10 @@ pub struct DirEntry {
     pub is_dir: bool,
 }
 
-/// An open editor buffer.
-struct Buffer {
-    text: Arc<str>,
-    revision: u64,
-    /// The file it stands for, if saved: finds the buffer again through links and `..`.
-    identity: Option<Identity>,
-}
-
 /// Where the text of a file comes from.
-enum Source {
-    Buffer(Arc<str>),
-    Disk,
+enum State {
+    Buffer(Arc<Buffer>),
+    Disk(Stamp),
 }
 
 /// Open buffers over the disk.
@@ -100,10 +128,11 @@ pub struct Vfs {
     max_file_bytes: AtomicU64,
     cwd: PathBuf,
     ids: Ids,
-    buffers: RwLock<FastMap<FileId, Buffer>>,
+    buffers: RwLock<FastMap<FileId, Arc<Buffer>>>,
     revision: AtomicU64,
     texts: Cache<TextFile>,
-    documents: Cache<SourceFile>,
+    sources: Cache<SourceFile>,
+    yaml: Cache<YamlFile>,
 }
 
 impl Vfs {
@@ -122,7 +151,8 @@ impl Vfs {
             buffers: RwLock::default(),
             revision: AtomicU64::new(0),
             texts: Cache::default(),
-            documents: Cache::default(),
+            sources: Cache::default(),
+            yaml: Cache::default(),
         }
     }
 
@@ -157,15 +187,24 @@ impl Vfs {
     pub fn set_buffer(&self, path: &Path, text: Option<String>) {
         let id = self.file_id(path);
         let mut buffers = self.buffers.write().unwrap_or_else(PoisonError::into_inner);
-        match text {
-            Some(text) => {
-                let revision = self.revision.fetch_add(1, Ordering::Relaxed) + 1;
-                let identity = read::stat(&self.path(id)).ok().and_then(|stat| stat.identity);
-                buffers.insert(id, Buffer { text: text.into(), revision, identity });
-            }
-            None => {
-                buffers.remove(&id);
-            }
+        let Some(text) = text else {
+            buffers.remove(&id);
+            return;
+        };
+        let revision = self.next_revision();
+        let buffer = match buffers.get(&id) {
+            Some(buffer) => buffer.replaced(revision, text),
+            None => Buffer::with_text(id, self.path(id), revision, text),
+        };
+        buffers.insert(id, Arc::new(buffer));
+    }
+
+    /// Replace the bytes of `range` in an open buffer; nothing happens when there is none.
+    pub fn edit_buffer(&self, path: &Path, range: TextRange, replacement: &str) {
+        let id = self.file_id(path);
+        let mut buffers = self.buffers.write().unwrap_or_else(PoisonError::into_inner);
+        if let Some(buffer) = buffers.get_mut(&id) {
+            *buffer = Arc::new(buffer.edited(self.next_revision(), range, replacement));
         }
     }
 
@@ -177,30 +216,52 @@ impl Vfs {
     pub fn text(&self, path: &Path) -> Result<Arc<TextFile>, LoadError> {
         let id = self.file_id(path);
         let path = self.path(id);
-        let (stamp, source) = self.source(id, &path)?;
-        self.texts.get(id, stamp, || {
-            let decoded = self.decoded(&path, source)?;
-            let hash = read::hash(&decoded.text);
-            let decode::Decoded { text, error } = decoded;
-            Ok(TextFile { id, path: path.clone(), text, hash, encoding_error: error })
-        })
+        match self.state(id, &path)? {
+            State::Buffer(buffer) if buffer.id == id => Ok(buffer.text()),
+            State::Buffer(buffer) => self.texts.get(id, Stamp::Buffer(buffer.revision), || {
+                let file = buffer.text();
+                let (text, hash) = (file.text.clone(), file.hash);
+                Ok(Arc::new(TextFile { id, path, text, hash, encoding_error: None }))
+            }),
+            State::Disk(stamp) => self.texts.get(id, stamp, || {
+                let limit = self.max_file_bytes.load(Ordering::Relaxed);
+                let decode::Decoded { text, error } = decode::decode(read::bytes(&path, limit)?);
+                let hash = read::hash(&text);
+                Ok(Arc::new(TextFile { id, path, text, hash, encoding_error: error }))
+            }),
+        }
     }
 
-    /// An XML file, parsed: from its buffer if open, else from the disk. Not parsed again while the
-    /// file stays as it is.
+    /// An XML file, parsed; not again while its text stays the same. Of a buffer that was edited, only
+    /// what the edit touched is parsed.
     ///
     /// # Errors
-    /// Whatever keeps the file from being read.
+    /// Whatever keeps the file from being read. What is wrong with the XML stands in the document.
     pub fn document(&self, path: &Path) -> Result<Arc<SourceFile>, LoadError> {
         let id = self.file_id(path);
         let path = self.path(id);
-        let (stamp, source) = self.source(id, &path)?;
-        self.documents.get(id, stamp, || {
-            let decode::Decoded { text, error } = self.decoded(&path, source)?;
-            let hash = read::hash(&text);
-            let document = Document::parse(&text);
-            Ok(SourceFile { id, path: path.clone(), document, hash, encoding_error: error })
-        })
+        match self.state(id, &path)? {
+            State::Buffer(buffer) if buffer.id == id => Ok(buffer.source()),
+            State::Buffer(buffer) => self.sources.get(id, Stamp::Buffer(buffer.revision), || {
+                let source = buffer.source();
+                let (document, hash) = (source.document.clone(), source.hash);
+                Ok(Arc::new(SourceFile { id, path, document, hash, encoding_error: None }))
+            }),
+            State::Disk(_) => {
+                let text = self.text(&path)?;
+                self.sources.get(id, Stamp::Content(text.hash), || Ok(SourceFile::parse(&text)))
+            }
+        }
+    }
+
+    /// A YAML file, loaded; not again while its text stays the same. `name` is its name in messages.
+    ///
+    /// # Errors
+    /// Whatever keeps the file from being read. What is wrong with the YAML is in the value.
+    pub fn yaml(&self, path: &Path, name: &str) -> Result<Arc<YamlFile>, LoadError> {
+        let file = self.text(path)?;
+        let stamp = Stamp::Content(read::hash(&(file.hash, name)));
+        self.yaml.get(file.id, stamp, || Ok(Arc::new(YamlFile::load(file, name))))
     }
 
     /// Whether there is a file, folder or buffer at `path`.
@@ -253,28 +314,21 @@ impl Vfs {
         !buffers.is_empty() && buffers.contains_key(&self.file_id(path))
     }
 
-    /// Where the text of `path` is, and the stamp that changes when it changes.
-    fn source(&self, id: FileId, path: &Path) -> Result<(Stamp, Source), LoadError> {
-        let buffers = self.buffers.read().unwrap_or_else(PoisonError::into_inner);
-        if let Some(buffer) = buffers.get(&id) {
-            return Ok((Stamp::Buffer(buffer.revision), Source::Buffer(buffer.text.clone())));
-        }
-        let stat = read::stat(path)?;
-        let alias = stat
-            .identity
-            .and_then(|identity| buffers.values().find(|buffer| buffer.identity == Some(identity)));
-        Ok(match alias {
-            Some(buffer) => (Stamp::Buffer(buffer.revision), Source::Buffer(buffer.text.clone())),
-            None => (stat.stamp, Source::Disk),
-        })
+    fn next_revision(&self) -> u64 {
+        self.revision.fetch_add(1, Ordering::Relaxed) + 1
     }
 
-    fn decoded(&self, path: &Path, source: Source) -> Result<decode::Decoded, LoadError> {
-        match source {
-            Source::Buffer(text) => Ok(decode::Decoded { text: text.to_string(), error: None }),
-            Source::Disk => {
-                read::bytes(path, self.max_file_bytes.load(Ordering::Relaxed)).map(decode::decode)
-            }
+    /// Where the text of `path` is now.
+    fn state(&self, id: FileId, path: &Path) -> Result<State, LoadError> {
+        let buffers = self.buffers.read().unwrap_or_else(PoisonError::into_inner);
+        if let Some(buffer) = buffers.get(&id) {
+            return Ok(State::Buffer(buffer.clone()));
         }
+        let stat = read::stat(path)?;
+        let is_same = |buffer: &&Arc<Buffer>| stat.identity.is_some() && buffer.identity == stat.identity;
+        Ok(match buffers.values().find(is_same) {
+            Some(buffer) => State::Buffer(buffer.clone()),
+            None => State::Disk(stat.stamp),
+        })
     }
 }

@@ -3,6 +3,7 @@ use std::sync::Arc;
 
 use super::testing::Tree;
 use super::{LoadErrorKind, Vfs};
+use crate::base::TextRange;
 
 #[test]
 fn ids_follow_the_spelling() {
@@ -100,4 +101,87 @@ fn folders_are_listed_sorted() {
         tree.vfs().list_dir(tree.root()).into_iter().map(|entry| (entry.name, entry.is_dir)).collect();
     assert_eq!(names, [("a".to_owned(), true), ("b".to_owned(), false)]);
     assert!(tree.vfs().list_dir(&tree.path("none")).is_empty());
+}
+
+#[test]
+fn documents_are_parsed_once() {
+    let tree = Tree::new();
+    tree.write("a.xacro", "<robot><link name='a'/></robot>");
+    let path = tree.path("a.xacro");
+    let first = tree.vfs().document(&path).unwrap();
+    assert!(Arc::ptr_eq(&first, &tree.vfs().document(&path).unwrap()));
+    assert_eq!(first.document.item_count(), 1);
+    tree.write("a.xacro", "<robot><link name='b'/></robot>");
+    let second = tree.vfs().document(&path).unwrap();
+    assert!(second.document.text().contains("'b'"));
+    assert_ne!(first.hash, second.hash);
+    assert_eq!(tree.vfs().document(&tree.path("gone")).err().map(|error| error.errno), Some(2));
+}
+
+#[test]
+fn yaml_is_loaded_once() {
+    let tree = Tree::new();
+    tree.write("a.yaml", "a: [1");
+    let load = |name: &str| tree.vfs().yaml(&tree.path("a.yaml"), name).unwrap();
+    let broken = load("./a.yaml");
+    assert!(Arc::ptr_eq(&broken, &load("./a.yaml")));
+    assert!(broken.value.as_ref().unwrap_err().message.contains("in \"./a.yaml\", line 1"));
+    assert!(load("x/a.yaml").value.as_ref().unwrap_err().message.contains("in \"x/a.yaml\""));
+    tree.write("a.yaml", "a: [1]");
+    assert!(load("./a.yaml").value.is_ok());
+    std::fs::write(tree.path("a.yaml"), b"a: \xff").unwrap();
+    let message = "'utf-8' codec can't decode byte 0xff in position 3: invalid start byte";
+    assert_eq!(load("./a.yaml").value.as_ref().unwrap_err().message, message);
+}
+
+#[test]
+fn edits_of_buffers() {
+    let tree = Tree::new();
+    let vfs = tree.vfs();
+    for name in ["parsed.xacro", "text.yaml"] {
+        let path = tree.path(name);
+        vfs.edit_buffer(&path, TextRange::new(0, 0), "no buffer, no effect");
+        vfs.set_buffer(&path, Some("<a><b/></a>".to_owned()));
+        if name == "parsed.xacro" {
+            vfs.document(&path).unwrap();
+        }
+        vfs.edit_buffer(&path, TextRange::new(4, 5), "cé");
+        vfs.edit_buffer(&path, TextRange::new(4, 4), "x");
+        assert_eq!(vfs.text(&path).unwrap().text, "<a><xcé/></a>");
+        vfs.set_buffer(&path, Some("<a><xcè/></a>".to_owned()));
+        assert_eq!(vfs.document(&path).unwrap().document.text(), "<a><xcè/></a>");
+        assert_eq!(vfs.text(&path).unwrap().text, "<a><xcè/></a>");
+    }
+}
+
+#[test]
+fn states_of_a_buffer_have_different_hashes() {
+    let tree = Tree::new();
+    let path = tree.path("a.xacro");
+    let mut seen = std::collections::HashSet::new();
+    tree.vfs().set_buffer(&path, Some("<a/>".to_owned()));
+    for _ in 0..5 {
+        assert!(seen.insert(tree.vfs().document(&path).unwrap().hash));
+        tree.vfs().edit_buffer(&path, TextRange::new(2, 2), "b");
+    }
+}
+
+#[test]
+fn threads_read_and_edit() {
+    let tree = Tree::new();
+    tree.write("a.xacro", "<robot/>");
+    std::thread::scope(|scope| {
+        for thread in 0..4 {
+            let (vfs, tree) = (tree.vfs(), &tree);
+            scope.spawn(move || {
+                for round in 0..200 {
+                    assert!(vfs.document(&tree.path("a.xacro")).is_ok());
+                    assert!(vfs.text(&tree.path("a.xacro")).is_ok());
+                    if round % 3 == thread {
+                        vfs.set_buffer(&tree.path("a.xacro"), (round % 2 == 0).then(|| "<b/>".to_owned()));
+                    }
+                }
+            });
+        }
+    });
 }

@@ -1,5 +1,6 @@
 //! What surrounds a file: the packages it can name, the workspace it lies in, its configuration.
 
+pub mod config;
 mod manifest;
 mod memo;
 mod packages;

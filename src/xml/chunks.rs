@@ -22,6 +22,8 @@ struct Chunk {
     items: Arc<Vec<Arc<Item>>>,
     bytes: u32,
     lines: u32,
+    /// Whether an item depends on text behind its end.
+    far: bool,
 }
 
 /// A position in the list: an item, and the bytes and line ends before it.
@@ -34,9 +36,15 @@ pub(super) struct Mark {
 
 impl Chunk {
     fn new(items: Vec<Arc<Item>>) -> Self {
-        let bytes = items.iter().map(|item| item.len()).sum();
-        let lines = items.iter().map(|item| item.lines).sum();
-        Self { items: Arc::new(items), bytes, lines }
+        let mut chunk = Self { items: Arc::new(items), bytes: 0, lines: 0, far: false };
+        chunk.sum();
+        chunk
+    }
+
+    fn sum(&mut self) {
+        self.bytes = self.items.iter().map(|item| item.len()).sum();
+        self.lines = self.items.iter().map(|item| item.lines).sum();
+        self.far = self.items.iter().any(|item| item.reach() > item.len());
     }
 }
 
@@ -136,10 +144,43 @@ impl Chunks {
         heads.into_iter().rev().flat_map(|items| items.iter().rev())
     }
 
+    /// The first item that depends on the byte at `offset`.
+    pub(super) fn first_reaching(&self, offset: u32) -> Option<Mark> {
+        let mut mark = Mark::default();
+        for chunk in &self.list {
+            let end = mark.bytes + chunk.bytes;
+            if !chunk.far && end <= offset {
+                mark.index += chunk.items.len();
+                mark.bytes = end;
+                continue;
+            }
+            for item in chunk.items.iter() {
+                if mark.bytes > offset {
+                    return None;
+                }
+                if mark.bytes.saturating_add(item.reach()) > offset {
+                    return Some(mark);
+                }
+                mark.index += 1;
+                mark.bytes += item.len();
+            }
+        }
+        None
+    }
+
     /// Replace the items of `range` by `new`.
     pub(super) fn splice(&mut self, range: Range<usize>, new: Vec<Arc<Item>>) {
         let (first, before) = self.locate(range.start);
         let (mut last, behind) = self.locate(range.end);
+        if let Some(chunk) = self
+            .list
+            .get_mut(first)
+            .filter(|chunk| first == last && chunk.items.len() - (behind - before) + new.len() <= MAX)
+        {
+            Arc::make_mut(&mut chunk.items).splice(before..behind, new);
+            chunk.sum();
+            return;
+        }
         let mut items: Vec<Arc<Item>> = Vec::with_capacity(before + new.len() + MAX);
         if let Some(chunk) = self.list.get(first) {
             items.extend(chunk.items.iter().take(before).cloned());

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::chunks::Chunks;
+use super::edit::MAX_LEN;
 use super::entities::Entities;
 use super::item::Item;
 use super::node::{Node, Siblings};
@@ -50,7 +51,9 @@ pub struct Place<'a> {
 
 impl Document {
     /// Parse a whole file. Never fails: what is wrong is in [`errors`](Self::errors).
+    /// Of a text longer than 1 GiB only that much is read.
     pub fn parse(text: &str) -> Document {
+        let text = text.get(..text.floor_char_boundary(MAX_LEN)).unwrap_or("");
         let mut parser = Parser::new(text, "", true);
         let header = parser.header();
         let mut items = Vec::new();
@@ -65,18 +68,6 @@ impl Document {
         };
         let (header, context) = Context::split(header);
         Document { header, items: Chunks::new(items), footer, context: Arc::new(context) }
-    }
-
-    /// Replace the bytes of `range`. A range that does not fit is cut to the text and widened to whole
-    /// characters.
-    pub fn edit(&mut self, range: TextRange, replacement: &str) {
-        let mut text = self.text();
-        let floor = |at: u32| (0..=(at as usize).min(text.len())).rev().find(|&at| text.is_char_boundary(at));
-        let start = floor(range.start).unwrap_or(0);
-        let end =
-            (range.end as usize..text.len()).find(|&at| text.is_char_boundary(at)).unwrap_or(text.len());
-        text.replace_range(start..end.max(start), replacement);
-        *self = Document::parse(&text);
     }
 
     /// Length in bytes.
@@ -211,7 +202,7 @@ impl Document {
 }
 
 impl Context {
-    fn split(header: Header) -> (Arc<Item>, Context) {
+    pub(super) fn split(header: Header) -> (Arc<Item>, Context) {
         let Header { item, root, root_name, entities, namespaces } = header;
         (item, Context { root, root_name, entities: Arc::new(entities), namespaces })
     }

@@ -79,6 +79,8 @@ pub enum SyntaxErrorKind {
 pub(super) struct ItemError {
     pub(super) error: SyntaxError,
     pub(super) condition: Condition,
+    /// From here on the tree is a guess: expat stops at this error before it could meet later ones.
+    pub(super) diverges: bool,
 }
 
 /// When an [`ItemError`] holds. What the header says is looked up late, so that an edit there leaves
@@ -127,6 +129,8 @@ pub(super) mod expat {
         "reserved prefix (xml) must not be undeclared or bound to another namespace name";
     pub(crate) const RESERVED_XMLNS: &str = "reserved prefix (xmlns) must not be declared or undeclared";
     pub(crate) const RESERVED_URI: &str = "prefix must not be bound to one of the reserved namespace names";
+    pub(crate) const PARAMETER_REFERENCE: &str = "illegal parameter entity reference";
+    pub(crate) const PUBLIC_ID: &str = "illegal character(s) in public id";
     pub(crate) const AMPLIFICATION: &str =
         "limit on input amplification factor (from DTD and entities) breached";
 }

@@ -27,8 +27,18 @@ pub(super) struct Extra {
     /// Length of the text the parser looked at to shape this item, when that goes beyond its end;
     /// `u32::MAX`: to the end of the file.
     pub(super) reach: u32,
+    /// References to entities that must be declared: name, whether in an attribute, how many.
+    pub(super) entity_uses: Vec<EntityUse>,
     /// Whether the shape depends on the name of the root.
     pub(super) needs_root_name: bool,
+}
+
+/// References to one entity.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct EntityUse {
+    pub(super) name: Box<str>,
+    pub(super) in_attribute: bool,
+    pub(super) count: u32,
 }
 
 /// Which of its two caches an item should use.
@@ -96,6 +106,10 @@ impl Item {
 
     pub(super) fn errors(&self) -> &[ItemError] {
         self.extra.as_ref().map_or(&[], |extra| &extra.errors)
+    }
+
+    pub(super) fn entity_uses(&self) -> &[EntityUse] {
+        self.extra.as_ref().map_or(&[], |extra| &extra.entity_uses)
     }
 
     /// Length of the text this item depends on; at least its own.

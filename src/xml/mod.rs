@@ -3,7 +3,9 @@
 
 mod chars;
 mod chunks;
+mod decode;
 mod document;
+mod edit;
 mod entities;
 mod error;
 mod item;
@@ -13,11 +15,14 @@ mod parse;
 mod positions;
 mod verdict;
 
+pub use decode::source_offset;
 pub use document::{Document, Part, Place};
-pub use entities::{Entities, source_offset};
+pub use entities::Entities;
 pub use error::{SyntaxError, SyntaxErrorKind};
 pub use item::{CacheSlot, Item};
 pub use node::{Attr, Node, NodeId, NodeKind, Siblings};
 
+#[cfg(test)]
+mod edit_tests;
 #[cfg(test)]
 mod tests;

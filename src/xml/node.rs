@@ -2,7 +2,8 @@
 
 use std::borrow::Cow;
 
-use super::entities::{Entities, decode};
+use super::decode::decode;
+use super::entities::Entities;
 use super::item::Item;
 use crate::base::TextRange;
 

@@ -3,7 +3,12 @@
 use super::document::{Context, Document};
 use super::entities::EntityFault;
 use super::error::{Condition, ItemError, Namespace, SyntaxError, SyntaxErrorKind, expat};
-use crate::base::FastSet;
+use crate::base::{FastSet, TextRange};
+
+/// Bytes that entities may add before anybody asks, and how many times the file's own size after that:
+/// the limits of expat.
+const MAX_EXPANSION: u64 = 8 << 20;
+const MAX_FACTOR: u64 = 100;
 
 impl Document {
     /// Everything a conforming, non-validating, namespace-aware parser rejects, in the order expat would
@@ -11,6 +16,7 @@ impl Document {
     pub fn errors(&self) -> Vec<SyntaxError> {
         let mut out: Vec<SyntaxError> = Vec::new();
         let mut reported = FastSet::default();
+        let mut floor = 0;
         for (start, item) in self.parts() {
             for stored in item.errors() {
                 let Some(mut error) = self.context.judge(stored) else { continue };
@@ -21,12 +27,45 @@ impl Document {
                 }
                 error.range = error.range.shift(start);
                 error.related = error.related.map(|(range, label)| (range.shift(start), label));
-                error.expat_offset =
-                    (error.expat_offset + start).max(out.last().map_or(0, |e| e.expat_offset));
+                error.expat_offset = (error.expat_offset + start).max(floor);
+                if stored.diverges {
+                    floor = error.expat_offset;
+                }
                 out.push(error);
             }
         }
+        out.extend(self.amplification());
+        // That nothing more comes, expat notices last.
+        out.sort_by_key(|error| (error.expat_offset, error.expat == expat::NO_ELEMENT));
         out
+    }
+}
+
+impl Document {
+    /// An error when the entities make much text out of little.
+    fn amplification(&self) -> Option<SyntaxError> {
+        let entities = &self.context.entities;
+        if entities.is_empty() {
+            return None;
+        }
+        let mut bytes = 0u64;
+        for (start, item) in self.parts() {
+            for used in item.entity_uses() {
+                let value = entities.value(&used.name, used.in_attribute).map_or(0, |text| text.len());
+                bytes = bytes.saturating_add(u64::from(used.count).saturating_mul(value as u64));
+            }
+            if bytes > MAX_EXPANSION && bytes > MAX_FACTOR * u64::from(self.len()) {
+                return Some(SyntaxError {
+                    kind: SyntaxErrorKind::BadEntity,
+                    range: TextRange::empty(start),
+                    related: None,
+                    message: "the entities of this file expand to far more text than it has".to_owned(),
+                    expat: expat::AMPLIFICATION,
+                    expat_offset: start,
+                });
+            }
+        }
+        None
     }
 }
 
@@ -76,7 +115,13 @@ fn describe(fault: EntityFault, name: &str) -> (SyntaxErrorKind, &'static str, S
             expat::EXTERNAL_IN_ATTRIBUTE,
             format!("entity `{name}` is external: it may not stand in an attribute"),
         ),
-        EntityFault::Markup | EntityFault::Malformed => {
+        EntityFault::BadCharacter => {
+            (BadEntity, expat::BAD_CHAR_REF, format!("entity `{name}` holds a character XML does not allow"))
+        }
+        EntityFault::Unfinished => {
+            (BadEntity, expat::UNCLOSED_TOKEN, format!("the text of entity `{name}` ends inside a reference"))
+        }
+        EntityFault::Malformed => {
             (BadEntity, expat::INVALID, format!("the text of entity `{name}` does not fit here"))
         }
     }

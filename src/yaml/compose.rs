@@ -59,15 +59,17 @@ impl Content {
 
 /// Where a node stands: what may begin there.
 #[derive(Clone, Copy, PartialEq)]
-enum Place {
+pub(super) enum Place {
     Flow,
     Block,
     /// A value of a block mapping: its list need not be indented.
     BlockValue,
 }
 
-struct Composer<'t> {
-    scanner: Scanner<'t>,
+/// Makes the tree.
+pub(super) struct Composer<'t> {
+    /// The tokens.
+    pub(super) scanner: Scanner<'t>,
     tree: Tree,
     anchors: FastMap<String, Id>,
     handles: FastMap<String, String>,
@@ -101,20 +103,20 @@ fn default_handles() -> FastMap<String, String> {
 }
 
 impl Composer<'_> {
-    fn peek(&mut self) -> Result<&TokenKind, Failure> {
+    pub(super) fn peek(&mut self) -> Result<&TokenKind, Failure> {
         Ok(&self.scanner.peek()?.kind)
     }
 
-    fn at(&mut self, kinds: &[TokenKind]) -> Result<bool, Failure> {
-        Ok(kinds.contains(self.peek()?))
+    pub(super) fn at(&mut self, kind: &TokenKind) -> Result<bool, Failure> {
+        Ok(self.peek()? == kind)
     }
 
     /// Take the next token if it is `kind`; its end.
-    fn take(&mut self, kind: &TokenKind) -> Result<Option<Mark>, Failure> {
+    pub(super) fn take(&mut self, kind: &TokenKind) -> Result<Option<Mark>, Failure> {
         if self.peek()? == kind { self.scanner.next().map(|token| Some(token.end)) } else { Ok(None) }
     }
 
-    fn here(&mut self) -> Result<Mark, Failure> {
+    pub(super) fn here(&mut self) -> Result<Mark, Failure> {
         Ok(self.scanner.peek()?.start)
     }
 
@@ -122,20 +124,26 @@ impl Composer<'_> {
         self.tree.get(id).map_or_else(Mark::default, |node| node.start)
     }
 
-    fn end(&self, id: Id) -> u32 {
+    pub(super) fn end(&self, id: Id) -> u32 {
         self.tree.get(id).map_or(0, |node| node.end)
     }
 
-    fn add(&mut self, tag: impl Into<Cow<'static, str>>, content: Content, start: Mark, end: u32) -> Id {
+    pub(super) fn add(
+        &mut self,
+        tag: impl Into<Cow<'static, str>>,
+        content: Content,
+        start: Mark,
+        end: u32,
+    ) -> Id {
         self.tree.push(Raw { tag: tag.into(), content, start, end });
         self.tree.len() - 1
     }
 
-    fn empty(&mut self, at: Mark) -> Id {
+    pub(super) fn empty(&mut self, at: Mark) -> Id {
         self.add(resolve(""), Content::Scalar(String::new()), at, at.offset)
     }
 
-    fn expected(&mut self, context: &str, began: Mark, problem: &str) -> Failure {
+    pub(super) fn expected(&mut self, context: &str, began: Mark, problem: &str) -> Failure {
         match self.scanner.peek() {
             Ok(token) => {
                 let (found, at) = (repr(token.kind.name()), token.start);
@@ -172,7 +180,7 @@ impl Composer<'_> {
     /// Move behind the head of the next document and return where that began; `None` at the end.
     fn next_document(&mut self) -> Result<Option<Mark>, Failure> {
         while self.take(&TokenKind::DocumentEnd)?.is_some() {}
-        if self.at(&[TokenKind::StreamEnd])? {
+        if self.at(&TokenKind::StreamEnd)? {
             return Ok(None);
         }
         let start = self.here()?;
@@ -218,7 +226,7 @@ impl Composer<'_> {
 
     // Nodes.
 
-    fn node(&mut self, place: Place) -> Result<Id, Failure> {
+    pub(super) fn node(&mut self, place: Place) -> Result<Id, Failure> {
         let at = self.here()?;
         if self.depth >= MAX_DEPTH {
             return Err(Failure::new(format!("found more than {MAX_DEPTH} levels of nesting"), at));
@@ -365,124 +373,6 @@ impl Composer<'_> {
             node.end = end.unwrap_or(start.offset);
         }
         Ok(id)
-    }
-
-    // Collections: their content and where the last item, or the closing bracket, ends.
-
-    fn last_end(&self, id: Option<Id>) -> Option<u32> {
-        id.map(|id| self.end(id))
-    }
-
-    fn block_sequence(&mut self) -> Result<(Content, Option<u32>), Failure> {
-        let start = self.scanner.next()?.start;
-        let mut items = Vec::new();
-        while let Some(dash) = self.take(&TokenKind::BlockEntry)? {
-            let none = self.at(&[TokenKind::BlockEntry, TokenKind::BlockEnd])?;
-            items.push(if none { self.empty(dash) } else { self.node(Place::Block)? });
-        }
-        if self.take(&TokenKind::BlockEnd)?.is_none() {
-            let problem = "expected <block end>, but found";
-            return Err(self.expected("while parsing a block collection", start, problem));
-        }
-        let end = self.last_end(items.last().copied());
-        Ok((Content::Sequence(items), end))
-    }
-
-    fn indentless_sequence(&mut self) -> Result<(Content, Option<u32>), Failure> {
-        let none = [TokenKind::BlockEntry, TokenKind::Key, TokenKind::Value, TokenKind::BlockEnd];
-        let mut items = Vec::new();
-        while let Some(dash) = self.take(&TokenKind::BlockEntry)? {
-            items.push(if self.at(&none)? { self.empty(dash) } else { self.node(Place::Block)? });
-        }
-        let end = self.last_end(items.last().copied());
-        Ok((Content::Sequence(items), end))
-    }
-
-    fn block_mapping(&mut self) -> Result<(Content, Option<u32>), Failure> {
-        let start = self.scanner.next()?.start;
-        let none = [TokenKind::Key, TokenKind::Value, TokenKind::BlockEnd];
-        let mut items = Vec::new();
-        while let Some(mark) = self.take(&TokenKind::Key)? {
-            let key = if self.at(&none)? { self.empty(mark) } else { self.node(Place::BlockValue)? };
-            let value = match self.take(&TokenKind::Value)? {
-                Some(_) if !self.at(&none)? => self.node(Place::BlockValue)?,
-                Some(colon) => self.empty(colon),
-                None => {
-                    let here = self.here()?;
-                    self.empty(here)
-                }
-            };
-            items.push((key, value));
-        }
-        if self.take(&TokenKind::BlockEnd)?.is_none() {
-            let problem = "expected <block end>, but found";
-            return Err(self.expected("while parsing a block mapping", start, problem));
-        }
-        let end = items.last().map(|&(key, value)| self.end(key).max(self.end(value)));
-        Ok((Content::Mapping(items), end))
-    }
-
-    fn flow_sequence(&mut self) -> Result<(Content, Option<u32>), Failure> {
-        let start = self.scanner.next()?.start;
-        let mut items = Vec::new();
-        while !self.at(&[TokenKind::FlowSequenceEnd])? {
-            if !items.is_empty() && self.take(&TokenKind::FlowEntry)?.is_none() {
-                let problem = "expected ',' or ']', but got";
-                return Err(self.expected("while parsing a flow sequence", start, problem));
-            }
-            if self.at(&[TokenKind::Key])? {
-                items.push(self.flow_pair()?);
-            } else if !self.at(&[TokenKind::FlowSequenceEnd])? {
-                items.push(self.node(Place::Flow)?);
-            }
-        }
-        let end = self.scanner.next()?.end.offset;
-        Ok((Content::Sequence(items), Some(end)))
-    }
-
-    /// `key: value` as an item of a list: a mapping of one.
-    fn flow_pair(&mut self) -> Result<Id, Failure> {
-        let start = self.here()?;
-        let (key, value) = self.flow_item(&TokenKind::FlowSequenceEnd)?;
-        let end = self.end(key).max(self.end(value));
-        Ok(self.add(MAP, Content::Mapping(vec![(key, value)]), start, end))
-    }
-
-    /// Key and value in brackets that `close` ends; the next token is the `Key`.
-    fn flow_item(&mut self, close: &TokenKind) -> Result<(Id, Id), Failure> {
-        let mark = self.scanner.next()?.end;
-        let none = [TokenKind::Value, TokenKind::FlowEntry, close.clone()];
-        let key = if self.at(&none)? { self.empty(mark) } else { self.node(Place::Flow)? };
-        let value = match self.take(&TokenKind::Value)? {
-            Some(_) if !self.at(&[TokenKind::FlowEntry, close.clone()])? => self.node(Place::Flow)?,
-            Some(colon) => self.empty(colon),
-            None => {
-                let here = self.here()?;
-                self.empty(here)
-            }
-        };
-        Ok((key, value))
-    }
-
-    fn flow_mapping(&mut self) -> Result<(Content, Option<u32>), Failure> {
-        let start = self.scanner.next()?.start;
-        let mut items = Vec::new();
-        while !self.at(&[TokenKind::FlowMappingEnd])? {
-            if !items.is_empty() && self.take(&TokenKind::FlowEntry)?.is_none() {
-                let problem = "expected ',' or '}', but got";
-                return Err(self.expected("while parsing a flow mapping", start, problem));
-            }
-            if self.at(&[TokenKind::Key])? {
-                items.push(self.flow_item(&TokenKind::FlowMappingEnd)?);
-            } else if !self.at(&[TokenKind::FlowMappingEnd])? {
-                let key = self.node(Place::Flow)?;
-                let here = self.here()?;
-                let value = self.empty(here);
-                items.push((key, value));
-            }
-        }
-        let end = self.scanner.next()?.end.offset;
-        Ok((Content::Mapping(items), Some(end)))
     }
 }
 

@@ -13,7 +13,7 @@ use super::{Kind, Node, Unit, numbers, timestamp};
 use crate::base::{FastMap, TextRange};
 
 /// Values made at most: aliases of aliases multiply quickly.
-const MAX_NODES: usize = 1_000_000;
+const MAX_NODES: usize = 500_000;
 /// Merge keys followed from one mapping to the next at most.
 const MAX_MERGES: u32 = 100;
 
@@ -356,8 +356,8 @@ fn not_ascii(text: &str) -> Option<String> {
         [c] => {
             let code = *c as u32;
             let shown = match code {
-                ..=0xFF => format!("\\x{code:02x}"),
-                ..=0xFFFF => format!("\\u{code:04x}"),
+                0..=0xFF => format!("\\x{code:02x}"),
+                0x100..=0xFFFF => format!("\\u{code:04x}"),
                 _ => format!("\\U{code:08x}"),
             };
             format!("character '{shown}' in position {first}")

@@ -4,9 +4,11 @@
 //! collections at column 0, `?` in flow scalars, line separators, ...), and its messages are what the
 //! reference prints.
 
+mod collections;
 mod compose;
 mod construct;
 mod error;
+mod markup;
 mod numbers;
 mod reader;
 mod resolve;

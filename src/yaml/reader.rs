@@ -47,7 +47,9 @@ impl<'t> Reader<'t> {
     pub(super) fn new(text: &'t str) -> Result<Self, Failure> {
         for (index, (offset, c)) in text.char_indices().enumerate() {
             if !is_printable(c) {
-                return Err(Failure::Character { c, index, offset });
+                // Python counts a line end of two characters as one.
+                let pairs = text.get(..offset).unwrap_or("").matches("\r\n").count();
+                return Err(Failure::Character { c, index: index - pairs, offset });
             }
         }
         Ok(Self { text, mark: Mark::default() })
@@ -64,7 +66,10 @@ impl<'t> Reader<'t> {
 
     /// The character at the cursor.
     pub(super) fn peek(&self) -> char {
-        self.rest().chars().next().unwrap_or(END)
+        match self.text.as_bytes().get(self.mark.offset as usize) {
+            Some(&byte) if byte.is_ascii() => char::from(byte),
+            _ => self.rest().chars().next().unwrap_or(END),
+        }
     }
 
     /// The character `ahead` places further; for small numbers.
@@ -95,11 +100,13 @@ impl<'t> Reader<'t> {
 
     /// Move over one character and return it.
     pub(super) fn advance(&mut self) -> char {
-        let mut rest = self.rest().chars();
-        let Some(c) = rest.next() else { return END };
+        let c = self.peek();
+        if c == END {
+            return END;
+        }
         self.mark.offset += c.len_utf8() as u32;
         self.mark.index += 1;
-        if is_break(c) && (c != '\r' || rest.next() != Some('\n')) {
+        if is_break(c) && (c != '\r' || self.peek() != '\n') {
             self.mark.line += 1;
             self.mark.column = 0;
         } else if c != '\u{FEFF}' {
@@ -110,12 +117,14 @@ impl<'t> Reader<'t> {
 
     /// Move over all characters `wanted` accepts and return them.
     pub(super) fn take_while(&mut self, wanted: impl Fn(char) -> bool) -> &'t str {
-        let rest = self.rest();
-        let mut length = 0;
-        while self.peek() != END && wanted(self.peek()) {
-            length += self.advance().len_utf8();
+        let start = self.mark.offset as usize;
+        loop {
+            let c = self.peek();
+            if c == END || !wanted(c) {
+                return self.text.get(start..self.mark.offset as usize).unwrap_or("");
+            }
+            self.advance();
         }
-        rest.get(..length).unwrap_or("")
     }
 
     /// Move over one line break, if there is one, and return what stands for it in a scalar.

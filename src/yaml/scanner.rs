@@ -3,7 +3,7 @@
 //! A key is recognised only at its `:`; until then it is a *candidate*, and the tokens from it on are
 //! held back. At most one candidate per flow level, on one line, at most 1024 characters back.
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::VecDeque;
 
 use super::error::{Failure, repr};
 use super::reader::{END, Mark, Reader, is_blank_or_end, is_break_or_end};
@@ -15,6 +15,7 @@ const KEY_REACH: u32 = 1024;
 
 /// A place where a key may have begun.
 struct Candidate {
+    flow_level: i32,
     /// The number of its first token, counted from the first of the text.
     token: usize,
     /// Whether only a key can stand there.
@@ -36,7 +37,8 @@ pub(super) struct Scanner<'t> {
     outer_indents: Vec<i64>,
     /// Whether a key may begin here.
     pub(super) key_allowed: bool,
-    candidates: BTreeMap<i32, Candidate>,
+    /// At most one per flow level.
+    candidates: Vec<Candidate>,
 }
 
 impl<'t> Scanner<'t> {
@@ -54,7 +56,7 @@ impl<'t> Scanner<'t> {
             indent: -1,
             outer_indents: Vec::new(),
             key_allowed: true,
-            candidates: BTreeMap::new(),
+            candidates: Vec::new(),
         })
     }
 
@@ -100,8 +102,11 @@ impl<'t> Scanner<'t> {
         if self.tokens.is_empty() {
             return Ok(true);
         }
+        if self.candidates.is_empty() {
+            return Ok(false);
+        }
         self.drop_stale_candidates()?;
-        Ok(self.candidates.values().map(|candidate| candidate.token).min() == Some(self.taken))
+        Ok(self.candidates.iter().map(|candidate| candidate.token).min() == Some(self.taken))
     }
 
     fn push(&mut self, kind: TokenKind, start: Mark) {
@@ -188,16 +193,21 @@ impl<'t> Scanner<'t> {
         let is_stale = |candidate: &Candidate| {
             candidate.mark.line != here.line || here.index - candidate.mark.index > KEY_REACH
         };
-        let lost = self.candidates.values().find(|candidate| candidate.required && is_stale(candidate));
+        let lost = self.candidates.iter().find(|candidate| candidate.required && is_stale(candidate));
         if let Some(lost) = lost {
             return Err(self.missing_colon(lost));
         }
-        self.candidates.retain(|_, candidate| !is_stale(candidate));
+        self.candidates.retain(|candidate| !is_stale(candidate));
         Ok(())
     }
 
+    fn take_candidate(&mut self) -> Option<Candidate> {
+        let at = self.candidates.iter().position(|candidate| candidate.flow_level == self.flow_level)?;
+        Some(self.candidates.swap_remove(at))
+    }
+
     fn drop_candidate(&mut self) -> Result<(), Failure> {
-        match self.candidates.remove(&self.flow_level) {
+        match self.take_candidate() {
             Some(candidate) if candidate.required => Err(self.missing_colon(&candidate)),
             _ => Ok(()),
         }
@@ -209,7 +219,7 @@ impl<'t> Scanner<'t> {
             let required = !self.in_flow() && self.indent == self.column();
             let token = self.taken + self.tokens.len();
             let mark = self.reader.mark();
-            self.candidates.insert(self.flow_level, Candidate { token, required, mark });
+            self.candidates.push(Candidate { flow_level: self.flow_level, token, required, mark });
         }
         Ok(())
     }
@@ -324,7 +334,7 @@ impl<'t> Scanner<'t> {
     }
 
     fn fetch_colon(&mut self) -> Result<(), Failure> {
-        if let Some(candidate) = self.candidates.remove(&self.flow_level) {
+        if let Some(candidate) = self.take_candidate() {
             let at = candidate.token.saturating_sub(self.taken).min(self.tokens.len());
             let mark = candidate.mark;
             self.tokens.insert(at, Token { kind: TokenKind::Key, start: mark, end: mark });

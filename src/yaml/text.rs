@@ -1,221 +1,44 @@
-//! Tokens that hold text: scalars, anchors, tags, directives.
+//! Scalars: plain, quoted, block.
 
 use super::error::{Failure, repr};
 use super::reader::{END, Mark, is_blank_or_end, is_break, is_break_or_end};
 use super::scanner::Scanner;
-use super::token::{Directive, Token, TokenKind};
+use super::token::{Token, TokenKind};
 use crate::base::TextRange;
 
-fn is_name(c: char) -> bool {
-    c.is_ascii_alphanumeric() || matches!(c, '-' | '_')
-}
-
-fn is_uri(c: char) -> bool {
-    c.is_ascii_alphanumeric() || "-;/?:@&=+$,_.!~*'()[]".contains(c)
+/// A character as messages show it: Python reads every line end as `\n`.
+pub(super) fn shown(c: char) -> String {
+    repr(&if c == '\r' { '\n' } else { c }.to_string())
 }
 
 /// Whether a blank, other than a tab, or the end of the line follows.
-fn is_space_or_end(c: char) -> bool {
+pub(super) fn is_space_or_end(c: char) -> bool {
     c == ' ' || is_break_or_end(c)
 }
 
 impl Scanner<'_> {
-    fn token(&self, kind: TokenKind, start: Mark) -> Token {
+    /// A token from `start` to the cursor.
+    pub(super) fn token(&self, kind: TokenKind, start: Mark) -> Token {
         Token { kind, start, end: self.reader.mark() }
     }
 
     /// "expected X, but found Y", Y being the character at the cursor.
-    fn unexpected(&self, context: &str, began: Mark, expected: &str) -> Failure {
-        // Python reads every line end as `\n`.
-        let found = Some(self.reader.peek()).filter(|&c| c != '\r').unwrap_or('\n');
-        let problem = format!("expected {expected}, but found {}", repr(&found.to_string()));
+    pub(super) fn unexpected(&self, context: &str, began: Mark, expected: &str) -> Failure {
+        let problem = format!("expected {expected}, but found {}", shown(self.reader.peek()));
         Failure::within(context, began, problem, self.reader.mark())
     }
 
-    /// `&name` or `*name`
-    pub(super) fn scan_anchor(&mut self) -> Result<Token, Failure> {
-        let start = self.reader.mark();
-        let is_alias = self.reader.advance() == '*';
-        let context = if is_alias { "while scanning an alias" } else { "while scanning an anchor" };
-        let name = self.reader.take_while(is_name);
-        let next = self.reader.peek();
-        if name.is_empty() || !is_blank_or_end(next) && !"?:,]}%@`".contains(next) {
-            return Err(self.unexpected(context, start, "alphabetic or numeric character"));
-        }
-        let name = name.to_owned();
-        Ok(self.token(if is_alias { TokenKind::Alias(name) } else { TokenKind::Anchor(name) }, start))
-    }
-
-    /// `!`, `!suffix`, `!handle!suffix` or `!<uri>`
-    pub(super) fn scan_tag(&mut self) -> Result<Token, Failure> {
-        let start = self.reader.mark();
-        let (handle, suffix) = match self.reader.peek_at(1) {
-            '<' => {
-                self.reader.advance();
-                self.reader.advance();
-                let uri = self.scan_uri("tag", start)?;
-                if self.reader.peek() != '>' {
-                    return Err(self.unexpected("while parsing a tag", start, "'>'"));
-                }
-                self.reader.advance();
-                (None, uri)
-            }
-            next if is_blank_or_end(next) => {
-                self.reader.advance();
-                (None, "!".to_owned())
-            }
-            _ => {
-                let handle = if self.word_has_second_mark() {
-                    self.scan_handle("tag", start)?
-                } else {
-                    self.reader.advance().to_string()
-                };
-                (Some(handle), self.scan_uri("tag", start)?)
-            }
-        };
-        if !is_space_or_end(self.reader.peek()) {
-            return Err(self.unexpected("while scanning a tag", start, "' '"));
-        }
-        Ok(self.token(TokenKind::Tag(handle, suffix), start))
-    }
-
-    /// Whether the word at the cursor, a `!`, has another `!`.
-    fn word_has_second_mark(&self) -> bool {
-        self.reader.word().chars().skip(1).any(|c| c == '!')
-    }
-
-    /// `!`, `!!` or `!name!`
-    fn scan_handle(&mut self, what: &str, start: Mark) -> Result<String, Failure> {
-        let context = format!("while scanning a {what}");
-        if self.reader.peek() != '!' {
-            return Err(self.unexpected(&context, start, "'!'"));
-        }
-        self.reader.advance();
-        if self.reader.peek() == ' ' {
-            return Ok("!".to_owned());
-        }
-        let name = self.reader.take_while(is_name);
-        if self.reader.peek() != '!' {
-            return Err(self.unexpected(&context, start, "'!'"));
-        }
-        self.reader.advance();
-        Ok(format!("!{name}!"))
-    }
-
-    fn scan_uri(&mut self, what: &str, start: Mark) -> Result<String, Failure> {
-        let mut uri = String::new();
-        loop {
-            uri.push_str(self.reader.take_while(is_uri));
-            if self.reader.peek() != '%' {
-                break;
-            }
-            uri.push_str(&self.scan_uri_escapes(what, start)?);
-        }
-        if uri.is_empty() {
-            return Err(self.unexpected(&format!("while parsing a {what}"), start, "URI"));
-        }
-        Ok(uri)
-    }
-
-    /// A run of `%41`.
-    fn scan_uri_escapes(&mut self, what: &str, start: Mark) -> Result<String, Failure> {
-        let context = format!("while scanning a {what}");
-        let (mut bytes, at) = (Vec::new(), self.reader.mark());
-        while self.reader.peek() == '%' {
-            self.reader.advance();
-            let digits = self.hex_digits(2).map_err(|found| {
-                let problem = format!(
-                    "expected URI escape sequence of 2 hexadecimal numbers, but found {}",
-                    repr(&found)
-                );
-                Failure::within(&context, start, problem, self.reader.mark())
-            })?;
-            bytes.push(digits as u8);
-        }
-        String::from_utf8(bytes).map_err(|error| {
-            let (bad, bytes) = (error.utf8_error().valid_up_to(), error.as_bytes());
-            let byte = bytes.get(bad).copied().unwrap_or_default();
-            let reason = match (error.utf8_error().error_len(), byte) {
-                (None, _) => "unexpected end of data",
-                (Some(_), 0xC2..=0xF4) => "invalid continuation byte",
-                _ => "invalid start byte",
-            };
-            let problem = format!("'utf-8' codec can't decode byte 0x{byte:02x} in position {bad}: {reason}");
-            Failure::within(&context, start, problem, at)
-        })
-    }
-
     /// The value of `count` hexadecimal digits, which are taken, or the first character that is none.
-    fn hex_digits(&mut self, count: usize) -> Result<u32, String> {
+    pub(super) fn hex_digits(&mut self, count: usize) -> Result<u32, char> {
         let digits = (0..count).map(|ahead| self.reader.peek_at(ahead));
         let value = digits
             .map(|c| c.to_digit(16).ok_or(c))
             .try_fold(0u64, |value, digit| digit.map(|digit| value * 16 + u64::from(digit)));
-        let value = value.map_err(|c| c.to_string())?;
+        let value = value?;
         for _ in 0..count {
             self.reader.advance();
         }
         Ok(u32::try_from(value).unwrap_or(u32::MAX))
-    }
-
-    /// A line that begins with `%`.
-    pub(super) fn scan_directive(&mut self) -> Result<Token, Failure> {
-        let context = "while scanning a directive";
-        let start = self.reader.mark();
-        self.reader.advance();
-        let name = self.reader.take_while(is_name);
-        if name.is_empty() || !is_space_or_end(self.reader.peek()) {
-            return Err(self.unexpected(context, start, "alphabetic or numeric character"));
-        }
-        let directive = match name {
-            "YAML" => self.scan_version(start)?,
-            "TAG" => self.scan_tag_directive(start)?,
-            _ => Directive::Other,
-        };
-        let token = self.token(TokenKind::Directive(directive.clone()), start);
-        if directive == Directive::Other {
-            self.reader.take_while(|c| !is_break_or_end(c));
-        }
-        self.skip_blanks_and_comment();
-        if !is_break_or_end(self.reader.peek()) {
-            return Err(self.unexpected(context, start, "a comment or a line break"));
-        }
-        self.reader.take_break();
-        Ok(token)
-    }
-
-    fn scan_version(&mut self, start: Mark) -> Result<Directive, Failure> {
-        let context = "while scanning a directive";
-        self.reader.take_while(|c| c == ' ');
-        let digits = |scanner: &mut Self| match scanner.reader.take_while(|c| c.is_ascii_digit()) {
-            "" => Err(scanner.unexpected(context, start, "a digit")),
-            digits => Ok(digits.to_owned()),
-        };
-        let major = digits(self)?;
-        if self.reader.peek() != '.' {
-            return Err(self.unexpected(context, start, "a digit or '.'"));
-        }
-        self.reader.advance();
-        digits(self)?;
-        if !is_space_or_end(self.reader.peek()) {
-            return Err(self.unexpected(context, start, "a digit or ' '"));
-        }
-        Ok(Directive::Yaml(major))
-    }
-
-    fn scan_tag_directive(&mut self, start: Mark) -> Result<Directive, Failure> {
-        let context = "while scanning a directive";
-        self.reader.take_while(|c| c == ' ');
-        let handle = self.scan_handle("directive", start)?;
-        if self.reader.peek() != ' ' {
-            return Err(self.unexpected(context, start, "' '"));
-        }
-        self.reader.take_while(|c| c == ' ');
-        let prefix = self.scan_uri("directive", start)?;
-        if !is_space_or_end(self.reader.peek()) {
-            return Err(self.unexpected(context, start, "' '"));
-        }
-        Ok(Directive::Tag(handle, prefix))
     }
 
     /// Text without quotes.
@@ -326,7 +149,7 @@ impl Scanner<'_> {
                 return Ok(());
             }
             _ => {
-                let problem = format!("found unknown escape character {}", repr(&c.to_string()));
+                let problem = format!("found unknown escape character {}", shown(c));
                 return Err(Failure::within(context, start, problem, self.reader.mark()));
             }
         };
@@ -335,7 +158,7 @@ impl Scanner<'_> {
         let code = self.hex_digits(length).map_err(|found| {
             let problem = format!(
                 "expected escape sequence of {length} hexadecimal numbers, but found {}",
-                repr(&found)
+                shown(found)
             );
             Failure::within(context, start, problem, at)
         })?;

@@ -1,5 +1,7 @@
 //! The `math` module: its table and the functions that are no plain float functions.
 
+use std::f64::consts::PI;
+
 use num_bigint::BigInt;
 use num_traits::Signed;
 
@@ -15,7 +17,7 @@ use crate::expr::value::Value;
 
 /// Name, value and description of the constants.
 pub(super) static CONSTANTS: &[(&str, f64, &str)] = &[
-    ("e", std::f64::consts::E, "2.718281828459045"),
+    ("e", std::f64::consts::E, "2.718281828459045, the base of natural logarithms."),
     ("inf", f64::INFINITY, "Infinity."),
     ("nan", f64::NAN, "Not a number."),
     ("pi", std::f64::consts::PI, "3.141592653589793, half a turn."),
@@ -101,7 +103,13 @@ pub(super) static FUNCTIONS: &[Function] = &[
     other!("copysign", "x, y", TWO, |_, _, a| float::two(a, f64::copysign), "x with the sign of y."),
     one!("cos", f64::cos, "The cosine of an angle in radians."),
     growing!("cosh", f64::cosh, "The hyperbolic cosine."),
-    one!("degrees", |x: f64| x * (180.0 / std::f64::consts::PI), "Radians to degrees."),
+    other!(
+        "degrees",
+        "x",
+        Arity::One,
+        |_, _, a| Ok((real(a.at(0))? * (180.0 / PI)).into()),
+        "Radians to degrees."
+    ),
     other!("dist", "p, q", TWO, float::dist, "The distance of two points given as sequences."),
     one!("erf", libm::erf, "The error function."),
     one!("erfc", libm::erfc, "The complementary error function."),
@@ -149,7 +157,7 @@ pub(super) static FUNCTIONS: &[Function] = &[
         |_, _, a| super::math_gamma::lgamma(real(a.at(0))?),
         "The logarithm of the gamma function."
     ),
-    other!("log", "x, base=e", Arity::Range(1, 2), log, "The logarithm, natural without a base."),
+    other!("log", "x, base=e", Arity::Positional, log, "The logarithm, natural without a base."),
     other!(
         "log10",
         "x",
@@ -176,7 +184,7 @@ pub(super) static FUNCTIONS: &[Function] = &[
     other!("perm", "n, k=None", Arity::Range(1, 2), exact::perm, "Ways to arrange k of n things."),
     other!("pow", "x, y", TWO, float::pow, "x to the power of y as a float."),
     other!("prod", "iterable, *, start=1", Arity::Any, exact::prod, "The product of the items."),
-    one!("radians", |x: f64| x * (std::f64::consts::PI / 180.0), "Degrees to radians."),
+    one!("radians", |x: f64| x * (PI / 180.0), "Degrees to radians."),
     other!("remainder", "x, y", TWO, float::remainder, "x minus the nearest multiple of y."),
     one!("sin", f64::sin, "The sine of an angle in radians."),
     growing!("sinh", f64::sinh, "The hyperbolic sine."),
@@ -213,6 +221,9 @@ fn trunc(_: &mut Interp, _: &Value, args: &Args) -> Eval {
 }
 
 fn log(_: &mut Interp, _: &Value, args: &Args) -> Eval {
+    if !(1..=2).contains(&args.len()) {
+        return Err(Stop::typ("math.log requires 1 to 2 arguments"));
+    }
     let number = logarithm(args.at(0), f64::ln)?;
     let Some(base) = args.get(1) else { return Ok(Value::Float(number)) };
     let base = logarithm(base, f64::ln)?;
@@ -321,8 +332,11 @@ pub(super) fn complex(args: &Args) -> Eval {
         },
     };
     let (re, im) = (part(first, "first")?, part(second, "second")?);
-    // A complex second argument turns by a quarter: x + (a + bj)j.
-    Ok(Value::Complex(re.0 - im.1, re.1 + im.0))
+    // A complex argument brings along a part for the other side: x + (a + bj)j.
+    let is_complex = |value| matches!(value, Some(&Value::Complex(..)));
+    let real = if is_complex(second) { re.0 - im.1 } else { re.0 };
+    let imaginary = if is_complex(first) { re.1 + im.0 } else { im.0 };
+    Ok(Value::Complex(real, imaginary))
 }
 
 fn parse_complex(text: &str) -> Option<(f64, f64)> {

@@ -5,7 +5,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::math::{real, whole};
 use super::python::integer;
-use crate::expr::args::{Args, check_count};
+use crate::expr::args::{Args, bind_named};
 use crate::expr::ast::BinOp;
 use crate::expr::interp::Interp;
 use crate::expr::ops;
@@ -68,11 +68,11 @@ pub(super) fn perm(interp: &mut Interp, receiver: &Value, args: &Args) -> Eval {
     if k > n {
         return Ok(Value::Int(0));
     }
-    falling(interp, &n, &k, "perm").map(Value::int)
+    falling(interp, &n, &k).map(Value::int)
 }
 
 /// `n * (n-1) * ...` with `k` factors.
-fn falling(interp: &mut Interp, n: &BigInt, k: &BigInt, name: &str) -> Eval<BigInt> {
+fn falling(interp: &mut Interp, n: &BigInt, k: &BigInt) -> Eval<BigInt> {
     let Some(k) = k.to_u64() else {
         return Err(Stop::overflow(format!("k must not exceed {}", u64::MAX)));
     };
@@ -85,7 +85,6 @@ fn falling(interp: &mut Interp, n: &BigInt, k: &BigInt, name: &str) -> Eval<BigI
         result = ops::int::multiply(interp, &result, &(n - i))?;
         interp.budget.step()?;
     }
-    let _ = name;
     Ok(result)
 }
 
@@ -96,7 +95,7 @@ pub(super) fn comb(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
     }
     let rest = &n - &k;
     let k = if rest < k { rest } else { k };
-    let top = falling(interp, &n, &k, "comb")?;
+    let top = falling(interp, &n, &k)?;
     let bottom = product(interp, 2, k.to_u64().unwrap_or(1))?;
     Ok(Value::int(top / bottom))
 }
@@ -224,11 +223,9 @@ impl ExactSum {
 }
 
 pub(super) fn prod(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
-    check_count("prod", args.len(), 1, 1)?;
-    if let Some((name, _)) = args.named.iter().find(|(name, _)| name != "start") {
-        return Err(Stop::typ(format!("'{name}' is an invalid keyword argument for prod()")));
-    }
-    let mut total = args.named("start").cloned().unwrap_or(Value::Int(1));
+    let args = Args { pos: args.pos.clone(), named: args.named.clone() };
+    let args = bind_named("prod", &["", "start"], 1, 1, args)?;
+    let mut total = args.get(1).cloned().unwrap_or(Value::Int(1));
     let mut cursor = interp.iter(args.at(0))?;
     while let Some(item) = interp.next(&mut cursor)? {
         total = ops::binary(interp, BinOp::Mul, &total, &item)?;

@@ -72,7 +72,7 @@ pub(super) static FUNCTIONS: &[Function] = &[
     function(
         "sum",
         "iterable, start=0",
-        Arity::Named { names: &["iterable", "start"], required: 1, positional: 2 },
+        Arity::Named { names: &["", "start"], required: 1, positional: 2 },
         sum,
         "The sum of the items.",
     ),

@@ -74,6 +74,9 @@ pub(crate) fn construct(interp: &mut Interp, kind: Type, args: Args) -> Eval {
         Type::Dict => Ok(Value::Dict(Dict::new(entries(interp, args)?, false))),
         Type::YamlDict => Ok(Value::Dict(Dict::new(entries(interp, args)?, true))),
         Type::Complex => super::math::complex(&bind_named("complex", &["real", "imag"], 0, 2, args)?),
+        Type::Enumerate if args.pos.is_empty() && args.named.is_empty() => {
+            Err(Stop::typ("enumerate() missing required argument 'iterable'"))
+        }
         Type::Enumerate => enumerate(interp, &bind_named("enumerate", &["iterable", "start"], 1, 2, args)?),
         Type::Zip => zip(interp, &args),
         _ => {
@@ -318,18 +321,7 @@ fn zip(interp: &mut Interp, args: &Args) -> Eval {
         return Err(Stop::typ(format!("'{name}' is an invalid keyword argument for zip()")));
     }
     let strict = args.named("strict").map_or(Ok(false), |value| interp.truth(value))?;
-    let mut sources = Vec::with_capacity(args.len());
-    for (i, source) in args.pos.iter().enumerate() {
-        let place = i + 1;
-        let message = format!("'{}' object is not iterable", source.type_name());
-        sources.push(interp.iter(source).map_err(|stop| match stop {
-            Stop::Unknown => Stop::Unknown,
-            Stop::Raise(error) if error.message == message => {
-                Stop::typ(format!("zip argument #{place} must support iteration"))
-            }
-            other => other,
-        })?);
-    }
+    let sources = args.pos.iter().map(|source| interp.iter(source)).collect::<Eval<Vec<_>>>()?;
     Ok(Value::Iter(Iter::new(IterKind::Zip, Cursor::Zip { sources, strict })))
 }
 

@@ -4,6 +4,7 @@ use super::Function;
 use crate::expr::args::{Args, Arity, bind_named};
 use crate::expr::host::HostFn;
 use crate::expr::interp::Interp;
+use crate::expr::numeric::{decimal_digit, is_space};
 use crate::expr::stop::{Eval, Stop};
 use crate::expr::value::Value;
 
@@ -67,30 +68,56 @@ fn tokenize(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
 /// The separators, which the reference puts between the brackets of a regular expression.
 struct CharClass {
     negated: bool,
-    ranges: Vec<(char, char)>,
+    members: Vec<Member>,
+}
+
+enum Member {
+    Range(char, char),
+    /// `\d`, `\w`, `\s`; in upper case everything else.
+    Class(char),
+}
+
+impl Member {
+    fn has(&self, c: char) -> bool {
+        match *self {
+            Self::Range(first, last) => (first..=last).contains(&c),
+            Self::Class('d') => decimal_digit(c).is_some(),
+            Self::Class('s') => is_space(c),
+            Self::Class('w') => c.is_alphanumeric() || c == '_',
+            Self::Class(other) => !Self::Class(other.to_ascii_lowercase()).has(c),
+        }
+    }
 }
 
 impl CharClass {
     fn parse(text: &str) -> Self {
         let (negated, text) = text.strip_prefix('^').map_or((false, text), |rest| (true, rest));
-        let mut ranges = Vec::new();
+        let mut members = Vec::new();
         let mut chars = text.chars().peekable();
         while let Some(c) = chars.next() {
-            let first = if c == '\\' { escaped(chars.next().unwrap_or('\\')) } else { c };
+            let first = match (c, chars.peek()) {
+                ('\\', Some(&class @ ('d' | 'D' | 's' | 'S' | 'w' | 'W'))) => {
+                    chars.next();
+                    members.push(Member::Class(class));
+                    continue;
+                }
+                ('\\', Some(_)) => escaped(chars.next().unwrap_or(c)),
+                _ => c,
+            };
             let mut ahead = chars.clone();
             match (ahead.next(), ahead.next()) {
                 (Some('-'), Some(last)) => {
                     chars.nth(1);
-                    ranges.push((first, last));
+                    members.push(Member::Range(first, last));
                 }
-                _ => ranges.push((first, first)),
+                _ => members.push(Member::Range(first, first)),
             }
         }
-        Self { negated, ranges }
+        Self { negated, members }
     }
 
     fn matches(&self, c: char) -> bool {
-        self.ranges.iter().any(|(first, last)| (*first..=*last).contains(&c)) != self.negated
+        self.members.iter().any(|member| member.has(c)) != self.negated
     }
 }
 

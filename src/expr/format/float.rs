@@ -88,8 +88,10 @@ pub(super) fn digits(
     })
 }
 
-fn shortest(magnitude: f64, _alternate: bool) -> String {
-    float_repr::repr(magnitude)
+/// The shortest text; the alternate form always has a point.
+fn shortest(magnitude: f64, alternate: bool) -> String {
+    let text = float_repr::repr(magnitude);
+    if alternate && !text.contains('.') { text.replacen('e', ".e", 1) } else { text }
 }
 
 /// `%g` with so many significant digits.
@@ -132,6 +134,9 @@ fn plain(digits: &str, point: i32, keep_fraction: bool, keep_point: bool) -> Str
 
 /// A complex number as the specification asks.
 pub(super) fn format_complex(interp: &mut Interp, re: f64, im: f64, spec: &Spec) -> Eval<String> {
+    if let Some(code) = spec.kind.filter(|code| !"eEfFgGn".contains(*code)) {
+        return Err(unknown_code(code, "complex"));
+    }
     if spec.fill == '0' {
         return Err(Stop::value("Zero padding is not allowed in complex format specifier"));
     }
@@ -144,7 +149,8 @@ pub(super) fn format_complex(interp: &mut Interp, re: f64, im: f64, spec: &Spec)
         let spec = Spec { sign, ..bare.clone() };
         if own && spec.precision.is_none() {
             let text = float_repr::repr(value.abs());
-            let text = text.strip_suffix(".0").unwrap_or(&text).to_owned();
+            let point = if spec.alternate { "." } else { "" };
+            let text = text.strip_suffix(".0").map_or(text.clone(), |whole| format!("{whole}{point}"));
             let parts = Parts {
                 negative: value.is_sign_negative(),
                 whole: text,

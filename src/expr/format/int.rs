@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive};
 
-use super::spec::{Spec, unknown_code};
+use super::spec::Spec;
 use crate::expr::display::big_text;
 use crate::expr::interp::Interp;
 use crate::expr::stop::{Eval, Stop};
@@ -23,35 +23,33 @@ pub(super) struct Parts {
 }
 
 /// An integer as the specification asks.
-pub(super) fn format(interp: &mut Interp, number: &BigInt, spec: &Spec, type_name: &str) -> Eval<String> {
+pub(super) fn format(interp: &mut Interp, number: &BigInt, spec: &Spec) -> Eval<String> {
     if spec.precision.is_some() {
         return Err(Stop::value("Precision not allowed in integer format specifier"));
     }
     if spec.no_negative_zero {
-        return Err(Stop::value(
-            "Negative zero coercion (z) not allowed in format specifier with integer presentation type",
-        ));
+        return Err(Stop::value("Negative zero coercion (z) not allowed in integer format specifier"));
     }
     let kind = spec.kind.unwrap_or('d');
     if kind == 'c' {
         return character(interp, number, spec);
     }
-    let (prefix, whole) = digits(number, kind, type_name)?;
+    let (prefix, whole) = digits(number, kind)?;
     let prefix = if spec.alternate { prefix } else { "" };
     let group = if matches!(kind, 'b' | 'o' | 'x' | 'X') { 4 } else { 3 };
     let parts = Parts { negative: number.is_negative(), prefix, whole, rest: String::new(), is_number: true };
     lay_out(interp, &parts, spec, group)
 }
 
-fn digits(number: &BigInt, kind: char, type_name: &str) -> Eval<(&'static str, String)> {
+/// Prefix of the alternate form, and the digits.
+fn digits(number: &BigInt, kind: char) -> Eval<(&'static str, String)> {
     let magnitude = number.magnitude();
     Ok(match kind {
-        'd' | 'n' => ("", big_text(&BigInt::from(magnitude.clone()))?),
         'b' => ("0b", format!("{magnitude:b}")),
         'o' => ("0o", format!("{magnitude:o}")),
         'x' => ("0x", format!("{magnitude:x}")),
         'X' => ("0X", format!("{magnitude:X}")),
-        other => return Err(unknown_code(other, type_name)),
+        _ => ("", big_text(&BigInt::from(magnitude.clone()))?),
     })
 }
 
@@ -61,6 +59,9 @@ fn character(interp: &mut Interp, number: &BigInt, spec: &Spec) -> Eval<String> 
     }
     if spec.alternate {
         return Err(Stop::value("Alternate form (#) not allowed with integer format specifier 'c'"));
+    }
+    if number.to_i64().is_none() {
+        return Err(Stop::overflow("Python int too large to convert to C long"));
     }
     let code = number.to_u32().filter(|&code| code < 0x11_0000);
     let code = code.ok_or_else(|| Stop::overflow("%c arg not in range(0x110000)"))?;

@@ -42,8 +42,6 @@ struct Directive {
     kind: char,
     /// Place of the type character.
     place: usize,
-    /// The value under the key in parentheses.
-    keyed: Option<Value>,
 }
 
 struct Run<'a> {
@@ -100,7 +98,7 @@ impl<'a> Run<'a> {
         let mut directive = Directive::default();
         let mut c = self.need()?;
         if c == '(' {
-            directive.keyed = Some(self.keyed(interp)?);
+            self.keyed(interp)?;
             c = self.need()?;
         }
         loop {
@@ -141,7 +139,8 @@ impl<'a> Run<'a> {
         Ok(directive)
     }
 
-    fn keyed(&mut self, interp: &mut Interp) -> Eval {
+    /// Take the value under the key in parentheses as the only one left.
+    fn keyed(&mut self, interp: &mut Interp) -> Eval<()> {
         if !self.is_mapping() {
             return Err(Stop::typ("format requires a mapping"));
         }
@@ -157,7 +156,9 @@ impl<'a> Run<'a> {
         }
         let key: String = self.format.get(start..self.at - 1).unwrap_or(&[]).iter().collect();
         self.by_key = true;
-        ops::subscript(interp, self.values, &Value::from(key))?.known()
+        self.items = vec![ops::subscript(interp, self.values, &Value::from(key))?.known()?];
+        self.used = 0;
+        Ok(())
     }
 
     fn star(&mut self, message: &str) -> Eval<i128> {
@@ -186,10 +187,7 @@ impl<'a> Run<'a> {
         if directive.kind == '%' {
             return Ok("%".to_owned());
         }
-        let value = match &directive.keyed {
-            Some(value) => value.clone(),
-            None => self.value()?,
-        };
+        let value = self.value()?;
         match directive.kind {
             's' | 'r' | 'a' => text(interp, &value, directive),
             'd' | 'i' | 'u' | 'o' | 'x' | 'X' => whole(interp, &value, directive),

@@ -51,8 +51,8 @@ fn is_align(c: char) -> bool {
     matches!(c, '<' | '>' | '=' | '^')
 }
 
-/// Parse `text`, which formats a value of the type `kind`.
-pub(super) fn parse(text: &str, kind: &str) -> Eval<Spec> {
+/// Parse `text`, which formats a value of the type `kind`; `numeric` ones are padded with zeros behind the sign.
+pub(super) fn parse(text: &str, kind: &str, numeric: bool) -> Eval<Spec> {
     let all: Vec<char> = text.chars().collect();
     let mut chars = Chars { rest: &all };
     let (fill, align) = match chars.rest {
@@ -67,7 +67,7 @@ pub(super) fn parse(text: &str, kind: &str) -> Eval<Spec> {
     let alternate = chars.take_if(|c| c == '#').is_some();
     // A leading zero means padding with zeros behind the sign, unless a fill was given.
     let zero = fill.is_none() && chars.take_if(|c| c == '0').is_some();
-    let (fill, align) = if zero { (Some('0'), align.or(Some('='))) } else { (fill, align) };
+    let (fill, align) = if zero { (Some('0'), align.or(numeric.then_some('='))) } else { (fill, align) };
     let width = chars.number()?.unwrap_or(0);
     let grouping = grouping(&mut chars)?;
     let precision = match chars.take_if(|c| c == '.') {

@@ -39,10 +39,10 @@ fn convert(value: Value, conversion: Option<char>) -> Eval {
         Some('r') => Value::Str(display::repr_of(&value)?),
         Some('a') => Value::Str(ascii(&display::repr_of(&value)?)),
         Some(other) if other.is_ascii_graphic() => {
-            return Err(Stop::value(format!("Unknown conversion specifier '{other}'")));
+            return Err(Stop::value(format!("Unknown conversion specifier {other}")));
         }
         Some(other) => {
-            return Err(Stop::value(format!("Unknown conversion specifier '\\x{:x}'", u32::from(other))));
+            return Err(Stop::value(format!("Unknown conversion specifier \\x{:x}", u32::from(other))));
         }
     })
 }

@@ -20,8 +20,8 @@ pub(super) fn format(interp: &mut Interp, value: &Value, spec: &str) -> Eval<Str
     }
     let kind = value.type_name();
     let text = match (value, Num::of(value)) {
-        (Value::Str(text), _) => format_text(interp, text, &parse(spec, kind)?)?,
-        (_, Some(number)) => format_number(interp, number, &parse(spec, kind)?, kind)?,
+        (Value::Str(text), _) => format_text(interp, text, &parse(spec, kind, false)?)?,
+        (_, Some(number)) => format_number(interp, number, &parse(spec, kind, true)?, kind)?,
         (Value::Date(_), _) => return Err(Stop::Unknown),
         _ => return Err(Stop::typ(format!("unsupported format string passed to {kind}.__format__"))),
     };
@@ -37,7 +37,8 @@ fn format_number(interp: &mut Interp, number: Num<'_>, spec: &Spec, kind: &str) 
                 let f = integer.float()?.unwrap_or(f64::NAN);
                 float::format(interp, f, spec, kind)
             }
-            _ => int::format(interp, &integer.big().unwrap_or_default(), spec, kind),
+            Some(code) if !"bcdnoxX".contains(code) => return Err(unknown_code(code, kind)),
+            _ => int::format(interp, &integer.big().unwrap_or_default(), spec),
         },
     }
 }

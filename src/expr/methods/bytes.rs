@@ -139,25 +139,39 @@ pub(crate) fn decode(bytes: &[u8], name: Option<&Value>, errors: Option<&Value>)
     if encoding == Encoding::Latin1 {
         return Ok(Value::from(bytes.iter().map(|&byte| char::from(byte)).collect::<String>()));
     }
-    let (bad, codec) = match encoding {
-        Encoding::Ascii => (bytes.iter().position(|byte| !byte.is_ascii()), "ascii"),
-        _ => (std::str::from_utf8(bytes).err().map(|error| error.valid_up_to()), "utf-8"),
+    let lossy = || String::from_utf8_lossy(bytes);
+    let error = match encoding {
+        Encoding::Ascii => bytes
+            .iter()
+            .position(|byte| !byte.is_ascii())
+            .map(|place| undecodable("ascii", bytes, place, place + 1, "ordinal not in range(128)")),
+        _ => std::str::from_utf8(bytes).err().map(|error| not_utf8(bytes, &error)),
     };
-    let Some(place) = bad else { return Ok(Value::from(String::from_utf8_lossy(bytes).into_owned())) };
-    match mode {
-        "ignore" => Ok(Value::from(String::from_utf8_lossy(bytes).replace('\u{fffd}', ""))),
-        "replace" => Ok(Value::from(String::from_utf8_lossy(bytes).into_owned())),
-        _ => {
-            let byte = bytes.get(place).copied().unwrap_or(0);
-            let reason = match encoding {
-                Encoding::Ascii => "ordinal not in range(128)",
-                _ if place + 1 == bytes.len() && byte >= 0xc2 => "unexpected end of data",
-                _ if (0xc2..0xf5).contains(&byte) => "invalid continuation byte",
-                _ => "invalid start byte",
-            };
-            Err(Stop::value(format!(
-                "'{codec}' codec can't decode byte 0x{byte:02x} in position {place}: {reason}"
-            )))
-        }
+    match (error, mode) {
+        (None, _) | (Some(_), "replace") => Ok(Value::from(lossy().into_owned())),
+        (Some(_), "ignore") => Ok(Value::from(lossy().replace('\u{fffd}', ""))),
+        (Some(error), _) => Err(error),
     }
+}
+
+fn not_utf8(bytes: &[u8], error: &std::str::Utf8Error) -> Stop {
+    let start = error.valid_up_to();
+    let first = bytes.get(start).copied().unwrap_or(0);
+    match error.error_len() {
+        None => undecodable("utf-8", bytes, start, bytes.len(), "unexpected end of data"),
+        Some(len) if (0xc2..0xf5).contains(&first) => {
+            undecodable("utf-8", bytes, start, start + len, "invalid continuation byte")
+        }
+        Some(len) => undecodable("utf-8", bytes, start, start + len, "invalid start byte"),
+    }
+}
+
+fn undecodable(codec: &str, bytes: &[u8], start: usize, end: usize, reason: &str) -> Stop {
+    let first = bytes.get(start).copied().unwrap_or(0);
+    let what = if end - start == 1 {
+        format!("byte 0x{first:02x} in position {start}")
+    } else {
+        format!("bytes in position {start}-{}", end - 1)
+    };
+    Stop::value(format!("'{codec}' codec can't decode {what}: {reason}"))
 }

@@ -179,8 +179,7 @@ fn hex(f: f64) -> String {
 
 fn from_hex(_: &mut Interp, _: &Value, args: &Args) -> Eval {
     let Value::Str(text) = args.at(0) else {
-        let kind = args.at(0).type_name();
-        return Err(Stop::typ(format!("fromhex() argument must be str, not {kind}")));
+        return Err(Stop::typ("bad argument type for built-in operation"));
     };
     let invalid = || Stop::value("invalid hexadecimal floating-point string");
     let text = text.trim_matches(|c: char| c.is_ascii_whitespace() || c == '\x0b');

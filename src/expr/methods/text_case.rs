@@ -44,10 +44,17 @@ fn to_title(c: char) -> String {
         '\u{10d0}'..='\u{10ff}' => c.to_string(),
         c if c.is_ascii() => c.to_ascii_uppercase().to_string(),
         c => {
-            let mut upper = c.to_uppercase();
-            let first = upper.next().unwrap_or(c);
-            let rest = upper.flat_map(char::to_lowercase);
-            std::iter::once(first).chain(rest).collect()
+            let mut done = false;
+            let mut out = String::new();
+            for part in c.to_uppercase() {
+                if done {
+                    out.extend(part.to_lowercase())
+                } else {
+                    out.push(part)
+                }
+                done |= is_cased(part);
+            }
+            out
         }
     }
 }
@@ -81,8 +88,11 @@ fn is_cased(c: char) -> bool {
 pub(super) fn title(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut inside = false;
-    for c in text.chars() {
-        if inside {
+    let mut chars = text.chars().peekable();
+    while let Some(c) = chars.next() {
+        if inside && c == 'Σ' {
+            out.push(if chars.peek().is_some_and(|&next| is_cased(next)) { 'σ' } else { 'ς' });
+        } else if inside {
             out.extend(c.to_lowercase());
         } else {
             out.push_str(&to_title(c));

@@ -139,10 +139,10 @@ pub(super) fn make_translation(_: &mut Interp, _: &Value, args: &Args) -> Eval {
         }
         return Ok(Value::Dict(Dict::new(map, false)));
     }
+    let to = string(args.at(1), "maketrans() argument 2")?;
     let Value::Str(from) = args.at(0) else {
         return Err(Stop::typ("first maketrans argument must be a string if there is a second argument"));
     };
-    let to = string(args.at(1), "maketrans() argument 2")?;
     if from.chars().count() != to.chars().count() {
         return Err(Stop::value("the first two maketrans arguments must have equal length"));
     }

@@ -47,9 +47,9 @@ pub(crate) fn binary(interp: &mut Interp, op: BinOp, a: &Value, b: &Value) -> Ev
         BinOp::Add => sequence::concat(interp, a, b),
         BinOp::Mul => sequence::repeat(interp, a, b),
         BinOp::Mod if matches!(a, Value::Str(_)) => format::percent(interp, a, b),
-        BinOp::BitOr => union(a, b),
+        BinOp::BitOr => union(interp, a, b),
         BinOp::Sub | BinOp::BitAnd | BinOp::BitXor => {
-            sets::binary(op, a, b).unwrap_or_else(|| Err(unsupported(op, a, b)))
+            sets::binary(interp, op, a, b).unwrap_or_else(|| Err(unsupported(op, a, b)))
         }
         _ => Err(unsupported(op, a, b)),
     }
@@ -67,6 +67,9 @@ fn numeric(interp: &mut Interp, op: BinOp, x: Num<'_>, y: Num<'_>) -> Eval<Optio
         return Ok(None);
     }
     if matches!(x, Num::Complex(..)) || matches!(y, Num::Complex(..)) {
+        if matches!(op, BinOp::FloorDiv | BinOp::Mod) {
+            return Ok(None);
+        }
         return complex::binary(op, x.complex()?, y.complex()?).map(Some);
     }
     match (x.float()?, y.float()?) {
@@ -75,13 +78,13 @@ fn numeric(interp: &mut Interp, op: BinOp, x: Num<'_>, y: Num<'_>) -> Eval<Optio
     }
 }
 
-fn union(a: &Value, b: &Value) -> Eval {
+fn union(interp: &mut Interp, a: &Value, b: &Value) -> Eval {
     if let (Value::Dict(x), Value::Dict(y)) = (a, b) {
         let mut map = (*x.snapshot()).clone();
         map.extend(y.snapshot().iter().map(|(key, value)| (key.clone(), value.clone())));
         return Ok(Value::Dict(Dict::new(map, false)));
     }
-    sets::binary(BinOp::BitOr, a, b).unwrap_or_else(|| Err(unsupported(BinOp::BitOr, a, b)))
+    sets::binary(interp, BinOp::BitOr, a, b).unwrap_or_else(|| Err(unsupported(BinOp::BitOr, a, b)))
 }
 
 fn symbol(op: BinOp) -> &'static str {

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::expr::ast::BinOp;
+use crate::expr::interp::Interp;
 use crate::expr::stop::Eval;
 use crate::expr::value::{Key, Set, SetMap, Value, ViewKind};
 
@@ -22,11 +23,22 @@ pub(crate) fn elements(value: &Value) -> Option<Eval<Arc<SetMap>>> {
     }
 }
 
-/// A set operator; none if an operand is no set.
-pub(super) fn binary(op: BinOp, a: &Value, b: &Value) -> Option<Eval> {
+/// A set operator; none if neither operand takes part in one. A dict view combines with anything iterable.
+pub(super) fn binary(interp: &mut Interp, op: BinOp, a: &Value, b: &Value) -> Option<Eval> {
     let frozen = matches!(a, Value::Set(set) if set.is_frozen());
-    let (x, y) = (elements(a)?, elements(b)?);
+    let view = |value: &Value| matches!(value, Value::View(_)) && elements(value).is_some();
+    let with_view = view(a) || view(b);
+    let mut side = |value: &Value| match elements(value) {
+        None if with_view => Some(collected(interp, value)),
+        found => found,
+    };
+    let (x, y) = (side(a)?, side(b)?);
     Some(x.and_then(|x| y.map(|y| Value::Set(Set::new(combine(op, &x, &y), frozen)))))
+}
+
+fn collected(interp: &mut Interp, value: &Value) -> Eval<Arc<SetMap>> {
+    let items = interp.collect(value)?;
+    items.into_iter().map(Key::new).collect::<Eval<SetMap>>().map(Arc::new)
 }
 
 /// The elements of `x op y`.

@@ -37,7 +37,7 @@ impl Parser<'_> {
             Tok::False => ExprKind::Const(Const::Bool(false)),
             Tok::Ellipsis => ExprKind::Const(Const::Ellipsis),
             Tok::Str | Tok::OpenStr => return self.strings(),
-            Tok::Open(bracket) => return self.nested(|p| p.display(bracket)),
+            Tok::Open(bracket) => return self.display(bracket),
             Tok::Lambda => {
                 self.unexpected("`lambda` needs parentheses here");
                 return self.nested(Self::lambda);
@@ -60,11 +60,13 @@ impl Parser<'_> {
     }
 
     fn display(&mut self, bracket: Bracket) -> Expr {
-        match bracket {
+        let expr = match bracket {
             Bracket::Round => self.parenthesized(),
             Bracket::Square => self.list(),
             Bracket::Curly => self.dict_or_set(),
-        }
+        };
+        self.grow();
+        expr
     }
 
     /// Something else stands where an operand should.

@@ -41,7 +41,7 @@ impl Parser<'_> {
             }
         };
         let name = name_range.slice(self.text).trim().into();
-        let range = TextRange::new(start, name_range.end.max(self.prev_end));
+        let range = self.range_from(start);
         Expr { kind: ExprKind::Attribute { value: Box::new(value), name, name_range }, range }
     }
 
@@ -55,7 +55,7 @@ impl Parser<'_> {
             return self.indexed(start, value, index);
         }
         let mut items = Vec::new();
-        let comma = self.nested_items(|p| {
+        let comma = self.items(|p| {
             let item = p.index_item();
             items.push(item);
         });
@@ -82,16 +82,6 @@ impl Parser<'_> {
         Expr { kind, range: self.range_from(start) }
     }
 
-    /// [`Parser::items`], counted as a level of nesting.
-    fn nested_items(&mut self, item: impl FnMut(&mut Self)) -> bool {
-        let mut comma = false;
-        self.nested(|p| {
-            comma = p.items(item);
-            p.missing()
-        });
-        comma
-    }
-
     /// A slice, or one index.
     fn index_item(&mut self) -> Expr {
         let start = self.start();
@@ -108,7 +98,7 @@ impl Parser<'_> {
         let clauses = self.clauses();
         self.operand_start = None;
         self.reword_unclosed(error);
-        self.comprehension_of(start, Bracket::Round, vec![item], clauses)
+        self.comprehension_of(start.min(item.range.start), Bracket::Round, vec![item], clauses)
     }
 
     fn slice_or_index(&mut self, start: u32) -> Expr {
@@ -120,9 +110,11 @@ impl Parser<'_> {
         {
             self.unexpected("`:=` and `*` are not possible in front of `:`");
         }
+        let start = lower.as_ref().map_or(start, |lower| start.min(lower.range.start));
         self.bump();
         let upper = self.bound();
         let step = if self.eat(Tok::Colon) { self.bound() } else { None };
+        self.grow();
         let kind = ExprKind::Slice {
             lower: lower.map(Box::new),
             upper: upper.map(Box::new),
@@ -140,7 +132,7 @@ impl Parser<'_> {
     pub(super) fn call(&mut self, start: u32, func: Expr) -> Expr {
         let open = self.bump().range.start;
         let mut found = Arguments { mark: self.report.len(), ..Arguments::default() };
-        let comma = self.nested_items(|p| p.argument(&mut found));
+        let comma = self.items(|p| p.argument(&mut found));
         let alone = !comma && found.args.len() + found.keywords.len() == 1;
         match (found.generator, found.args.as_mut_slice()) {
             // CPython counts the parentheses of the call to the generator.
@@ -206,6 +198,7 @@ impl Parser<'_> {
             self.error(star, "`*` must stand before `**`", reference);
         }
         let value = self.expression();
+        self.grow();
         found.args.push(self.node(start, value, ExprKind::Starred));
     }
 
@@ -218,7 +211,8 @@ impl Parser<'_> {
         };
         if matches!(self.kind(), Tok::For | Tok::Async) {
             let clauses = self.clauses();
-            let expr = self.comprehension_of(start, Bracket::Round, vec![expr], clauses);
+            let expr =
+                self.comprehension_of(start.min(expr.range.start), Bracket::Round, vec![expr], clauses);
             self.operand_start = None;
             found.generator = Some(expr.range);
             found.args.push(expr);

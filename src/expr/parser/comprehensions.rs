@@ -62,6 +62,7 @@ impl Parser<'_> {
     fn target_list(&mut self) -> Expr {
         let start = self.start();
         let first = self.target();
+        let start = start.min(first.range.start);
         if !self.at(Tok::Comma) {
             if matches!(first.kind, ExprKind::Starred(_)) {
                 let reference = "starred assignment target must be in a list or tuple";
@@ -76,8 +77,7 @@ impl Parser<'_> {
             }
             items.push(self.target());
         }
-        let range = TextRange::new(start, items.last().map_or(0, |i| i.range.end).max(self.prev_end));
-        Expr { kind: ExprKind::Tuple(items), range }
+        Expr { kind: ExprKind::Tuple(items), range: self.range_from(start) }
     }
 
     fn target(&mut self) -> Expr {
@@ -94,6 +94,7 @@ impl Parser<'_> {
         self.bump();
         let value = self.operand(power::BIT_OR);
         self.operand_start = None;
+        self.grow();
         self.node(start, value, ExprKind::Starred)
     }
 

@@ -15,6 +15,7 @@ impl<'t> Parser<'t> {
             tokens,
             pos: 0,
             prev_end: start,
+            reach: start,
             report,
             depth: 0,
             height: 0,
@@ -57,6 +58,7 @@ impl<'t> Parser<'t> {
         if token.kind != Tok::End {
             self.pos += 1;
             self.prev_end = token.range.end;
+            self.reach = token.range.end;
         }
         token
     }
@@ -74,7 +76,7 @@ impl<'t> Parser<'t> {
     }
 
     pub(super) fn range_from(&self, start: u32) -> TextRange {
-        TextRange::new(start, self.prev_end)
+        TextRange::new(start, self.reach)
     }
 
     /// The blank space before the next token: where a cursor stands that is about to fill a hole.
@@ -82,8 +84,10 @@ impl<'t> Parser<'t> {
         TextRange::new(self.prev_end, self.start())
     }
 
-    pub(super) fn missing(&self) -> Expr {
-        Expr { kind: ExprKind::Missing, range: self.gap() }
+    pub(super) fn missing(&mut self) -> Expr {
+        let range = self.gap();
+        self.reach = range.end;
+        Expr { kind: ExprKind::Missing, range }
     }
 
     /// Skip one token, or a bracket with all it holds.

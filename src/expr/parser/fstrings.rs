@@ -155,14 +155,14 @@ impl Parser<'_> {
         let mut inner = Parser::new(self.text, tokens, report, start as u32);
         inner.depth = self.depth;
         let value = inner.nested(|p| {
-            let from = p.start();
-            let value = p.group(from);
+            let value = p.group(start as u32);
             match value.kind {
                 ExprKind::Missing => Expr { kind: ExprKind::Missing, range },
                 _ => value,
             }
         });
         self.height = self.height.max(inner.height);
+        self.grow();
         self.report.absorb(inner.report, "f-string: ");
         Ok(value)
     }

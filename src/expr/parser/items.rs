@@ -17,6 +17,7 @@ impl Parser<'_> {
         let operand = self.pos;
         let value = self.operand(power::BIT_OR);
         self.operand_start = first.then_some(operand);
+        self.grow();
         self.node(start, value, ExprKind::Starred)
     }
 
@@ -28,6 +29,7 @@ impl Parser<'_> {
             self.bump();
             let value = self.expression();
             self.walrus = true;
+            self.grow();
             let text = name.slice(self.text).into();
             return self.node(start, value, |value| ExprKind::NamedExpr {
                 name: text,
@@ -36,6 +38,7 @@ impl Parser<'_> {
             });
         }
         let expr = self.expression();
+        let start = start.min(expr.range.start);
         match self.kind() {
             Tok::Walrus => self.walrus_to_nothing(start, expr),
             Tok::Equal => self.assignment(start, expr),
@@ -47,6 +50,7 @@ impl Parser<'_> {
     fn walrus_to_nothing(&mut self, start: u32, target: Expr) -> Expr {
         self.bump();
         let value = self.expression();
+        self.grow();
         let what = target.kind_name();
         let message = format!("`:=` needs a plain name on its left, not {}", with_article(what));
         self.error(target.range, message, &format!("cannot use assignment expressions with {what}"));
@@ -57,6 +61,7 @@ impl Parser<'_> {
     fn assignment(&mut self, start: u32, target: Expr) -> Expr {
         self.bump();
         let value = self.expression();
+        self.grow();
         let again = matches!(self.kind(), Tok::Equal | Tok::Walrus);
         let hole = matches!(value.kind, ExprKind::Missing);
         let reference = match &target.kind {

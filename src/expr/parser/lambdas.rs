@@ -36,8 +36,9 @@ impl Parser<'_> {
             }
         }
         self.check_duplicates(&list.params);
-        let body = if self.eat(Tok::Colon) { self.expression() } else { self.hole("`:` and a value") };
-        let range = TextRange::new(start, self.prev_end.max(body.range.end));
+        let body = if self.eat(Tok::Colon) { self.expression() } else { self.hole("`:` with a value") };
+        self.grow();
+        let range = self.range_from(start);
         Expr { kind: ExprKind::Lambda(Arc::new(Lambda { params: list.params, body })), range }
     }
 

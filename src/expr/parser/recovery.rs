@@ -36,7 +36,7 @@ impl Parser<'_> {
             }
         }
         self.level -= 1;
-        self.items_end = self.prev_end;
+        self.items_end = self.reach;
         if self.kind().is_close() {
             self.bump();
         }

@@ -1,11 +1,16 @@
+use proptest::prelude::*;
+
 use super::MAX_DEPTH;
+use crate::base::TextRange;
+use crate::expr::ast::{Expr, ExprKind};
 use crate::expr::dump::dump;
-use crate::expr::parse;
+use crate::expr::visit::children;
+use crate::expr::{ExprErrorKind, parse};
 
 /// Nested far beyond any limit: an error, no overflow, and quick.
 #[test]
 fn deep_nesting_is_an_error() {
-    let n = 100_000;
+    let n = 20_000;
     for (open, middle, close) in [
         ("(", "1", ")"),
         ("[", "1", "]"),
@@ -30,16 +35,31 @@ fn deep_nesting_is_an_error() {
         ("(a := ", "1", ")"),
         ("f(*", "1", ")"),
         ("f(**", "1", ")"),
+        ("[*", "1", "]"),
+        ("[a.b = ", "1", "]"),
+        ("[1 := ", "1", "]"),
+        ("[a for *a, *b[", "1", "] in c]"),
+        ("a[1:", "1", "]"),
+        ("[-", "1", "]"),
+        ("f(-[", "1", "])"),
+        ("[lambda: ", "1", "]"),
+        ("(1 if ", "1", " else 1)"),
+        ("[x for [*x] in ", "1", "]"),
     ] {
         let text = format!("{}{middle}{}", open.repeat(n), close.repeat(n));
         let parsed = parse(&text);
         // Comparisons do not nest.
         assert_eq!(parsed.errors.is_empty(), close == " < b", "{open}{middle}{close}");
-        let clone = parsed.expr.clone();
-        drop(clone);
+        assert!(height(&parsed.expr) <= MAX_DEPTH + 1, "{open}{middle}{close}: {}", height(&parsed.expr));
     }
     let flat = format!("1{}", "+1".repeat(MAX_DEPTH as usize - 10));
     assert_eq!(parse(&flat).errors, []);
+}
+
+fn height(expr: &Expr) -> u32 {
+    let mut below = 0;
+    children(expr, &mut |child| below = below.max(height(child)));
+    below + 1
 }
 
 /// A line of a table: JSON text, tab, the rest.
@@ -84,4 +104,219 @@ fn invalid_expressions() {
         }
     }
     assert!(wrong.is_empty(), "{} wrong\n{}", wrong.len(), wrong.join("\n"));
+}
+
+/// What is typed so far is in the tree, holes are `?`.
+#[test]
+fn half_typed_text_has_a_tree() {
+    for (text, tree, ours) in [
+        ("a +", "(+ a ?)", "a value is missing here"),
+        ("a + b *", "(+ a (* b ?))", "a value is missing here"),
+        ("a.", "(. a )", "the name of an attribute is missing here"),
+        ("(a.b.) + 1", "(+ (. (. a b) ) 1)", "the name of an attribute is missing here"),
+        ("x.is", "(. x is)", "`is` is a keyword and cannot be an attribute"),
+        ("f(1,", "(call f 1)", "`)` is missing for the `(` here"),
+        ("f(a.", "(call f (. a ))", "the name of an attribute is missing here"),
+        ("f(a, k=", "(call f a k=?)", "a value is missing here"),
+        ("f(,a)", "(call f ? a)", "an argument is missing before `,`"),
+        ("d['a'", "(index d \"a\")", "`]` is missing for the `[` here"),
+        ("d['a", "(index d \"a\")", "the closing `'` of this string is missing"),
+        ("d[", "(index d ?)", "an index is missing here"),
+        ("d[]", "(index d ?)", "an index is missing here"),
+        ("d[1:", "(index d (slice 1 _ _))", "`]` is missing for the `[` here"),
+        ("[1, 2", "(list 1 2)", "`]` is missing for the `[` here"),
+        ("[a b]", "(list a b)", "a comma or an operator is missing here"),
+        ("(a, [b)", "(tuple a (list b))", "`)` does not close the `[` before it"),
+        ("(a]", "a", "`]` does not close the `(` before it"),
+        ("a)", "a", "`)` closes nothing"),
+        ("{a: b, c", "(dict a b c ?)", "`:` and a value are missing here"),
+        ("a if b", "(if b a ?)", "`else` and a value are missing here"),
+        ("a if b else", "(if b a ?)", "a value is missing here"),
+        ("lambda", "(lambda () ?)", "`:` with a value is missing here"),
+        ("lambda x, y", "(lambda (arg:x arg:y) ?)", "`:` with a value is missing here"),
+        ("[x for", "(list-comp x for ? ?)", "a value is missing here"),
+        ("[x for y in", "(list-comp x for y ?)", "a value is missing here"),
+        (
+            "[x.a for x, y in z.",
+            "(list-comp (. x a) for (tuple x y) (. z ))",
+            "the name of an attribute is missing here",
+        ),
+        (
+            "[a, b for a in c]",
+            "(list-comp (tuple a b) for a c)",
+            "several values before `for` need parentheses",
+        ),
+        ("a b.c", "(tuple a (. b c))", "`b` cannot follow a complete expression"),
+        ("a = b.c", "(tuple a (. b c))", "`=` assigns, which is not possible here; compare with `==`"),
+        ("(a = b)", "(cmp a == b)", "`=` assigns, which is not possible here; compare with `==`"),
+        ("not", "(not ?)", "a value is missing here"),
+        ("", "?", "an expression is missing here"),
+        (
+            "0777",
+            "?",
+            "`0777` is no number: leading zeros in decimal integer literals are not permitted; use an 0o prefix for octal integers",
+        ),
+    ] {
+        let parsed = parse(text);
+        assert_eq!(dump(&parsed.expr).0, tree, "{text}");
+        assert_eq!(parsed.errors.first().map(|e| e.message.as_str()), Some(ours), "{text}");
+    }
+}
+
+/// A hole spans the blanks a cursor may stand in.
+#[test]
+fn holes_can_be_found_by_offset() {
+    for (text, cursor) in [("a + ", 4), ("a +  ", 4), ("f(a, k= )", 8), ("  a and  ", 8), ("[ ( a +  ) ]", 8)]
+    {
+        let parsed = parse(text);
+        assert!(innermost(&parsed.expr, cursor).kind == ExprKind::Missing, "{text:?}");
+    }
+    let parsed = parse("x.  + 1");
+    let ExprKind::Attribute { name_range, .. } = &innermost(&parsed.expr, 3).kind else { panic!() };
+    assert!(name_range.touches(3));
+}
+
+fn innermost(expr: &Expr, offset: u32) -> &Expr {
+    let mut found = expr;
+    children(expr, &mut |child| {
+        if child.range.touches(offset) {
+            found = innermost(child, offset);
+        }
+    });
+    found
+}
+
+/// Python, but not here.
+#[test]
+fn unsupported_expressions() {
+    for text in ["'\\N{DIGIT ONE}'", "'\\ud800'", "(yield)", "await x", "[a async for a in b]"] {
+        let errors = parse(text).errors;
+        assert_eq!(errors.first().map(|e| e.kind), Some(ExprErrorKind::NotSupported), "{text}");
+    }
+}
+
+/// Every range lies within the text and within its parent's.
+fn check_ranges(text: &str) {
+    let parsed = parse(text);
+    let all = TextRange::new(0, text.len() as u32);
+    for error in &parsed.errors {
+        assert!(
+            text.get(error.range.start as usize..error.range.end as usize).is_some(),
+            "{text:?} {error:?}"
+        );
+    }
+    check_node(text, &parsed.expr, all);
+}
+
+fn check_node(text: &str, expr: &Expr, parent: TextRange) {
+    assert!(parent.contains_range(expr.range), "{text:?}: {expr:?} outside of {parent:?}");
+    assert!(
+        text.is_char_boundary(expr.range.start as usize) && text.is_char_boundary(expr.range.end as usize)
+    );
+    let inner = match &expr.kind {
+        ExprKind::Attribute { name_range, .. } | ExprKind::NamedExpr { name_range, .. } => *name_range,
+        _ => expr.range,
+    };
+    assert!(expr.range.contains_range(inner), "{text:?}: {inner:?} outside of {expr:?}");
+    children(expr, &mut |child| check_node(text, child, expr.range));
+}
+
+#[test]
+fn ranges_are_nested_in_all_tables() {
+    let tables = [include_str!("../testdata/valid.txt"), include_str!("../testdata/invalid.txt")];
+    for (text, _) in tables.into_iter().flat_map(rows) {
+        check_ranges(&text);
+        // Every way to have typed only a part of it.
+        for (i, _) in text.char_indices().take(60) {
+            check_ranges(&text[..i]);
+            check_ranges(&text[i..]);
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn any_text_has_a_tree(text in "\\PC{0,40}") {
+        check_ranges(&text);
+    }
+
+    #[test]
+    fn any_tokens_have_a_tree(words in prop::collection::vec(prop::sample::select(WORDS), 0..30)) {
+        check_ranges(&words.concat());
+        check_ranges(&words.join(" "));
+    }
+}
+
+const WORDS: &[&str] = &[
+    "a",
+    "b",
+    "é",
+    "1",
+    "0x",
+    "1.5",
+    "'s'",
+    "'",
+    "\"\"\"",
+    "f'{",
+    "}'",
+    "f'{a!r:{b}}'",
+    "b'x'",
+    "(",
+    ")",
+    "[",
+    "]",
+    "{",
+    "}",
+    ",",
+    ":",
+    "=",
+    ":=",
+    ".",
+    "*",
+    "**",
+    "/",
+    "+",
+    "-",
+    "~",
+    "not",
+    "in",
+    "is",
+    "if",
+    "else",
+    "for",
+    "lambda",
+    "and",
+    "or",
+    "==",
+    "<",
+    "\n",
+    "\t",
+    " ",
+    "\\",
+    "\\\n",
+    "#",
+    "None",
+    "...",
+    "yield",
+    "await",
+    "async",
+    "print",
+    "$",
+    "!",
+    "\u{a0}",
+    "__x",
+];
+
+/// As many brackets as CPython allows, with room for what is in them.
+#[test]
+fn two_hundred_brackets_are_fine() {
+    for (open, close) in [("(", ")"), ("[", "]"), ("f(", ")"), ("a[", "]"), ("{1:", "}")] {
+        let nested = |n: usize| parse(&format!("{}1 + a.b{}", open.repeat(n), close.repeat(n))).errors;
+        assert_eq!(nested(200), [], "{open}");
+        assert_eq!(
+            nested(201).first().map(|e| e.reference.as_str()),
+            Some("too many nested parentheses (<expression>, line 1)"),
+            "{open}"
+        );
+    }
 }

@@ -173,13 +173,14 @@ impl Value {
         }
     }
 
-    /// Python's `is`.
+    /// Python's `is`; equal scalars count as one object, as equal constants do in CPython.
     pub(crate) fn same(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::None, Self::None) | (Self::Ellipsis, Self::Ellipsis) => true,
             (Self::Bool(a), Self::Bool(b)) => a == b,
-            (Self::Int(a), Self::Int(b)) => a == b && (-5..=256).contains(a),
-            (Self::Str(a), Self::Str(b)) => a == b && (a.len() <= 1 || a.as_ptr() == b.as_ptr()),
+            (Self::Int(a), Self::Int(b)) => a == b,
+            (Self::Str(a), Self::Str(b)) => a == b,
+            (Self::Float(a), Self::Float(b)) => a.to_bits() == b.to_bits(),
             (Self::Type(a), Self::Type(b)) => a == b,
             (Self::Builtin(a), Self::Builtin(b)) => std::ptr::eq(a.function, b.function),
             (Self::Module(a), Self::Module(b)) => a == b,

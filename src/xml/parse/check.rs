@@ -4,7 +4,8 @@
 use std::collections::HashSet;
 
 use super::Parser;
-use crate::xml::entities::{Entities, Reference, decode, references};
+use crate::xml::decode::{Reference, decode, references};
+use crate::xml::entities::Entities;
 use crate::xml::error::{Condition, Namespace, SyntaxError, SyntaxErrorKind as Kind, expat};
 use crate::xml::node::{AttrData, NEEDS_DECODING, PREFIXED};
 
@@ -181,13 +182,13 @@ impl<'t> Parser<'t> {
 /// Why a namespace may not be declared like this.
 fn declaration_fault(prefix: &str, uri: &str) -> Option<(&'static str, String)> {
     Some(match (prefix, uri) {
-        ("xmlns", _) => (expat::RESERVED_XMLNS, "the prefix `xmlns` may not be declared".to_owned()),
-        ("xml", XML_URI) => return None,
-        ("xml", _) => (expat::RESERVED_XML, format!("the prefix `xml` always means `{XML_URI}`")),
         ("", "") => return None,
         (_, "") => (expat::UNDECLARED, format!("the namespace of `{prefix}` may not be empty")),
-        (_, XML_URI | XMLNS_URI) => (expat::RESERVED_URI, format!("`{uri}` is reserved")),
+        ("xmlns", _) => (expat::RESERVED_XMLNS, "the prefix `xmlns` may not be declared".to_owned()),
         _ if uri.contains(' ') => (expat::SYNTAX, "a namespace may not hold white space".to_owned()),
+        ("xml", XML_URI) => return None,
+        ("xml", _) => (expat::RESERVED_XML, format!("the prefix `xml` always means `{XML_URI}`")),
+        (_, XML_URI | XMLNS_URI) => (expat::RESERVED_URI, format!("`{uri}` is reserved")),
         _ => return None,
     })
 }

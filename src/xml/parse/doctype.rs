@@ -1,59 +1,409 @@
-//! The DOCTYPE and the entities it declares.
+//! The DOCTYPE with its internal subset: checked in full, kept only as far as general entities go.
 
-use super::Parser;
-use crate::xml::entities::{Entities, Entity, decode};
+use super::token::Token;
+use super::{Parser, Verdict};
+use crate::xml::decode::{Reference, decode, read_reference};
+use crate::xml::entities::{Entities, Entity};
 use crate::xml::error::{SyntaxErrorKind as Kind, expat};
 use crate::xml::node::{CLOSED, NodeKind};
 
-impl Parser<'_> {
+type Checked<T = ()> = Result<T, Verdict>;
+
+/// Types of attributes that are one word.
+const ATTRIBUTE_TYPES: [&str; 8] =
+    ["CDATA", "ID", "IDREF", "IDREFS", "ENTITY", "ENTITIES", "NMTOKEN", "NMTOKENS"];
+
+impl<'t> Parser<'t> {
     /// Read a DOCTYPE.
     pub(super) fn doctype(&mut self, entities: &mut Entities) {
         let start = self.pos;
+        let first_error = self.errors.len();
+        self.pos += "<!DOCTYPE".len();
+        match self.doctype_grammar(entities) {
+            Ok(()) => {
+                self.push_node(NodeKind::Doctype, start, CLOSED);
+            }
+            Err(verdict) => {
+                self.pos = start + 9;
+                let closed = self.skip_doctype();
+                self.push_node(NodeKind::Doctype, start, if closed { CLOSED } else { 0 });
+                if self.errors.len() == first_error {
+                    let message = "this DOCTYPE is not well-formed; a robot description needs none";
+                    self.error(Kind::BadDoctype, (start, start + 9), verdict, message);
+                }
+                self.mark_divergence();
+            }
+        }
+    }
+
+    /// Move behind a broken DOCTYPE: to its `>`, or to the next line that looks like the document.
+    fn skip_doctype(&mut self) -> bool {
+        let start = self.pos;
         let mut in_subset = false;
-        self.pos += 9;
         while let Some(b) = self.peek() {
             match b {
-                b'"' | b'\'' => self.skip_literal(b),
                 b'[' => in_subset = true,
                 b']' => in_subset = false,
                 b'>' if !in_subset => {
                     self.pos += 1;
-                    self.push_node(NodeKind::Doctype, start, CLOSED);
-                    return;
+                    return true;
                 }
-                b'<' if in_subset && self.starts_with(b"<!ENTITY") => self.entity_declaration(entities),
-                b'<' if in_subset && self.starts_with(b"<!--") => {
-                    self.comment();
-                    self.nodes.pop();
-                    continue;
-                }
+                b'<' if self.at_tag() && self.indent(self.pos).is_some() => break,
+                b'<' if !in_subset && self.pos > start => break,
                 _ => {}
             }
             self.pos += 1;
         }
-        self.push_node(NodeKind::Doctype, start, 0);
-        let message = "this DOCTYPE needs its `>`";
-        self.error(Kind::BadDoctype, (start, start + 9), (expat::NO_ELEMENT, self.pos), message);
+        self.pos = self.trimmed(self.pos).max(start);
+        false
     }
 
-    fn skip_literal(&mut self, quote: u8) {
-        let rest = self.bytes.get(self.pos + 1..).unwrap_or(&[]);
-        self.pos += memchr::memchr(quote, rest).map_or(0, |n| n + 1);
-    }
-
-    fn entity_declaration(&mut self, entities: &mut Entities) {
-        let start = self.pos + 8;
-        let end = memchr::memchr(b'>', self.bytes.get(start..).unwrap_or(&[])).map_or(start, |n| start + n);
-        let text = self.slice(start, end);
-        let Some((name, rest)) = text.trim_start().split_once([' ', '\t', '\n', '\r']) else { return };
-        let rest = rest.trim();
-        if let Some(literal) = rest.strip_prefix(['"', '\'']) {
-            let literal = literal.get(..literal.len().saturating_sub(1)).unwrap_or("");
-            let value = decode(literal, &Entities::default(), false);
-            entities.declare(name, Entity::Internal(value.into()));
-        } else if rest.starts_with("SYSTEM") || rest.starts_with("PUBLIC") {
-            entities.declare(name, Entity::External);
+    /// The next token of a declaration, its start, its text. Moves behind it.
+    fn next_token(&mut self) -> Checked<(Token, usize, &'t str)> {
+        self.skip_space();
+        let start = self.pos;
+        if self.starts_with(b"<!--") || self.starts_with(b"<?") {
+            return Err(self.skip_markup().err().unwrap_or((expat::SYNTAX, start)));
         }
-        self.pos = end.saturating_sub(1);
+        let (token, end) = self.token(start);
+        self.pos = end;
+        match token {
+            Token::End => {
+                self.hit_end = true;
+                Err((expat::NO_ELEMENT, start))
+            }
+            Token::Unfinished => {
+                self.hit_end = true;
+                Err((expat::UNCLOSED_TOKEN, start))
+            }
+            Token::Invalid(at) => Err((expat::INVALID, at)),
+            _ => Ok((token, start, self.slice(start, end))),
+        }
     }
+
+    fn expect(&mut self, wanted: &[Token]) -> Checked<(Token, usize, &'t str)> {
+        let found = self.next_token()?;
+        if wanted.contains(&found.0) { Ok(found) } else { Err(unexpected(found)) }
+    }
+
+    /// The `>` of a declaration.
+    fn declaration_close(&mut self) -> Checked {
+        self.expect(&[Token::Punctuation(b'>')]).map(drop)
+    }
+
+    fn doctype_grammar(&mut self, entities: &mut Entities) -> Checked {
+        self.expect(&[Token::Name, Token::PrefixedName])?;
+        let mut found = self.next_token()?;
+        if found.0 == Token::Name {
+            self.external_id(found)?;
+            entities.incomplete = !entities.standalone;
+            found = self.next_token()?;
+        }
+        match found.0 {
+            Token::Punctuation(b'>') => Ok(()),
+            Token::Punctuation(b'[') => {
+                self.subset(entities)?;
+                self.declaration_close()
+            }
+            _ => Err(unexpected(found)),
+        }
+    }
+
+    /// `SYSTEM "…"` or `PUBLIC "…" "…"`; the keyword has been read.
+    fn external_id(&mut self, keyword: (Token, usize, &str)) -> Checked {
+        match keyword.2 {
+            "PUBLIC" => {
+                let (_, start, text) = self.expect(&[Token::Literal])?;
+                check_public_id(start, text)?;
+            }
+            "SYSTEM" => {}
+            _ => return Err((expat::SYNTAX, keyword.1)),
+        }
+        self.expect(&[Token::Literal]).map(drop)
+    }
+
+    fn subset(&mut self, entities: &mut Entities) -> Checked {
+        // Behind a reference to a parameter entity, which is not read, declarations count no more.
+        let mut counts = true;
+        loop {
+            self.skip_space();
+            if self.starts_with(b"<!--") || self.starts_with(b"<?") {
+                self.skip_markup()?;
+                continue;
+            }
+            let (token, start, text) = self.next_token()?;
+            match (token, text) {
+                (Token::Punctuation(b']'), _) => return Ok(()),
+                (Token::ParameterReference, _) => {
+                    entities.incomplete = !entities.standalone;
+                    counts = entities.standalone;
+                }
+                (Token::DeclarationOpen, "<!ENTITY") => {
+                    let declared = self.entity(counts)?;
+                    if let Some((name, entity)) = declared.filter(|_| counts) {
+                        entities.declare(name, entity);
+                    }
+                }
+                (Token::DeclarationOpen, "<!ATTLIST") => self.attribute_list()?,
+                (Token::DeclarationOpen, "<!ELEMENT") => self.element_type()?,
+                (Token::DeclarationOpen, "<!NOTATION") => self.notation()?,
+                _ => return Err((expat::SYNTAX, start)),
+            }
+        }
+    }
+
+    /// A comment or instruction inside the subset, which makes no node.
+    fn skip_markup(&mut self) -> Checked {
+        let (nodes, errors) = (self.nodes.len(), self.errors.len());
+        if self.starts_with(b"<!--") {
+            self.bang();
+        } else {
+            self.instruction();
+        }
+        self.nodes.truncate(nodes);
+        match self.errors.get(errors) {
+            Some(found) => Err((found.error.expat, self.base + found.error.expat_offset as usize)),
+            None => Ok(()),
+        }
+    }
+
+    fn entity(&mut self, counts: bool) -> Checked<Option<(&'t str, Entity)>> {
+        let mut found = self.expect(&[Token::Name, Token::Percent])?;
+        let general = found.0 == Token::Name;
+        if !general {
+            found = self.expect(&[Token::Name])?;
+        }
+        let name = found.2;
+        found = self.expect(&[Token::Name, Token::Literal])?;
+        if found.0 == Token::Literal {
+            let value = if counts { self.entity_value(found.1 + 1)? } else { String::new() };
+            self.declaration_close()?;
+            return Ok(general.then_some((name, Entity::Internal(value.into()))));
+        }
+        self.external_id(found)?;
+        let mut kind = Entity::External;
+        let end = self.next_token()?;
+        match end {
+            (Token::Punctuation(b'>'), ..) => return Ok(general.then_some((name, kind))),
+            (Token::Name, _, "NDATA") if general => {
+                self.expect(&[Token::Name])?;
+                kind = Entity::Unparsed;
+            }
+            _ => return Err(unexpected(end)),
+        }
+        self.declaration_close()?;
+        Ok(Some((name, kind)))
+    }
+
+    /// Check the literal that ends before the current position and resolve its character references.
+    fn entity_value(&mut self, start: usize) -> Checked<String> {
+        let end = self.pos - 1;
+        let literal = self.slice(start, end);
+        for (at, b) in literal.bytes().enumerate() {
+            match b {
+                b'%' => {
+                    let (token, stop) = self.token(start + at);
+                    return Err(match token {
+                        Token::ParameterReference if stop <= end => (expat::PARAMETER_REFERENCE, start + at),
+                        _ if stop >= end => (expat::INVALID, start + at),
+                        _ => (expat::INVALID, stop),
+                    });
+                }
+                b'&' => self.check_literal_reference(literal, at, start)?,
+                _ => {}
+            }
+        }
+        Ok(resolve_characters(literal))
+    }
+
+    fn check_literal_reference(&self, literal: &str, at: usize, start: usize) -> Checked {
+        match read_reference(literal, at) {
+            // expat takes a reference cut off by the closing quote for a bad token as a whole.
+            Reference::Bad(stop) if stop >= literal.len() => Err((expat::INVALID, start + at)),
+            Reference::Bad(stop) => Err((expat::INVALID, start + stop)),
+            Reference::Char(None, _) => Err((expat::BAD_CHAR_REF, start + at)),
+            Reference::Char(..) | Reference::Entity { .. } => Ok(()),
+        }
+    }
+
+    fn attribute_list(&mut self) -> Checked {
+        let names = [Token::Name, Token::PrefixedName];
+        self.expect(&names)?;
+        loop {
+            let found = self.next_token()?;
+            match found.0 {
+                Token::Punctuation(b'>') => return Ok(()),
+                Token::Name | Token::PrefixedName => {}
+                _ => return Err(unexpected(found)),
+            }
+            self.attribute_type()?;
+            let (token, start, text) = self.expect(&[Token::PoundName, Token::Literal])?;
+            match (token, text) {
+                (Token::Literal, _) => self.default_value(start)?,
+                (_, "#IMPLIED" | "#REQUIRED") => {}
+                (_, "#FIXED") => {
+                    let (_, start, _) = self.expect(&[Token::Literal])?;
+                    self.default_value(start)?;
+                }
+                _ => return Err((expat::SYNTAX, start)),
+            }
+        }
+    }
+
+    fn attribute_type(&mut self) -> Checked {
+        let open = Token::Punctuation(b'(');
+        let (token, start, text) = self.expect(&[Token::Name, open])?;
+        let notation = token == Token::Name && text == "NOTATION";
+        if notation {
+            self.expect(&[open])?;
+        } else if token == Token::Name {
+            return if ATTRIBUTE_TYPES.contains(&text) { Ok(()) } else { Err((expat::SYNTAX, start)) };
+        }
+        let values: &[Token] =
+            if notation { &[Token::Name] } else { &[Token::Name, Token::PrefixedName, Token::NameToken] };
+        loop {
+            self.expect(values)?;
+            if self.expect(&[Token::CloseParen, Token::Punctuation(b'|')])?.0 == Token::CloseParen {
+                return Ok(());
+            }
+        }
+    }
+
+    fn default_value(&mut self, quote: usize) -> Checked {
+        let start = quote + 1;
+        let literal = self.slice(start, self.pos - 1);
+        for (at, b) in literal.bytes().enumerate() {
+            match b {
+                b'<' => return Err((expat::INVALID, start + at)),
+                b'&' => self.check_literal_reference(literal, at, start)?,
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn element_type(&mut self) -> Checked {
+        self.expect(&[Token::Name, Token::PrefixedName])?;
+        let (token, start, text) = self.expect(&[Token::Name, Token::Punctuation(b'(')])?;
+        if token == Token::Name {
+            return if matches!(text, "EMPTY" | "ANY") {
+                self.declaration_close()
+            } else {
+                Err((expat::SYNTAX, start))
+            };
+        }
+        self.content_model()?;
+        self.declaration_close()
+    }
+
+    /// The groups of an element declaration; the first parenthesis has been read.
+    fn content_model(&mut self) -> Checked {
+        // The connector of each open group, once it is known.
+        let mut groups = vec![0];
+        let mut first = true;
+        loop {
+            let found = self.next_token()?;
+            match found.0 {
+                Token::PoundName if first && found.2 == "#PCDATA" => return self.mixed_content(),
+                Token::Punctuation(b'(') => {
+                    groups.push(0);
+                    first = false;
+                    continue;
+                }
+                Token::Name | Token::PrefixedName | Token::RepeatedName => {}
+                _ => return Err(unexpected(found)),
+            }
+            first = false;
+            loop {
+                let found = self.next_token()?;
+                match (found.0, groups.last_mut()) {
+                    (Token::CloseParen | Token::RepeatedParen, _) => {
+                        groups.pop();
+                        if groups.is_empty() {
+                            return Ok(());
+                        }
+                    }
+                    (Token::Punctuation(b @ (b',' | b'|')), Some(connector)) => {
+                        if *connector != 0 && *connector != b {
+                            return Err(unexpected(found));
+                        }
+                        *connector = b;
+                        break;
+                    }
+                    _ => return Err(unexpected(found)),
+                }
+            }
+        }
+    }
+
+    /// The rest of `(#PCDATA …`.
+    fn mixed_content(&mut self) -> Checked {
+        let mut names = false;
+        loop {
+            let found = self.next_token()?;
+            match found.0 {
+                Token::CloseParen if !names => return Ok(()),
+                Token::RepeatedParen if found.2 == ")*" => return Ok(()),
+                Token::Punctuation(b'|') => names = true,
+                _ => return Err(unexpected(found)),
+            }
+            self.expect(&[Token::Name, Token::PrefixedName])?;
+        }
+    }
+
+    fn notation(&mut self) -> Checked {
+        self.expect(&[Token::Name])?;
+        let (_, start, text) = self.expect(&[Token::Name])?;
+        match text {
+            "SYSTEM" => {
+                self.expect(&[Token::Literal])?;
+            }
+            "PUBLIC" => {
+                let (_, start, text) = self.expect(&[Token::Literal])?;
+                check_public_id(start, text)?;
+                let end = self.expect(&[Token::Literal, Token::Punctuation(b'>')])?;
+                if end.0 != Token::Literal {
+                    return Ok(());
+                }
+            }
+            _ => return Err((expat::SYNTAX, start)),
+        }
+        self.declaration_close()
+    }
+}
+
+/// What expat says to a token that has no place where it stands.
+fn unexpected((token, start, _): (Token, usize, &str)) -> Verdict {
+    match token {
+        Token::ParameterReference => (expat::PARAMETER_REFERENCE, start),
+        _ => (expat::SYNTAX, start),
+    }
+}
+
+/// The characters a public identifier may hold.
+fn check_public_id(start: usize, literal: &str) -> Checked {
+    let inner = literal.get(1..literal.len().saturating_sub(1)).unwrap_or("");
+    let allowed = |c: char| c.is_ascii_alphanumeric() || " \r\n-'()+,./:=?;!*#@$_%".contains(c);
+    match inner.char_indices().find(|&(_, c)| !allowed(c)) {
+        Some((at, _)) => Err((expat::PUBLIC_ID, start + 1 + at)),
+        None => Ok(()),
+    }
+}
+
+/// Resolve the character references of an entity's literal and its line ends; leave other references.
+fn resolve_characters(literal: &str) -> String {
+    let mut out = String::with_capacity(literal.len());
+    let mut rest = literal;
+    while let Some(at) = rest.find('&') {
+        let (head, tail) = rest.split_at(at);
+        out.push_str(&decode(head, &Entities::default(), false));
+        let (text, end) = match read_reference(tail, 0) {
+            Reference::Char(Some(c), end) => (c.to_string(), end),
+            _ => ("&".to_owned(), 1),
+        };
+        out.push_str(&text);
+        rest = tail.get(end..).unwrap_or("");
+    }
+    out.push_str(&decode(rest, &Entities::default(), false));
+    out
 }

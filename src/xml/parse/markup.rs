@@ -1,13 +1,26 @@
 //! Comments, CDATA sections, instructions, and what else begins with `<!`.
 
-use super::Parser;
-use crate::xml::chars::{is_space, name_char};
+use super::{Parser, Verdict};
+use crate::xml::chars::{first_illegal, is_space, name_char};
 use crate::xml::error::{SyntaxErrorKind as Kind, expat};
 use crate::xml::node::{CLOSED, NodeKind};
+
+/// Markup with delimiters and free text between.
+struct Shape {
+    kind: NodeKind,
+    open: usize,
+    close: &'static str,
+    what: &'static str,
+}
+
+const COMMENT: Shape = Shape { kind: NodeKind::Comment, open: 4, close: "-->", what: "comment" };
+const CDATA: Shape = Shape { kind: NodeKind::CData, open: 9, close: "]]>", what: "CDATA section" };
+const INSTRUCTION: Shape = Shape { kind: NodeKind::Pi, open: 2, close: "?>", what: "instruction" };
 
 impl Parser<'_> {
     /// Read what begins with `<!` inside the root.
     pub(super) fn bang(&mut self) {
+        self.floor = Some(0);
         if self.starts_with(b"<!--") {
             self.comment();
         } else if self.starts_with(b"<![CDATA[") {
@@ -15,6 +28,7 @@ impl Parser<'_> {
         } else {
             self.junk_markup();
         }
+        self.floor = None;
     }
 
     fn find(&self, from: usize, needle: &[u8]) -> Option<usize> {
@@ -22,24 +36,30 @@ impl Parser<'_> {
     }
 
     /// Read a comment.
-    pub(super) fn comment(&mut self) {
+    fn comment(&mut self) {
         let start = self.pos;
         let mut from = start + 4;
+        let first_error = self.errors.len();
         loop {
-            let Some(dashes) = self.find(from, b"--") else {
-                return self.unclosed_markup(start, start + 4, NodeKind::Comment, "comment", "-->");
-            };
+            let dashes = self.find(from, b"--").filter(|dashes| dashes + 2 < self.bytes.len());
+            let Some(dashes) = dashes else { return self.unclosed_markup(&COMMENT, start, first_error) };
             self.check_characters(from, dashes);
             if self.bytes.get(dashes + 2) == Some(&b'>') {
                 self.pos = dashes + 3;
                 self.push_node(NodeKind::Comment, start, CLOSED);
                 return;
             }
-            if dashes + 2 >= self.bytes.len() {
-                return self.unclosed_markup(start, start + 4, NodeKind::Comment, "comment", "-->");
+            // A second `<!--` says that the first one was never closed, if markup stands between them.
+            let opens = self.bytes.get(..dashes).is_some_and(|before| before.ends_with(b"<!"));
+            if let Some(next) = self.next_line_markup(start + 4, dashes + 2).filter(|_| opens) {
+                let verdict = (expat::INVALID, dashes + 2);
+                self.reach = self.reach.max(dashes + 3);
+                return self.resume_at(&COMMENT, start, (next, first_error), verdict);
             }
-            let message = "`--` may not stand in a comment: write `- -`";
-            self.error(Kind::BadComment, (dashes, dashes + 2), (expat::INVALID, dashes + 2), message);
+            if self.errors.len() == first_error {
+                let message = "`--` may not stand in a comment: write `- -`";
+                self.error(Kind::BadComment, (dashes, dashes + 2), (expat::INVALID, dashes + 2), message);
+            }
             from = dashes + 1;
         }
     }
@@ -52,52 +72,98 @@ impl Parser<'_> {
                 self.pos = end + 3;
                 self.push_node(NodeKind::CData, start, CLOSED);
             }
-            None => self.unclosed_markup(start, start + 9, NodeKind::CData, "CDATA section", "]]>"),
+            None => self.unclosed_markup(&CDATA, start, self.errors.len()),
         }
     }
 
-    /// Markup that lacks its end: it takes all the rest.
-    fn unclosed_markup(&mut self, start: usize, inner: usize, kind: NodeKind, what: &str, close: &str) {
+    /// Markup whose end is nowhere: it ends before the next line that begins with markup.
+    fn unclosed_markup(&mut self, shape: &Shape, start: usize, first_error: usize) {
         self.hit_end = true;
-        self.pos = self.bytes.len();
-        self.check_characters(inner, self.pos);
-        self.push_node(kind, start, 0);
-        let message = format!("this {what} needs its `{close}`");
-        let verdict = match kind {
-            NodeKind::CData => (expat::UNCLOSED_CDATA, self.pos),
-            _ => (expat::UNCLOSED_TOKEN, start),
+        let (inner, end) = (start + shape.open, self.bytes.len());
+        let verdict = match first_illegal(self.slice(inner, end)) {
+            Some(at) => (expat::INVALID, inner + at),
+            None if shape.kind == NodeKind::CData => (expat::UNCLOSED_CDATA, self.cdata_stop(inner)),
+            None => (expat::UNCLOSED_TOKEN, start),
         };
-        self.error(Kind::UnclosedMarkup, (start, inner.min(self.pos)), verdict, message);
+        if let Some(next) = self.next_line_markup(inner, end) {
+            return self.resume_at(shape, start, (next, first_error), verdict);
+        }
+        self.pos = end;
+        if self.errors.len() == first_error {
+            self.check_characters(inner, end);
+        }
+        self.push_node(shape.kind, start, 0);
+        self.report_unclosed_markup(shape, start, verdict);
+    }
+
+    /// Where expat waits for the rest of an unclosed CDATA section: before what may be half of its end.
+    fn cdata_stop(&self, inner: usize) -> usize {
+        match self.bytes.get(inner..).unwrap_or(&[]) {
+            [.., b']', b']'] => self.bytes.len() - 2,
+            [.., b']'] => self.bytes.len() - 1,
+            _ => self.bytes.len(),
+        }
+    }
+
+    /// End unclosed markup before `next`. What was found since `first_error` may lie behind that; there it
+    /// will be found again, as something else.
+    fn resume_at(&mut self, shape: &Shape, start: usize, next: (usize, usize), verdict: Verdict) {
+        let (next, first_error) = next;
+        let found = self.errors.get(first_error);
+        let verdict = found.map_or(verdict, |e| (e.error.expat, self.base + e.error.expat_offset as usize));
+        self.errors.truncate(first_error);
+        self.floor = Some(0);
+        self.pos = self.trimmed(next).max(start + shape.open);
+        self.push_node(shape.kind, start, 0);
+        self.report_unclosed_markup(shape, start, verdict);
+        self.mark_divergence();
+    }
+
+    fn report_unclosed_markup(&mut self, shape: &Shape, start: usize, verdict: Verdict) {
+        let message = format!("this {} needs its `{}`", shape.what, shape.close);
+        let end = (start + shape.open).min(self.pos);
+        self.error(Kind::UnclosedMarkup, (start, end), verdict, message);
     }
 
     /// Read an instruction. An XML declaration has its place at the start of the file only.
     pub(super) fn instruction(&mut self) {
         let start = self.pos;
+        self.floor = Some(0);
+        let first_error = self.errors.len();
         let name_end = self.instruction_target();
-        let Some(end) = self.find(name_end, b"?>") else {
-            return self.unclosed_markup(start, start + 2, NodeKind::Pi, "instruction", "?>");
-        };
         let target = self.slice(start + 2, name_end);
-        let behind = self.bytes.get(name_end).copied().unwrap_or(b' ');
-        let at_fault = if target.is_empty() {
-            Some((name_end, "an instruction needs a name directly behind `<?`"))
-        } else if target != "xml" && target.eq_ignore_ascii_case("xml") {
-            Some((name_end, "`xml` in any case is reserved"))
-        } else if !is_space(behind) && end != name_end {
-            Some((name_end, "a blank is missing behind the name of the instruction"))
-        } else {
-            None
+        let next = self.bytes.get(name_end).copied();
+        let fault = match next {
+            None => None,
+            Some(_) if target.is_empty() => {
+                Some((name_end, "an instruction needs a name directly behind `<?`"))
+            }
+            Some(b)
+                if (is_space(b) || b == b'?') && target != "xml" && target.eq_ignore_ascii_case("xml") =>
+            {
+                Some((name_end, "`xml` in any case is reserved"))
+            }
+            Some(b'?') if self.bytes.get(name_end + 1).is_some_and(|&b| b != b'>') => {
+                Some((name_end + 1, "a blank is missing behind the name of the instruction"))
+            }
+            Some(b) if is_space(b) || b == b'?' => None,
+            Some(_) => Some((name_end, "a blank is missing behind the name of the instruction")),
         };
-        if let Some((at, message)) = at_fault {
+        if let Some((at, message)) = fault {
             self.error(Kind::BadName, (start, name_end), (expat::INVALID, at), message);
         }
-        self.check_characters(name_end, end);
-        self.pos = end + 2;
-        let id = self.push_node(NodeKind::Pi, start, CLOSED);
-        if let Some(node) = self.nodes.get_mut(id as usize) {
+        match self.find(name_end, b"?>") {
+            Some(end) => {
+                self.check_characters(name_end, end);
+                self.pos = end + 2;
+                self.push_node(NodeKind::Pi, start, CLOSED);
+            }
+            None => self.unclosed_markup(&INSTRUCTION, start, first_error),
+        }
+        if let Some(node) = self.nodes.last_mut() {
             node.name_len = (name_end - start - 2) as u32;
         }
-        if target == "xml" {
+        if target == "xml" && self.starts_declaration(start) {
             let message = "the XML declaration must be the very first thing in the file";
             self.error(
                 Kind::BadDeclaration,
@@ -106,6 +172,12 @@ impl Parser<'_> {
                 message,
             );
         }
+        self.floor = None;
+    }
+
+    fn starts_declaration(&self, start: usize) -> bool {
+        self.nodes.last().is_some_and(|node| node.flags & CLOSED != 0)
+            && self.bytes.get(start + 5).is_some_and(|&b| is_space(b) || b == b'?')
     }
 
     fn instruction_target(&self) -> usize {
@@ -128,9 +200,8 @@ impl Parser<'_> {
             Some(b'[') => b"<![CDATA[",
             _ => b"<!",
         };
-        let same =
-            expected.iter().zip(self.bytes.get(start..).unwrap_or(&[])).take_while(|(a, b)| a == b).count();
-        let at = start + same;
+        let text = self.bytes.get(start..).unwrap_or(&[]);
+        let at = start + expected.iter().zip(text).take_while(|(a, b)| a == b).count();
         let stop = memchr::memchr3(b'>', b'\n', b'<', self.bytes.get(at..).unwrap_or(&[]));
         self.pos = stop.map_or(self.bytes.len(), |n| at + n);
         if self.peek() == Some(b'>') {
@@ -138,10 +209,13 @@ impl Parser<'_> {
         }
         self.push_node(NodeKind::Junk, start, 0);
         let verdict = match self.bytes.get(at) {
-            Some(_) => (expat::INVALID, at),
-            None => (expat::UNCLOSED_TOKEN, start),
+            // expat waits for all of `<![CDATA[` before it looks at it.
+            Some(_) if expected.len() < 9 || text.len() >= 9 => (expat::INVALID, at),
+            _ => {
+                self.hit_end = true;
+                (expat::UNCLOSED_TOKEN, start)
+            }
         };
-        self.check_characters(at, self.pos);
         let message = "this is neither a comment nor a CDATA section";
         self.error(Kind::UnclosedMarkup, (start, self.pos), verdict, message);
     }

@@ -2,14 +2,22 @@
 
 mod check;
 mod content;
+mod declaration;
 mod doctype;
+mod end_tag;
 mod markup;
 mod names;
 mod prolog;
+mod recover;
 mod tag;
+mod text;
+mod token;
+mod value;
+
+use std::collections::HashMap;
 
 use super::error::{Condition, ItemError, SyntaxError, SyntaxErrorKind};
-use super::item::{Extra, Item};
+use super::item::{EntityUse, Extra, Item};
 use super::node::{AttrData, NONE, NodeData, NodeKind};
 use crate::base::{TextRange, count_line_ends};
 use names::Scopes;
@@ -18,6 +26,9 @@ pub(super) use prolog::{Footer, Header, RootState};
 
 /// Errors kept per item; a hostile or binary file would give one per byte.
 const MAX_ERRORS: usize = 200;
+
+/// What expat says, and the offset where it stops.
+type Verdict = (&'static str, usize);
 
 /// What ended a run of content.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,6 +63,11 @@ pub(super) struct Parser<'t> {
     /// The shape of the current item depends on the text ending here.
     hit_end: bool,
     needs_root_name: bool,
+    /// The current item is the header.
+    in_header: bool,
+    /// Inside a piece of markup: the largest offset of its errors so far. What is found later comes later
+    /// for expat too, even if it would name an earlier offset.
+    floor: Option<u32>,
     root_name: &'t str,
     /// No forbidden characters in the text.
     clean: bool,
@@ -62,6 +78,7 @@ pub(super) struct Parser<'t> {
     errors: Vec<ItemError>,
     /// Ids of the open elements.
     open: Vec<u32>,
+    entity_uses: HashMap<(&'t str, bool), u32>,
     scopes: Scopes<'t>,
 }
 
@@ -77,6 +94,8 @@ impl<'t> Parser<'t> {
             reach: 0,
             hit_end: false,
             needs_root_name: false,
+            in_header: false,
+            floor: None,
             root_name,
             clean: super::chars::first_illegal(text).is_none(),
             has_cdata_end: memchr::memmem::find(bytes, b"]]>").is_some(),
@@ -84,6 +103,7 @@ impl<'t> Parser<'t> {
             attrs: Vec::new(),
             errors: Vec::new(),
             open: Vec::new(),
+            entity_uses: HashMap::new(),
             scopes: Scopes::default(),
         }
     }
@@ -113,23 +133,45 @@ impl<'t> Parser<'t> {
         self.reach = self.pos;
         self.hit_end = false;
         self.needs_root_name = false;
+        self.in_header = false;
+        self.floor = None;
         self.nodes.clear();
         self.attrs.clear();
         self.errors.clear();
         self.open.clear();
+        self.entity_uses.clear();
         self.scopes.clear();
     }
 
     fn finish_item(&mut self) -> Item {
         let text = self.text.get(self.base..self.pos).unwrap_or("");
         let reach = if self.hit_end { u32::MAX } else { (self.reach.max(self.pos) - self.base) as u32 };
-        let plain = self.errors.is_empty() && !self.needs_root_name && reach as usize == text.len();
+        let plain = self.errors.is_empty()
+            && self.entity_uses.is_empty()
+            && !self.needs_root_name
+            && reach as usize == text.len();
         let extra = (!plain).then(|| Extra {
             errors: std::mem::take(&mut self.errors),
+            entity_uses: self.take_entity_uses(),
             reach,
             needs_root_name: self.needs_root_name,
         });
         Item::new(text, count_line_ends(text), &self.nodes, &self.attrs, extra)
+    }
+
+    fn take_entity_uses(&mut self) -> Vec<EntityUse> {
+        let uses = self.entity_uses.drain();
+        let uses =
+            uses.map(|((name, in_attribute), count)| EntityUse { name: name.into(), in_attribute, count });
+        let mut uses: Vec<EntityUse> = uses.collect();
+        uses.sort_by(|a, b| (&a.name, a.in_attribute).cmp(&(&b.name, b.in_attribute)));
+        uses
+    }
+
+    /// The shape of the current item depends on the text before `to`.
+    fn look(&mut self, to: usize) {
+        self.reach = self.reach.max(to);
+        self.hit_end |= to > self.bytes.len();
     }
 
     fn peek(&mut self) -> Option<u8> {
@@ -180,9 +222,22 @@ impl<'t> Parser<'t> {
         id
     }
 
-    fn push_error(&mut self, condition: Condition, error: SyntaxError) {
+    fn push_error(&mut self, condition: Condition, mut error: SyntaxError) {
+        if let Some(floor) = self.floor.as_mut() {
+            error.expat_offset = error.expat_offset.max(*floor);
+            if condition == Condition::Always {
+                *floor = error.expat_offset;
+            }
+        }
         if self.errors.len() < MAX_ERRORS {
-            self.errors.push(ItemError { error, condition });
+            self.errors.push(ItemError { error, condition, diverges: false });
+        }
+    }
+
+    /// The tree is a guess from the last error on.
+    fn mark_divergence(&mut self) {
+        if let Some(last) = self.errors.last_mut() {
+            last.diverges = true;
         }
     }
 
@@ -191,7 +246,7 @@ impl<'t> Parser<'t> {
         &mut self,
         kind: SyntaxErrorKind,
         (start, end): (usize, usize),
-        (expat, at): (&'static str, usize),
+        (expat, at): Verdict,
         message: impl Into<String>,
     ) {
         let error = SyntaxError {

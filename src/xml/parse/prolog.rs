@@ -2,10 +2,13 @@
 
 use std::sync::Arc;
 
-use super::{Parser, Stop};
+use super::declaration::check_declaration;
+use super::token::Token;
+use super::{Parser, Stop, Verdict};
 use crate::base::{FastMap, TextRange};
 use crate::xml::chars::name_char;
-use crate::xml::entities::{Entities, decode};
+use crate::xml::decode::decode;
+use crate::xml::entities::Entities;
 use crate::xml::error::{SyntaxErrorKind as Kind, expat};
 use crate::xml::item::Item;
 use crate::xml::node::{CLOSED, NodeKind};
@@ -45,11 +48,12 @@ impl<'t> Parser<'t> {
     /// Read everything up to and including the root's start tag.
     pub(in crate::xml) fn header(&mut self) -> Header {
         self.begin_item();
+        self.in_header = true;
         let mut entities = Entities::default();
         if self.starts_with("\u{FEFF}".as_bytes()) {
             self.pos += 3;
         }
-        self.declaration();
+        entities.standalone = self.declaration();
         let mut root = RootState::Missing;
         while self.outside(Some(&mut entities)) {
             if self.at_tag() {
@@ -66,6 +70,7 @@ impl<'t> Parser<'t> {
             let message = "there is no element: a description begins with `<robot name=\"...\">`";
             self.error(Kind::NoRoot, (start.min(at), at), (expat::NO_ELEMENT, at), message);
         }
+        entities.resolve();
         let namespaces = self.root_namespaces(&entities);
         let item = Arc::new(self.finish_item());
         Header { item, root_name: self.root_name.into(), root, entities, namespaces }
@@ -85,26 +90,35 @@ impl<'t> Parser<'t> {
         bound
     }
 
-    fn at_tag(&self) -> bool {
+    pub(super) fn at_tag(&self) -> bool {
         self.bytes.get(self.pos) == Some(&b'<')
             && (name_char(self.text, self.pos + 1, true) > 0 || self.bytes.get(self.pos + 1) == Some(&b':'))
     }
 
-    /// Read the XML declaration, if the text begins with one.
-    fn declaration(&mut self) {
-        if !self.starts_with(b"<?xml") || name_char(self.text, self.pos + 5, false) > 0 {
-            return;
+    /// Read the XML declaration, if the text begins with one. Gives whether it says `standalone`.
+    fn declaration(&mut self) -> bool {
+        let start = self.pos;
+        if !self.starts_with(b"<?xml") || name_char(self.text, start + 5, false) > 0 {
+            return false;
         }
         self.instruction();
-        if let Some(node) = self.nodes.last_mut().filter(|node| node.flags & CLOSED != 0) {
-            node.kind = NodeKind::Declaration;
-            // Only its place would have been wrong.
-            self.errors.retain(|e| e.error.expat != expat::MISPLACED_DECLARATION);
+        let Some(node) = self.nodes.last_mut().filter(|node| node.flags & CLOSED != 0) else { return false };
+        node.kind = NodeKind::Declaration;
+        // Only its place would have been wrong.
+        self.errors.retain(|e| e.error.expat != expat::MISPLACED_DECLARATION);
+        let standalone = check_declaration(self.slice(0, self.pos - 2), start + 5);
+        if let Err(at) = standalone
+            && self.errors.is_empty()
+        {
+            let message = "the XML declaration should read `<?xml version=\"1.0\"?>`";
+            self.error(Kind::BadDeclaration, (start, self.pos), (expat::BAD_DECLARATION, at), message);
         }
+        standalone == Ok(true)
     }
 
     /// Read one thing outside the root. Gives whether there is more; stops in front of a start tag.
     fn outside(&mut self, entities: Option<&mut Entities>) -> bool {
+        let in_prolog = entities.is_some();
         self.skip_space();
         if self.peek().is_none() {
             return false;
@@ -113,26 +127,67 @@ impl<'t> Parser<'t> {
             return true;
         }
         if self.starts_with(b"<!--") {
-            self.comment();
+            self.bang();
         } else if self.starts_with(b"<?") {
             self.instruction();
-        } else if let Some(entities) = entities.filter(|_| self.starts_with(b"<!DOCTYPE")) {
+            if !in_prolog {
+                self.misplaced_behind_root();
+            }
+        } else if let Some(entities) = entities.filter(|_| self.at_doctype()) {
             self.doctype(entities);
+        } else if self.is_conflict_marker(self.pos) {
+            self.conflict_marker();
         } else {
-            self.junk_outside();
+            self.junk_outside(in_prolog);
         }
         true
     }
 
+    /// Behind the root, expat has no special word for an XML declaration.
+    fn misplaced_behind_root(&mut self) {
+        if let Some(last) = self.errors.last_mut().filter(|e| e.error.expat == expat::MISPLACED_DECLARATION) {
+            last.error.expat = expat::JUNK;
+        }
+    }
+
     /// Text or markup that has no place outside the root.
-    fn junk_outside(&mut self) {
+    fn junk_outside(&mut self, in_prolog: bool) {
         let start = self.pos;
+        let verdict = self.verdict_outside(start, if in_prolog { expat::SYNTAX } else { expat::JUNK });
         let rest = self.bytes.get(start + 1..).unwrap_or(&[]);
         self.pos = memchr::memchr(b'<', rest).map_or(self.bytes.len(), |n| start + 1 + n);
         let end = start + self.slice(start, self.pos).trim_end().len();
         self.push_node(NodeKind::Junk, start, 0);
         let message = "only comments and instructions may stand outside the root element";
-        self.error(Kind::OutsideRoot, (start, end), (expat::SYNTAX, start), message);
+        self.error(Kind::OutsideRoot, (start, end), verdict, message);
+        self.mark_divergence();
+    }
+
+    /// What expat says to the text at `start`, where it expects another kind of token.
+    fn verdict_outside(&mut self, start: usize, unexpected: &'static str) -> Verdict {
+        let (token, end) = self.token(start);
+        self.look(end + 1);
+        match token {
+            Token::Invalid(at) => {
+                self.look(at + 1);
+                (expat::INVALID, at)
+            }
+            Token::Unfinished => {
+                self.hit_end = true;
+                (expat::UNCLOSED_TOKEN, start)
+            }
+            Token::TagOpen if unexpected == expat::SYNTAX => (expat::INVALID, start + 1),
+            Token::ParameterReference if unexpected == expat::SYNTAX => (expat::PARAMETER_REFERENCE, start),
+            _ => (unexpected, start),
+        }
+    }
+
+    /// Whether a DOCTYPE begins here; there can be only one.
+    fn at_doctype(&self) -> bool {
+        let (token, end) = self.token(self.pos);
+        token == Token::DeclarationOpen
+            && self.slice(self.pos, end) == "<!DOCTYPE"
+            && self.nodes.iter().all(|node| node.kind != NodeKind::Doctype)
     }
 
     /// The current item has no element: it is the footer. Read the rest of the file.
@@ -170,9 +225,10 @@ impl<'t> Parser<'t> {
             }
             let start = self.pos;
             let name = self.qname(start + 1);
-            let message =
-                format!("`<{}>` stands behind the end of the root element", self.slice(start + 1, name.end));
-            self.error(Kind::OutsideRoot, (start, name.end), (expat::JUNK, start), message);
+            let text = self.slice(start + 1, name.end);
+            let message = format!("`<{text}>` stands behind the end of the root element");
+            let verdict = self.verdict_outside(start, expat::JUNK);
+            self.error(Kind::OutsideRoot, (start, name.end), verdict, message);
             if self.start_tag().is_none() {
                 self.content();
             }

@@ -1,19 +1,17 @@
 //! Start tags and their attributes.
 #![allow(clippy::indexing_slicing)] // ids and attribute numbers this parser made itself
 
-use super::{Parser, Stop};
-use crate::xml::chars::{is_space, stops_value};
-use crate::xml::entities::{Reference, read_reference};
+use super::{Parser, Stop, Verdict};
+use crate::xml::chars::is_space;
 use crate::xml::error::{SyntaxErrorKind as Kind, expat};
-use crate::xml::node::{
-    AttrData, HAS_DOLLAR, HAS_EQUALS, NEEDS_DECODING, NO_CONTENT, NodeKind, PREFIXED, QUOTED, SELF_CLOSING,
-};
+use crate::xml::node::{AttrData, HAS_EQUALS, NO_CONTENT, NodeKind, PREFIXED, SELF_CLOSING};
 
 impl Parser<'_> {
     /// Read a start tag.
     pub(super) fn start_tag(&mut self) -> Option<Stop> {
         let start = self.pos;
         let name = self.qname(start + 1);
+        self.floor = Some(0);
         self.pos = name.end;
         let id = self.push_node(NodeKind::Element, start, 0) as usize;
         let first_attr = self.attrs.len();
@@ -29,6 +27,7 @@ impl Parser<'_> {
         node.end = node.start_tag_end;
         let prefix = if name.prefixed && name.bad.is_none() { name.end } else { start };
         self.check_tag(start, prefix, first_attr);
+        self.floor = None;
         if flags & NO_CONTENT == 0 {
             self.open.push(id as u32);
             return None;
@@ -90,12 +89,15 @@ impl Parser<'_> {
         }
     }
 
-    fn unclosed_tag(&mut self, start: usize, gap: usize, verdict: (&'static str, usize)) -> u8 {
+    fn unclosed_tag(&mut self, start: usize, gap: usize, verdict: Verdict) -> u8 {
+        let next = self.pos;
+        self.look(next + 1);
         self.pos = gap;
         let name = self.qname(start + 1);
         let message = format!("the tag `<{}` needs a `>` or `/>`", self.slice(start + 1, name.end));
         self.error(Kind::UnclosedTag, (start, name.end), verdict, message);
-        NO_CONTENT
+        // Whatever follows the root is meant to be in it.
+        if self.in_header || self.keeps_content(start, name.end, next) { 0 } else { NO_CONTENT }
     }
 
     /// Read one attribute, or skip what is none. Gives whether it is sound.
@@ -125,7 +127,7 @@ impl Parser<'_> {
         let behind_equals = self.pos;
         self.skip_space();
         match self.peek() {
-            Some(quote @ (b'"' | b'\'')) => self.quoted_value(start, name.end, quote, flags | HAS_EQUALS),
+            Some(quote @ (b'"' | b'\'')) => self.quoted_value((start, name.end), quote, flags | HAS_EQUALS),
             _ => {
                 self.bare_value((start, name.end), behind_equals, flags | HAS_EQUALS);
                 false
@@ -144,7 +146,7 @@ impl Parser<'_> {
         false
     }
 
-    fn push_attr(&mut self, name: usize, name_end: usize, value: (usize, usize), flags: u8) {
+    pub(super) fn push_attr(&mut self, name: usize, name_end: usize, value: (usize, usize), flags: u8) {
         let attr = AttrData {
             name: self.rel(name),
             name_len: (name_end - name) as u32,
@@ -154,83 +156,5 @@ impl Parser<'_> {
             flags,
         };
         self.attrs.push(attr);
-    }
-
-    /// Read a value in quotes; the position is on the opening one.
-    fn quoted_value(&mut self, name: usize, name_end: usize, quote: u8, mut flags: u8) -> bool {
-        let start = self.pos + 1;
-        let first_error = self.errors.len();
-        self.pos = start;
-        loop {
-            let Some(&b) = self.bytes.get(self.pos) else {
-                self.hit_end = true;
-                break;
-            };
-            if !stops_value(b) {
-                self.pos += 1;
-                continue;
-            }
-            match b {
-                b'$' => flags |= HAS_DOLLAR,
-                b'&' => {
-                    flags |= NEEDS_DECODING;
-                    if let Reference::Bad(stop) = read_reference(self.text, self.pos) {
-                        self.bad_reference(self.pos, stop);
-                    }
-                }
-                b'<' => break,
-                _ if b == quote => break,
-                b'"' | b'\'' => {}
-                _ => flags |= NEEDS_DECODING,
-            }
-            self.pos += 1;
-        }
-        let end = self.pos;
-        self.check_characters(start, end);
-        if let Some(errors) = self.errors.get_mut(first_error..) {
-            errors.sort_by_key(|e| e.error.expat_offset);
-        }
-        let closed = self.bytes.get(end) == Some(&quote);
-        if closed {
-            self.pos += 1;
-            flags |= QUOTED;
-        } else {
-            self.unclosed_value((name, name_end), start, end);
-        }
-        self.push_attr(name, name_end, (start, end), flags);
-        closed
-    }
-
-    fn unclosed_value(&mut self, name: (usize, usize), start: usize, end: usize) {
-        if end >= self.bytes.len() {
-            return;
-        }
-        let message = format!("the value of `{}` needs a closing quote", self.slice(name.0, name.1));
-        self.error(Kind::UnclosedValue, (start - 1, end), (expat::INVALID, end), message);
-    }
-
-    /// A value without quotes, perhaps without anything.
-    fn bare_value(&mut self, name: (usize, usize), behind_equals: usize, flags: u8) {
-        let start = self.pos;
-        while let Some(&b) = self.bytes.get(self.pos) {
-            let ends = is_space(b) || b"<>\"'".contains(&b) || self.starts_with(b"/>");
-            if ends {
-                break;
-            }
-            self.pos += 1;
-        }
-        if start < self.bytes.len() {
-            let message = format!("the value of `{}` must stand in quotes", self.slice(name.0, name.1));
-            self.error(Kind::BadAttribute, (name.0, self.pos), (expat::INVALID, start), message);
-        }
-        if self.pos == start {
-            self.pos = behind_equals;
-            self.push_attr(name.0, name.1, (behind_equals, behind_equals), flags);
-            return;
-        }
-        let raw = self.slice(start, self.pos);
-        let dollar = if raw.contains('$') { HAS_DOLLAR } else { 0 };
-        let coded = if raw.contains('&') { NEEDS_DECODING } else { 0 };
-        self.push_attr(name.0, name.1, (start, self.pos), flags | dollar | coded);
     }
 }

@@ -1,0 +1,108 @@
+//! Finding and reading configuration files.
+
+use std::path::{Path, PathBuf};
+
+use super::apply::Applier;
+use super::value::{Entry, ValueKind, from_settings, from_toml};
+use super::{Config, ConfigWarning};
+use crate::vfs::{LoadError, Vfs};
+
+/// The names of a configuration file; the first wins in a folder that has both.
+pub const CONFIG_NAMES: [&str; 2] = ["xacro-lint.toml", ".xacro-lint.toml"];
+
+/// Files that may extend each other at most.
+const MAX_CHAIN: usize = 16;
+
+/// A configuration and what in it has no effect.
+#[derive(Clone, Debug, Default)]
+pub struct Loaded {
+    /// The settings.
+    pub config: Config,
+    /// What is wrong in the files.
+    pub warnings: Vec<ConfigWarning>,
+}
+
+/// The configuration file for what lies in or below `folder`.
+pub fn find_config(vfs: &Vfs, folder: &Path) -> Option<PathBuf> {
+    let folder = vfs.absolute(folder);
+    folder
+        .ancestors()
+        .find_map(|folder| CONFIG_NAMES.iter().map(|name| folder.join(name)).find(|path| vfs.is_file(path)))
+}
+
+impl Config {
+    /// The configuration for `file`: the nearest one upward, else the defaults.
+    pub fn for_file(vfs: &Vfs, file: &Path) -> Loaded {
+        let found = file.parent().and_then(|folder| find_config(vfs, folder));
+        found.and_then(|path| Self::load(vfs, &path).ok()).unwrap_or_default()
+    }
+
+    /// Read a configuration file and those it extends.
+    ///
+    /// # Errors
+    /// When the file itself cannot be read. One that it extends gives a warning only.
+    pub fn load(vfs: &Vfs, path: &Path) -> Result<Loaded, LoadError> {
+        let mut loaded = Loaded::default();
+        load_over(vfs, &vfs.absolute(path), &mut Vec::new(), &mut loaded)?;
+        loaded.config.files.reverse();
+        Ok(loaded)
+    }
+
+    /// Lay the settings of an editor (what stands below `xacro.`) over this configuration. Relative paths
+    /// start at `folder`. Keys that only an editor has are passed over.
+    pub fn apply_settings(&mut self, settings: &serde_json::Value, folder: &Path) -> Vec<ConfigWarning> {
+        let mut entries = from_settings(settings, &["roots", "severity", "per-file-ignores", "diagnostics"]);
+        rename(&mut entries);
+        let mut applier = Applier::new(PathBuf::new(), String::new(), folder.to_owned());
+        applier.passes_unknown = true;
+        applier.config(self, &entries);
+        applier.warnings
+    }
+}
+
+/// The two keys that have another name in editors.
+fn rename(entries: &mut Vec<Entry>) {
+    let mut rules = Vec::new();
+    for entry in entries.iter_mut() {
+        if entry.key == "package-paths" {
+            entry.key = "package-path".to_owned();
+        }
+        if let ("diagnostics", ValueKind::Table(fields)) = (entry.key.as_str(), &entry.value.kind) {
+            rules.extend(fields.iter().filter(|field| field.key == "rules").cloned());
+        }
+    }
+    for mut rule in rules {
+        rule.key = "severity".to_owned();
+        entries.push(rule);
+    }
+}
+
+/// Apply the file `path` over what is loaded, the files it extends first.
+fn load_over(vfs: &Vfs, path: &Path, chain: &mut Vec<PathBuf>, loaded: &mut Loaded) -> Result<(), LoadError> {
+    let file = vfs.text(path)?;
+    let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+    let (entries, errors) = from_toml(&file.text);
+    let mut applier = Applier::new(path.to_owned(), file.text.clone(), folder.clone());
+    for (message, range) in errors {
+        applier.warn(range, message, None);
+    }
+    chain.push(vfs.canonical(path));
+    for entry in entries.iter().filter(|entry| entry.key == "extend") {
+        let Some(base) = applier.text(entry) else { continue };
+        let base = folder.join(base);
+        if chain.contains(&vfs.canonical(&base)) {
+            applier.warn(entry.value.range, "`extend` leads back to this file".to_owned(), None);
+        } else if chain.len() >= MAX_CHAIN {
+            applier.warn(entry.value.range, format!("more than {MAX_CHAIN} files extend each other"), None);
+        } else if let Err(error) = load_over(vfs, &base, chain, loaded) {
+            let message = format!("cannot read `{}`: {}", error.path.display(), error.strerror);
+            applier.warn(entry.value.range, message, None);
+        }
+    }
+    chain.pop();
+    applier.config(&mut loaded.config, &entries);
+    loaded.config.files.push(path.to_owned());
+    applier.warnings.sort_by_key(|warning| warning.place.range.start);
+    loaded.warnings.append(&mut applier.warnings);
+    Ok(())
+}

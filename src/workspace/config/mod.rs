@@ -1,0 +1,228 @@
+//! The configuration file: `xacro-lint.toml`, or `.xacro-lint.toml`.
+//!
+//! What is wrong in it is a warning with a place; the rest holds. Editor settings are the same keys in
+//! camelCase and are read by the same code.
+
+mod apply;
+mod keys;
+mod load;
+mod pattern;
+mod roots;
+mod schema;
+#[cfg(test)]
+mod tests;
+mod value;
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::path::PathBuf;
+
+pub use load::{CONFIG_NAMES, Loaded, find_config};
+pub use pattern::Pattern;
+pub use roots::{Args, Root, Variant};
+pub use schema::schema;
+
+use super::packages::Target;
+use crate::base::TextRange;
+
+/// All settings, with their defaults filled in.
+#[derive(Clone, Debug)]
+pub struct Config {
+    /// The files it was read from, the nearest first; none when all are defaults.
+    pub files: Vec<PathBuf>,
+    /// Dialect of xacro and conventions for packages.
+    pub target: Target,
+    /// Admitted values of `robot/@version`.
+    pub urdf_version: Vec<String>,
+    /// Profiles that are switched on.
+    pub profiles: Vec<Profile>,
+    /// Codes, prefixes or names of the only rules to run; `None` for the default set.
+    pub select: Option<Vec<String>>,
+    /// The same for rules to run in addition.
+    pub extend_select: Vec<String>,
+    /// The same for rules not to run.
+    pub ignore: Vec<String>,
+    /// Severity by rule.
+    pub severity: BTreeMap<String, Level>,
+    /// Rules not to run on files that match.
+    pub per_file_ignores: Vec<(Pattern, Vec<String>)>,
+    /// Files and folders never checked.
+    pub exclude: Vec<Pattern>,
+    /// Folders searched for packages before all others.
+    pub package_path: Vec<PathBuf>,
+    /// Whether the variables that list package folders are read.
+    pub use_environment: bool,
+    /// Numbers of rules by name; the unit is in the name.
+    pub thresholds: BTreeMap<String, f64>,
+    /// Elements that are part of the vocabulary in addition.
+    pub allow_elements: Vec<String>,
+    /// Attributes that are part of the vocabulary in addition.
+    pub allow_attributes: Vec<String>,
+    /// Entry files and their arguments.
+    pub roots: Vec<Root>,
+    /// How files are formatted.
+    pub format: Format,
+    /// Budgets.
+    pub limits: Limits,
+    /// The names of rules and thresholds in the file, for whoever knows which exist.
+    pub mentions: Vec<Mention>,
+}
+
+impl Default for Config {
+    fn default() -> Self {
+        Self {
+            files: Vec::new(),
+            target: Target::Ros2,
+            urdf_version: vec!["1.0".to_owned()],
+            profiles: Vec::new(),
+            select: None,
+            extend_select: Vec::new(),
+            ignore: Vec::new(),
+            severity: BTreeMap::new(),
+            per_file_ignores: Vec::new(),
+            exclude: Vec::new(),
+            package_path: Vec::new(),
+            use_environment: true,
+            thresholds: BTreeMap::new(),
+            allow_elements: Vec::new(),
+            allow_attributes: Vec::new(),
+            roots: Vec::new(),
+            format: Format::default(),
+            limits: Limits::default(),
+            mentions: Vec::new(),
+        }
+    }
+}
+
+/// Groups of rules for a kind of user.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[allow(missing_docs)]
+pub enum Profile {
+    RosIndustrial,
+    Mobile,
+    Gazebo,
+    Pedantic,
+}
+
+/// The severity a rule is set to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[allow(missing_docs)]
+pub enum Level {
+    Off,
+    Hint,
+    Info,
+    Warning,
+    Error,
+}
+
+/// How files are formatted.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Format {
+    /// Characters per line that wrapping aims at.
+    pub line_width: u32,
+    /// What happens to line breaks between attributes.
+    pub attributes: AttributeLayout,
+    /// Whether `<a></a>` becomes `<a/>`.
+    pub self_close: bool,
+}
+
+impl Default for Format {
+    fn default() -> Self {
+        Self { line_width: 120, attributes: AttributeLayout::Keep, self_close: false }
+    }
+}
+
+/// Line breaks between attributes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AttributeLayout {
+    /// They stay, aligned.
+    Keep,
+    /// They are set where the line is full.
+    Auto,
+}
+
+/// Budgets of one expansion.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Steps of evaluating one expression.
+    pub eval_steps: u64,
+    /// Nodes of the result.
+    pub expand_nodes: u64,
+    /// Time, in milliseconds.
+    pub expand_ms: u64,
+    /// Size of a file that is read, in megabytes (10^6 bytes).
+    pub file_mb: u64,
+    /// Macro calls inside each other.
+    pub macro_depth: u32,
+    /// Files included from each other.
+    pub include_depth: u32,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            eval_steps: 1_000_000,
+            expand_nodes: 500_000,
+            expand_ms: 5_000,
+            file_mb: 20,
+            macro_depth: 1_000,
+            include_depth: 500,
+        }
+    }
+}
+
+impl Limits {
+    /// The size limit of files in bytes.
+    pub fn file_bytes(&self) -> u64 {
+        self.file_mb.saturating_mul(1_000_000)
+    }
+}
+
+/// A place in a configuration file, or in the settings of an editor.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The file; empty for editor settings.
+    pub path: PathBuf,
+    /// Bytes of the file.
+    pub range: TextRange,
+    /// Line, from 1.
+    pub line: u32,
+    /// Column in characters, from 1.
+    pub column: u32,
+}
+
+/// A name that only the rules can check.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mention {
+    /// Whether it names a threshold; else it is the code, prefix or name of rules.
+    pub is_threshold: bool,
+    /// The name.
+    pub text: String,
+    /// Where it stands.
+    pub place: Place,
+}
+
+/// Something in the configuration that has no effect.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ConfigWarning {
+    /// Where it stands.
+    pub place: Place,
+    /// What is wrong.
+    pub message: String,
+    /// What may have been meant.
+    pub nearest: Option<String>,
+}
+
+impl fmt::Display for ConfigWarning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Place { path, line, column, .. } = &self.place;
+        if !path.as_os_str().is_empty() {
+            write!(f, "{}:{line}:{column}: ", path.display())?;
+        }
+        f.write_str(&self.message)?;
+        match &self.nearest {
+            Some(nearest) => write!(f, "; did you mean `{nearest}`?"),
+            None => Ok(()),
+        }
+    }
+}

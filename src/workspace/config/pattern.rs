@@ -1,0 +1,203 @@
+//! Globs of files, relative to the folder of a configuration file.
+
+use std::path::{Component, Path, PathBuf};
+
+use crate::vfs::{Vfs, Wildcard, covers, has_magic};
+
+/// Alternatives a pattern with braces may have at most.
+const MAX_ALTERNATIVES: usize = 64;
+/// Folders searched for matches at most.
+const MAX_FOLDERS: usize = 100_000;
+
+/// A glob: `*`, `?`, `[...]` inside a name, `**` for any number of folders, `{a,b}` for alternatives. One
+/// without a slash matches names in every folder. What lies below a folder that matches, matches.
+#[derive(Clone, Debug)]
+pub struct Pattern {
+    text: String,
+    folder: PathBuf,
+    alternatives: Vec<Vec<Segment>>,
+}
+
+#[derive(Clone, Debug)]
+enum Segment {
+    AnyDepth,
+    Name(Wildcard),
+}
+
+impl Pattern {
+    /// The pattern `text` in a file of `folder` (absolute).
+    pub fn new(text: &str, folder: &Path) -> Self {
+        let mut folder = folder.to_owned();
+        let mut rest = text;
+        loop {
+            if let Some(behind) = rest.strip_prefix("./") {
+                rest = behind;
+            } else if let Some(behind) = rest.strip_prefix("../") {
+                rest = behind;
+                folder.pop();
+            } else {
+                break;
+            }
+        }
+        if rest.starts_with('/') {
+            folder = PathBuf::from("/");
+        }
+        let mut alternatives = Vec::new();
+        expand_braces(rest, &mut alternatives);
+        let alternatives = alternatives.iter().map(|text| segments(text)).collect();
+        Self { text: text.to_owned(), folder, alternatives }
+    }
+
+    /// As it is written.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Whether `path` (absolute), or a folder it lies in, matches.
+    pub fn matches(&self, path: &Path) -> bool {
+        let names = self.names(path);
+        (1..=names.len()).any(|count| names.get(..count).is_some_and(|names| self.covers(names)))
+    }
+
+    /// The files below the folder that match, sorted. Hidden folders and those of build tools are left out.
+    pub(super) fn files(&self, vfs: &Vfs) -> Vec<PathBuf> {
+        let (mut found, mut folders, mut seen) = (Vec::new(), vec![self.folder.clone()], 0);
+        while let Some(folder) = folders.pop() {
+            seen += 1;
+            if seen > MAX_FOLDERS {
+                break;
+            }
+            for entry in vfs.list_dir(&folder) {
+                let path = folder.join(&entry.name);
+                let skipped = entry.name.starts_with('.')
+                    || matches!(entry.name.as_str(), "build" | "install" | "log" | "devel");
+                if !entry.is_dir {
+                    found.extend(self.covers(&self.names(&path)).then_some(path));
+                } else if !skipped && !is_link(vfs, &path) {
+                    folders.push(path);
+                }
+            }
+        }
+        found.sort();
+        found
+    }
+
+    /// The names on the way from the folder to `path`; none when it lies elsewhere.
+    fn names(&self, path: &Path) -> Vec<String> {
+        let Ok(relative) = path.strip_prefix(&self.folder) else { return Vec::new() };
+        let names = relative.components().filter_map(|component| match component {
+            Component::Normal(name) => Some(name.to_string_lossy().into_owned()),
+            _ => None,
+        });
+        names.collect()
+    }
+
+    fn covers(&self, names: &[String]) -> bool {
+        let is_any_depth = |segment: &Segment| matches!(segment, Segment::AnyDepth);
+        let takes = |segment: &Segment, name: &String| match segment {
+            Segment::AnyDepth => true,
+            Segment::Name(wildcard) => wildcard.matches(name),
+        };
+        !names.is_empty()
+            && self.alternatives.iter().any(|segments| covers(segments, names, is_any_depth, takes))
+    }
+}
+
+/// Whether a folder is reached through a link: its content has another home.
+fn is_link(vfs: &Vfs, path: &Path) -> bool {
+    path.parent().is_some_and(|parent| {
+        let home = vfs.canonical(parent);
+        path.file_name().is_some_and(|name| vfs.canonical(path) != home.join(name))
+    })
+}
+
+fn segments(text: &str) -> Vec<Segment> {
+    let text = text.trim_end_matches('/');
+    let anywhere = (!text.is_empty() && !text.contains('/')).then_some(Segment::AnyDepth);
+    let named = text.split('/').filter(|name| !name.is_empty() && *name != ".").map(|name| match name {
+        "**" => Segment::AnyDepth,
+        name => Segment::Name(Wildcard::new(name)),
+    });
+    anywhere.into_iter().chain(named).collect()
+}
+
+/// `a{b,c}` as `ab` and `ac`; braces without a comma, or not closed, are letters.
+fn expand_braces(text: &str, out: &mut Vec<String>) {
+    let group = text.find('{').and_then(|open| {
+        let close = open + text.get(open..)?.find('}')?;
+        let inner = text.get(open + 1..close)?;
+        inner.contains(',').then_some((text.get(..open)?, inner, text.get(close + 1..)?))
+    });
+    match group {
+        Some((before, inner, behind)) => {
+            for choice in inner.split(',') {
+                if out.len() < MAX_ALTERNATIVES {
+                    expand_braces(&format!("{before}{choice}{behind}"), out);
+                }
+            }
+        }
+        None => out.push(text.to_owned()),
+    }
+}
+
+/// Whether a text is a pattern, not a path.
+pub(super) fn is_pattern(text: &str) -> bool {
+    has_magic(text) || text.contains('{') && text.contains(',')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Pattern;
+    use crate::vfs::testing::Tree;
+    use std::path::Path;
+
+    #[test]
+    fn matching() {
+        let table = [
+            ("*.xacro", "a.xacro", true),
+            ("*.xacro", "sub/a.xacro", true),
+            ("*.xacro", "a.urdf", false),
+            ("./*.xacro", "a.xacro", true),
+            ("test", "test/a.xacro", true),
+            ("test", "sub/test/a.xacro", true),
+            ("test/", "test/a.xacro", true),
+            ("/ws/test", "test/a.xacro", true),
+            ("/test", "test/a.xacro", false),
+            ("sub/*.xacro", "sub/a.xacro", true),
+            ("sub/*.xacro", "sub/deep/a.xacro", false),
+            ("sub/*.xacro", "other/sub/a.xacro", false),
+            ("sub/**/*.xacro", "sub/a.xacro", true),
+            ("sub/**/*.xacro", "sub/x/y/a.xacro", true),
+            ("**/urdf/*.xacro", "a/b/urdf/r.xacro", true),
+            ("**/urdf/*.xacro", "urdf/r.xacro", true),
+            ("vendor/**", "vendor/x/y", true),
+            ("vendor/**", "vendors/x", false),
+            ("*.{xacro,urdf}", "a.urdf", true),
+            ("*.{xacro,urdf}", "a.srdf", false),
+            ("{a,b}/{c,d}.x", "b/c.x", true),
+            ("{a}", "{a}", true),
+            ("a{b", "a{b", true),
+            ("[ab].x", "b.x", true),
+            ("[!ab].x", "b.x", false),
+            ("", "a", false),
+        ];
+        for (pattern, path, expected) in table {
+            let pattern = Pattern::new(pattern, Path::new("/ws"));
+            assert_eq!(pattern.matches(&Path::new("/ws").join(path)), expected, "{} {path}", pattern.text());
+        }
+        assert!(Pattern::new("../other/*.x", Path::new("/ws")).matches(Path::new("/other/a.x")));
+        assert!(!Pattern::new("*", Path::new("/ws")).matches(Path::new("/elsewhere/a.x")));
+        let braces = "{a,b}".repeat(100);
+        assert!(!Pattern::new(&braces, Path::new("/ws")).matches(Path::new("/ws/a")));
+    }
+
+    #[test]
+    fn files() {
+        let tree = Tree::new();
+        for file in ["a.xacro", "sub/b.xacro", "sub/c.urdf", "build/d.xacro", ".git/e.xacro"] {
+            tree.write(file, "");
+        }
+        let found = Pattern::new("**/*.xacro", tree.root()).files(tree.vfs());
+        assert_eq!(found, [tree.path("a.xacro"), tree.path("sub/b.xacro")]);
+    }
+}

@@ -1,0 +1,301 @@
+use std::path::PathBuf;
+
+use super::{AttributeLayout, Config, Level, Limits, Loaded, Profile, find_config, schema};
+use crate::vfs::testing::Tree;
+use crate::workspace::Target;
+
+/// The configuration of `text`, and its warnings without the folder.
+fn load(text: &str) -> (Tree, Config, Vec<String>) {
+    let tree = Tree::new();
+    tree.write("xacro-lint.toml", text);
+    let Loaded { config, warnings } = Config::load(tree.vfs(), &tree.path("xacro-lint.toml")).unwrap();
+    let prefix = format!("{}/", tree.root().display());
+    let warnings = warnings.iter().map(|warning| warning.to_string().replace(&prefix, "")).collect();
+    (tree, config, warnings)
+}
+
+#[test]
+fn every_key() {
+    let (tree, config, warnings) = load(
+        r#"
+target = "ros1"
+urdf-version = ["1.0", "1.1"]
+profile = ["mobile", "pedantic", "mobile"]
+select = ["XML", "JNT006"]
+extend-select = ["STR013"]
+ignore = ["unused-macro"]
+exclude = ["vendor/**"]
+package-path = ["../other", "/abs"]
+use-environment = false
+allow-elements = ["my_sensor"]
+allow-attributes = ["my_unit"]
+
+[severity]
+GEO007 = "off"
+unused-property = "hint"
+
+[per-file-ignores]
+"test/**" = ["STR"]
+
+[thresholds]
+max-extent-m = 25
+other = 0.5
+
+[[roots]]
+file = "urdf/robot.urdf.xacro"
+args = { side = "left", sim = true, count = 3, length = 0.10 }
+[roots.presets.zulu]
+side = "right"
+[roots.presets.alpha]
+extra = "1"
+
+[[roots]]
+file = "*.urdf"
+
+[format]
+line-width = 100
+attributes = "auto"
+self-close = true
+
+[limits]
+eval-steps = 1
+expand-nodes = 2
+expand-ms = 3
+file-mb = 4
+macro-depth = 5
+include-depth = 6
+"#,
+    );
+    assert_eq!(warnings, [""; 0]);
+    assert_eq!(config.files, [tree.path("xacro-lint.toml")]);
+    assert_eq!(config.target, Target::Ros1);
+    assert_eq!(config.urdf_version, ["1.0", "1.1"]);
+    assert_eq!(config.profiles, [Profile::Mobile, Profile::Pedantic]);
+    assert_eq!(config.select.as_deref(), Some(["XML".to_owned(), "JNT006".to_owned()].as_slice()));
+    assert_eq!((config.extend_select.len(), config.ignore.len()), (1, 1));
+    assert!(config.exclude[0].matches(&tree.path("vendor/a/b.xacro")));
+    assert_eq!(config.package_path, [tree.path("../other"), PathBuf::from("/abs")]);
+    assert!(!config.use_environment);
+    assert_eq!(
+        (config.allow_elements[0].as_str(), config.allow_attributes[0].as_str()),
+        ("my_sensor", "my_unit")
+    );
+    assert_eq!(config.severity["GEO007"], Level::Off);
+    assert_eq!(config.severity["unused-property"], Level::Hint);
+    assert!(config.per_file_ignores[0].0.matches(&tree.path("test/a.xacro")));
+    assert_eq!(config.per_file_ignores[0].1, ["STR"]);
+    assert_eq!((config.thresholds["max-extent-m"], config.thresholds["other"]), (25.0, 0.5));
+    assert_eq!((config.format.line_width, config.format.self_close), (100, true));
+    assert_eq!(config.format.attributes, AttributeLayout::Auto);
+    let limits =
+        Limits { eval_steps: 1, expand_nodes: 2, expand_ms: 3, file_mb: 4, macro_depth: 5, include_depth: 6 };
+    assert_eq!(config.limits, limits);
+    assert_eq!(config.limits.file_bytes(), 4_000_000);
+    let mentions: Vec<&str> = config.mentions.iter().map(|mention| mention.text.as_str()).collect();
+    let rules = ["XML", "JNT006", "STR013", "unused-macro", "GEO007", "unused-property", "STR"];
+    assert_eq!(mentions, [rules.as_slice(), &["max-extent-m", "other"]].concat());
+    assert_eq!(config.mentions.iter().filter(|mention| mention.is_threshold).count(), 2);
+}
+
+#[test]
+fn roots_and_presets() {
+    let (tree, config, _) = load(
+        r#"
+[[roots]]
+file = "urdf/robot.urdf.xacro"
+args = { side = "left", sim = true, count = 3, length = 0.10 }
+presets.zulu = { side = "right" }
+presets.alpha = { extra = "1" }
+[[roots]]
+file = "**/*.urdf"
+[[roots]]
+file = "gone.xacro"
+presets.only = { a = "1" }
+"#,
+    );
+    for file in ["urdf/robot.urdf.xacro", "a.urdf", "sub/b.urdf"] {
+        tree.write(file, "");
+    }
+    let runs: Vec<String> = config.roots[0]
+        .variants()
+        .iter()
+        .map(|run| {
+            let args: Vec<String> = run.args.iter().map(|(name, value)| format!("{name}:={value}")).collect();
+            format!("{}: {}", run.preset.as_deref().unwrap_or("-"), args.join(" "))
+        })
+        .collect();
+    assert_eq!(
+        runs,
+        [
+            "-: side:=left sim:=true count:=3 length:=0.10",
+            "zulu: sim:=true count:=3 length:=0.10 side:=right",
+            "alpha: side:=left sim:=true count:=3 length:=0.10 extra:=1",
+        ]
+    );
+    assert_eq!(config.roots[0].files(tree.vfs()), [tree.path("urdf/robot.urdf.xacro")]);
+    assert_eq!(config.roots[1].files(tree.vfs()), [tree.path("a.urdf"), tree.path("sub/b.urdf")]);
+    assert!(config.roots[2].files(tree.vfs()).is_empty());
+    assert_eq!(config.roots[1].variants().len(), 1);
+    let only: Vec<Option<String>> = config.roots[2].variants().into_iter().map(|run| run.preset).collect();
+    assert_eq!(only, [Some("only".to_owned())]);
+    assert_eq!((config.roots[1].place.line, config.roots[1].place.column), (8, 8));
+}
+
+#[test]
+fn what_does_not_fit_is_a_warning_and_the_rest_holds() {
+    let table = [
+        ("taget = 'ros1'", "1:1: unknown key `taget`; did you mean `target`?"),
+        ("\n\n  whatever = 1", "3:3: unknown key `whatever`"),
+        ("target = 1", "1:10: `target` must be a string, not an integer"),
+        ("target = 'ros3'", "1:10: `ros3` is no value of `target`: `ros2`, `ros1`; did you mean `ros2`?"),
+        ("profile = 'mobile'", "1:11: `profile` must be a list, not a string"),
+        (
+            "profile = ['moblie']",
+            "1:12: `moblie` is no value of `profile`: `ros-industrial`, `mobile`, `gazebo`, `pedantic`; did you mean `mobile`?",
+        ),
+        ("select = [1]", "1:11: `select` must be a list of strings, not an integer"),
+        ("urdf-version = [1.0]", "1:17: `urdf-version` must be a list of strings, not a number"),
+        ("severity = []", "1:12: `severity` must be a table, not a list"),
+        (
+            "severity.X = 'fatal'",
+            "1:14: `fatal` is no value of `X`: `error`, `warning`, `info`, `hint`, `off`",
+        ),
+        ("use-environment = 'yes'", "1:19: `use-environment` must be a boolean, not a string"),
+        ("thresholds.x = nan", "1:16: `x` must be a number, not a number"),
+        ("thresholds.x = 2000-01-01", "1:16: `x` must be a number, not a date"),
+        ("[limits]\nfile-mb = 0", "2:11: `file-mb` must be from 1 to 4000"),
+        ("[limits]\neval-steps = -1", "2:14: `eval-steps` must be at least 1"),
+        ("[limits]\nexpand-ms = 1.5", "2:13: `expand-ms` must be an integer, not a number"),
+        (
+            "[limits]\nmacro-dept = 1",
+            "2:1: unknown key `macro-dept` in `limits`; did you mean `macro-depth`?",
+        ),
+        ("[format]\nwidth = 1", "2:1: unknown key `width` in `format`"),
+        ("[[roots]]\nargs = {}", "1:1: an entry of `roots` has no `file`"),
+        ("[[roots]]\nfile = 1", "2:8: `file` must be a string, not an integer"),
+        ("[[roots]]\nfile = 'a'\nargs.x = []", "3:10: `x` must be a string, number or boolean, not a list"),
+        ("[[roots]]\nfile = 'a'\npresets = 1", "3:11: `presets` must be a table, not an integer"),
+        ("roots = ['a']", "1:10: `roots` must be a list of tables, not a string"),
+        ("extend = 'gone.toml'", "1:10: cannot read `gone.toml`: No such file or directory"),
+        ("extend = 'xacro-lint.toml'", "1:10: `extend` leads back to this file"),
+    ];
+    for (text, expected) in table {
+        let (_tree, config, warnings) = load(&format!("{text}\n[per-file-ignores]\na = ['X']\n"));
+        assert_eq!(warnings, [format!("xacro-lint.toml:{expected}")], "{text}");
+        assert_eq!(config.per_file_ignores.len(), 1, "{text}");
+    }
+}
+
+#[test]
+fn a_syntax_error_does_not_lose_the_rest() {
+    let (_tree, config, warnings) =
+        load("target = \"ros1\"\nselect = [\"A\"\nignore = ]\n[limits]\nfile-mb = 7\n");
+    assert!(!warnings.is_empty());
+    assert!(warnings.iter().all(|warning| warning.starts_with("xacro-lint.toml:")), "{warnings:?}");
+    assert_eq!((config.target, config.limits.file_mb), (Target::Ros1, 7));
+}
+
+#[test]
+fn files_extend_each_other() {
+    let tree = Tree::new();
+    tree.write(
+        "base/lint.toml",
+        "target = 'ros1'\nselect = ['A']\nignore = ['B']\npackage-path = ['p']\nurdf-version = ['2']\n\
+         thresholds = { x = 1, y = 1 }\n[[roots]]\nfile = 'base.xacro'\n",
+    );
+    tree.write(
+        "ws/xacro-lint.toml",
+        "extend = '../base/lint.toml'\nselect = ['C']\nignore = ['D']\npackage-path = ['q']\n\
+         thresholds = { y = 2 }\n[[roots]]\nfile = 'near.xacro'\n",
+    );
+    let Loaded { config, warnings } = Config::for_file(tree.vfs(), &tree.path("ws/src/a/b.xacro"));
+    assert!(warnings.is_empty());
+    assert_eq!(config.files, [tree.path("ws/xacro-lint.toml"), tree.path("ws/../base/lint.toml")]);
+    assert_eq!(config.target, Target::Ros1);
+    assert_eq!(config.select, Some(vec!["C".to_owned()]));
+    assert_eq!(config.ignore, ["B", "D"]);
+    assert_eq!(config.urdf_version, ["2"]);
+    assert_eq!(config.package_path, [tree.path("ws/q"), tree.path("ws/../base/p")]);
+    assert_eq!((config.thresholds["x"], config.thresholds["y"]), (1.0, 2.0));
+    let roots: Vec<&str> = config.roots.iter().map(|root| root.file.as_str()).collect();
+    assert_eq!(roots, ["near.xacro", "base.xacro"]);
+}
+
+#[test]
+fn circles_end() {
+    let tree = Tree::new();
+    tree.write("a.toml", "extend = 'b.toml'\nignore = ['A']");
+    tree.write("b.toml", "extend = 'a.toml'\nignore = ['B']");
+    let Loaded { config, warnings } = Config::load(tree.vfs(), &tree.path("a.toml")).unwrap();
+    assert_eq!(config.ignore, ["B", "A"]);
+    assert_eq!(warnings.len(), 1);
+    for number in 0..30 {
+        tree.write(&format!("c{number}.toml"), &format!("extend = 'c{}.toml'", number + 1));
+    }
+    let Loaded { warnings, .. } = Config::load(tree.vfs(), &tree.path("c0.toml")).unwrap();
+    assert_eq!(warnings.len(), 1);
+}
+
+#[test]
+fn the_nearest_file_counts() {
+    let tree = Tree::new();
+    for file in ["xacro-lint.toml", "a/.xacro-lint.toml", "a/b/xacro-lint.toml", "a/b/.xacro-lint.toml"] {
+        tree.write(file, "");
+    }
+    let table = [
+        ("", "xacro-lint.toml"),
+        ("a/x", "a/.xacro-lint.toml"),
+        ("a/b", "a/b/xacro-lint.toml"),
+        ("c/d", "xacro-lint.toml"),
+    ];
+    for (folder, expected) in table {
+        assert_eq!(find_config(tree.vfs(), &tree.path(folder)), Some(tree.path(expected)), "{folder}");
+    }
+    assert!(Config::load(tree.vfs(), &tree.path("none.toml")).is_err());
+}
+
+#[test]
+fn settings_of_an_editor_win() {
+    let (tree, mut config, _) =
+        load("target = 'ros1'\nseverity.a = 'off'\n[limits]\nfile-mb = 7\nexpand-ms = 8\n");
+    let settings = serde_json::json!({
+        "target": "ros2",
+        "packagePaths": ["../other"],
+        "useEnvironment": false,
+        "diagnostics.rules": { "unused-property": "off" },
+        "diagnostics": { "delay": 100, "rules": { "a": "error" } },
+        "format.lineWidth": 90,
+        "format": { "selfClose": true },
+        "limits": { "fileMB": 9 },
+        "limits.evalSteps": 5,
+        "thresholds": { "max-extent-m": 3 },
+        "roots": [{ "file": "a.xacro", "args": { "someArg": "x" } }],
+        "inlayHints.values": true,
+        "preview": { "fps": 60 },
+        "trace.server": "off",
+        "ignore": 5,
+    });
+    let warnings = config.apply_settings(&settings, tree.root());
+    let warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(warnings, ["`ignore` must be a list, not an integer"]);
+    assert_eq!((config.target, config.use_environment), (Target::Ros2, false));
+    assert_eq!(config.package_path, [tree.path("../other")]);
+    assert_eq!((config.severity["unused-property"], config.severity["a"]), (Level::Off, Level::Error));
+    assert_eq!((config.format.line_width, config.format.self_close), (90, true));
+    assert_eq!((config.limits.file_mb, config.limits.expand_ms, config.limits.eval_steps), (9, 8, 5));
+    assert_eq!(config.thresholds["max-extent-m"], 3.0);
+    assert_eq!(config.roots[0].args, [("someArg".to_owned(), "x".to_owned())]);
+}
+
+#[test]
+fn the_schema_has_every_key() {
+    let schema = schema();
+    let properties = schema["properties"].as_object().unwrap();
+    assert_eq!(properties.len(), super::keys::KEYS.len());
+    assert_eq!(properties["limits"]["properties"]["file-mb"]["maximum"], 4000);
+    assert_eq!(
+        properties["roots"]["items"]["properties"]["presets"]["additionalProperties"]["type"],
+        "object"
+    );
+    assert_eq!(properties["target"]["enum"][1], "ros1");
+}

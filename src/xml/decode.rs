@@ -1,0 +1,200 @@
+//! From raw text to its value: references, line ends, white space in attributes.
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+use super::chars::{is_legal, name_char, skip_name};
+use super::entities::{Entities, EntityFault};
+
+/// Bytes a single value may grow to through its references.
+const MAX_VALUE: usize = 8 << 20;
+
+/// A `&` and what follows it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Reference<'t> {
+    /// Not a reference: the offset of the first byte that does not fit.
+    Bad(usize),
+    /// A character, `None` when XML forbids it, and the offset behind the `;`.
+    Char(Option<char>, usize),
+    /// A named entity.
+    Entity { name: &'t str, end: usize },
+}
+
+/// Read the reference whose `&` stands at `at`.
+pub(super) fn read_reference(text: &str, at: usize) -> Reference<'_> {
+    let bytes = text.as_bytes();
+    let after = at + 1;
+    if bytes.get(after) != Some(&b'#') {
+        if name_char(text, after, true) == 0 {
+            return Reference::Bad(after);
+        }
+        let end = skip_name(text, after);
+        return match (bytes.get(end), text.get(after..end)) {
+            (Some(b';'), Some(name)) => Reference::Entity { name, end: end + 1 },
+            _ => Reference::Bad(end),
+        };
+    }
+    let (radix, start) = if bytes.get(after + 1) == Some(&b'x') { (16, after + 2) } else { (10, after + 1) };
+    let mut end = start;
+    let mut code = 0u32;
+    while let Some(digit) = bytes.get(end).and_then(|b| (*b as char).to_digit(radix)) {
+        code = code.saturating_mul(radix).saturating_add(digit);
+        end += 1;
+    }
+    if end == start || bytes.get(end) != Some(&b';') {
+        return Reference::Bad(end);
+    }
+    Reference::Char(char::from_u32(code).filter(|&c| is_legal(c)), end + 1)
+}
+
+/// The references of `text` with their offsets.
+pub(super) fn references(text: &str) -> impl Iterator<Item = (usize, Reference<'_>)> {
+    memchr::memchr_iter(b'&', text.as_bytes()).map(move |at| (at, read_reference(text, at)))
+}
+
+/// Where text stands, which decides what becomes of its white space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Place {
+    /// In an element: line ends become LF.
+    Text,
+    /// In an attribute: white space becomes blanks.
+    Attribute,
+    /// In an entity that is used in an element: as it is.
+    Replacement,
+}
+
+impl Place {
+    fn new(is_attr: bool) -> Self {
+        if is_attr { Place::Attribute } else { Place::Text }
+    }
+}
+
+/// A piece of a value.
+pub(super) enum Piece<'t> {
+    /// As written.
+    Text(&'t str),
+    /// Written in another way.
+    Char(char),
+    /// The value of an entity.
+    Entity(&'t str),
+}
+
+/// The pieces of the value of raw text, each with the raw range it comes from.
+pub(super) fn pieces(raw: &str, place: Place) -> impl Iterator<Item = (Piece<'_>, Range<usize>)> {
+    let mut at = 0;
+    std::iter::from_fn(move || {
+        let start = at;
+        while at < raw.len() {
+            if let Some((piece, end)) = special(raw, at, place) {
+                if at > start {
+                    break;
+                }
+                at = end;
+                return Some((piece, start..end));
+            }
+            at += 1;
+        }
+        let text = raw.get(start..at).filter(|text| !text.is_empty())?;
+        Some((Piece::Text(text), start..at))
+    })
+}
+
+/// The piece at `at`, if it does not stand for itself, and the offset behind it.
+fn special(raw: &str, at: usize, place: Place) -> Option<(Piece<'_>, usize)> {
+    let bytes = raw.as_bytes();
+    match bytes.get(at)? {
+        b'&' => match read_reference(raw, at) {
+            Reference::Char(Some(c), end) => Some((Piece::Char(c), end)),
+            Reference::Entity { name, end } => Some((Piece::Entity(name), end)),
+            Reference::Char(None, _) | Reference::Bad(_) => None,
+        },
+        b'\r' if place != Place::Replacement => {
+            let len = if bytes.get(at + 1) == Some(&b'\n') { 2 } else { 1 };
+            Some((Piece::Char(if place == Place::Attribute { ' ' } else { '\n' }), at + len))
+        }
+        b'\n' | b'\t' if place == Place::Attribute => Some((Piece::Char(' '), at + 1)),
+        _ => None,
+    }
+}
+
+/// The value of raw text or of a raw attribute value. A reference without a value stays as written, apart
+/// from those to external entities, which are empty.
+pub(super) fn decode<'t>(raw: &'t str, entities: &Entities, is_attr: bool) -> Cow<'t, str> {
+    let mut out = String::with_capacity(raw.len());
+    for (piece, range) in pieces(raw, Place::new(is_attr)) {
+        push(&mut out, &piece, raw, range, entities, is_attr);
+        if out.len() > MAX_VALUE.max(raw.len()) {
+            break;
+        }
+    }
+    Cow::Owned(out)
+}
+
+fn push(
+    out: &mut String,
+    piece: &Piece<'_>,
+    raw: &str,
+    range: Range<usize>,
+    entities: &Entities,
+    is_attr: bool,
+) {
+    match *piece {
+        Piece::Text(text) => out.push_str(text),
+        Piece::Char(c) => out.push(c),
+        Piece::Entity(name) => match entities.value(name, is_attr) {
+            Ok(value) => out.push_str(&value),
+            Err(EntityFault::ExternalInAttribute) => {}
+            Err(_) => out.push_str(raw.get(range).unwrap_or("")),
+        },
+    }
+}
+
+/// The offset in raw text that made the byte at `decoded_offset` of its value; inside the value of a
+/// reference: the offset of its `&`. Offsets behind the end give the end.
+pub fn source_offset(raw: &str, entities: &Entities, is_attr: bool, decoded_offset: usize) -> usize {
+    let mut out = String::new();
+    let mut before = 0;
+    for (piece, range) in pieces(raw, Place::new(is_attr)) {
+        out.clear();
+        push(&mut out, &piece, raw, range.clone(), entities, is_attr);
+        if decoded_offset < before + out.len() {
+            let inside = if matches!(piece, Piece::Text(_)) { decoded_offset - before } else { 0 };
+            return range.start + inside;
+        }
+        before += out.len();
+    }
+    raw.len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_follow_xml() {
+        let none = Entities::default();
+        for (raw, text, attribute) in [
+            ("a&amp;b&lt;c&#65;&#x42;", "a&b<cAB", "a&b<cAB"),
+            ("a\r\nb\rc\n\td", "a\nb\nc\n\td", "a b c  d"),
+            ("&#10;&#9;&#13;", "\n\t\r", "\n\t\r"),
+            (
+                "& &; &x &#; &#x; &#xG; &unknown;",
+                "& &; &x &#; &#x; &#xG; &unknown;",
+                "& &; &x &#; &#x; &#xG; &unknown;",
+            ),
+            ("é&quot;😀&apos;&gt;", "é\"😀'>", "é\"😀'>"),
+        ] {
+            assert_eq!(decode(raw, &none, false), text, "{raw:?} as text");
+            assert_eq!(decode(raw, &none, true), attribute, "{raw:?} as attribute");
+        }
+    }
+
+    #[test]
+    fn decoded_offsets_lead_back_to_the_source() {
+        let raw = "ab&amp;c\r\nd&#65;";
+        let none = Entities::default();
+        assert_eq!(decode(raw, &none, false), "ab&c\ndA");
+        let offsets: Vec<usize> = (0..8).map(|at| source_offset(raw, &none, false, at)).collect();
+        assert_eq!(offsets, [0, 1, 2, 7, 8, 10, 11, 16]);
+    }
+}

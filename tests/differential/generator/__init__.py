@@ -1,0 +1,1 @@
+"""Generator of random xacro programs; see ../README.md."""

@@ -1,0 +1,1 @@
+"""Stand-in for ROS 2's package index: just what `$(find)` of xacro asks for."""
