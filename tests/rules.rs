@@ -4,12 +4,10 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
-use xacro_lsp::analysis::{CheckOptions, Position, Session};
-use xacro_lsp::rules::{self, Category, Rule, Selection, SelectionOptions, Severity};
+use xacro_lsp::analysis::{CheckOptions, Overrides, Position, Session, Setup};
+use xacro_lsp::rules::{self, Category, Rule, Severity};
 use xacro_lsp::vfs::Environment;
-use xacro_lsp::workspace::PackageOptions;
 
 /// A fenced block of a page.
 struct Block {
@@ -86,12 +84,11 @@ fn check(rule: &Rule, number: usize, block: &Block) -> (Vec<(&'static str, Sever
     }
     let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), folder.join("none").display().to_string())]);
     let env = Environment { vars, cwd: folder.clone() };
-    let session = Session::new(&env, 1 << 20, PackageOptions::default());
+    let extend_select = Some(vec![rule.name.to_owned()]);
+    let overrides = Overrides { extend_select, ..Overrides::default() };
+    let session = Session::new(&env, Setup { about: folder.clone(), overrides, ..Setup::default() }).unwrap();
     let options = CheckOptions { paths: vec![files[0].0.clone().into()], ..CheckOptions::default() };
-    let select =
-        SelectionOptions { extend_select: vec![rule.name.to_owned()], ..SelectionOptions::default() };
-    let selection = Arc::new(Selection::new(&select).0);
-    let report = session.check(&options, &|_| selection.clone());
+    let report = session.check(&options);
     assert!(report.unreadable.is_empty());
     let findings = report.findings.iter().map(|finding| {
         let Position { start, end } = report.position(finding.span);

@@ -2,14 +2,17 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::time::Duration;
 
+use super::check::CheckOptions;
 use super::roots::{Job, Reason};
-use super::session::{CheckOptions, Session};
+use super::session::Session;
 use crate::base::{FileId, Span, TextRange};
 use crate::expand::{Expansion, FileUse, Limits, Read, Request, World, expand};
 use crate::model::Robot;
 use crate::rules::{Finding, RootKind, by_code, check_expansion, check_files};
 use crate::vfs::{LoadError, SourceFile};
+use crate::workspace::config;
 
 /// What a job gave.
 pub(super) struct Outcome {
@@ -30,7 +33,7 @@ pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcom
         file: job.file.strip_prefix(&session.env.cwd).unwrap_or(&job.file).to_string_lossy().into_owned(),
         args: job.args.clone(),
         root_dir: None,
-        limits: Limits { ..options.limits.clone() },
+        limits: limits(&session.settings(&job.file).config.limits),
         cancel: options.cancel.clone(),
     };
     let world = World { vfs: &session.vfs, packages: &session.packages, env: &session.env };
@@ -67,6 +70,18 @@ fn reads(expansion: &Expansion) -> Vec<PathBuf> {
         _ => None,
     });
     files.skip(1).collect()
+}
+
+/// The budgets of the configuration.
+fn limits(configured: &config::Limits) -> Limits {
+    Limits {
+        eval_steps: configured.eval_steps,
+        expand_nodes: configured.expand_nodes,
+        expand_time: Duration::from_millis(configured.expand_ms),
+        macro_depth: configured.macro_depth,
+        include_depth: configured.include_depth,
+        ..Limits::default()
+    }
 }
 
 /// A file that cannot be read is not well-formed either.

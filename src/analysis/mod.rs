@@ -2,6 +2,8 @@
 //!
 //! What the command line and the language server share.
 
+mod check;
+mod configs;
 mod includes;
 mod job;
 mod merge;
@@ -10,6 +12,7 @@ mod roots;
 mod session;
 mod walk;
 
+pub use check::CheckOptions;
+pub use configs::{Overrides, Settings};
 pub use report::{Position, Report, Unreadable};
-pub use roots::{Preset, RootSpec};
-pub use session::{CheckOptions, Session};
+pub use session::{Session, Setup};

@@ -2,25 +2,7 @@
 
 use std::path::PathBuf;
 
-/// An entry of `[[roots]]`.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct RootSpec {
-    /// A path or a glob, absolute.
-    pub file: String,
-    /// Arguments of every preset.
-    pub args: Vec<(String, String)>,
-    /// Named sets of further arguments; the file is expanded once with each.
-    pub presets: Vec<Preset>,
-}
-
-/// A named set of arguments.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Preset {
-    /// Its name.
-    pub name: String,
-    /// Its arguments, over those of the root.
-    pub args: Vec<(String, String)>,
-}
+use crate::workspace::config::Root;
 
 /// Why a file is expanded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -46,22 +28,16 @@ pub(super) struct Job {
     pub(super) preset: Option<String>,
 }
 
-impl RootSpec {
-    /// The jobs of one file that this entry means.
-    pub(super) fn jobs(&self, file: PathBuf, args: &[(String, String)]) -> Vec<Job> {
-        let job = |preset: Option<&Preset>| {
-            let of_preset = preset.map_or(&[][..], |preset| &preset.args);
-            Job {
-                file: file.clone(),
-                reason: Reason::Root,
-                args: self.args.iter().chain(of_preset).chain(args).cloned().collect(),
-                preset: preset.map(|preset| preset.name.clone()),
-            }
+impl Job {
+    /// The expansions of one file of a configured root; `args` go over all others.
+    pub(super) fn of_root(root: &Root, file: &PathBuf, args: &[(String, String)]) -> Vec<Self> {
+        let variants = root.variants().into_iter();
+        let job = |variant: crate::workspace::config::Variant| Self {
+            file: file.clone(),
+            reason: Reason::Root,
+            args: variant.args.into_iter().chain(args.iter().cloned()).collect(),
+            preset: variant.preset,
         };
-        if self.presets.is_empty() {
-            vec![job(None)]
-        } else {
-            self.presets.iter().map(|p| job(Some(p))).collect()
-        }
+        variants.map(job).collect()
     }
 }

@@ -1,24 +1,15 @@
-//! Checking files and folders.
+//! Files, packages, environment and configuration that checks and commands share.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use globset::Glob;
-use rayon::prelude::*;
+use super::configs::{Configs, Overrides, Settings};
+use crate::rules::PackageWorld;
+use crate::vfs::{Environment, LoadError, Vfs};
+use crate::workspace::config::ConfigWarning;
+use crate::workspace::{PackageOptions, Packages};
 
-use super::includes;
-use super::job::{self, Outcome};
-use super::merge::{merge, once_per_package};
-use super::report::{Report, Unreadable};
-use super::roots::{Job, Reason, RootSpec};
-use super::walk;
-use crate::base::{CancelFlag, FastSet};
-use crate::expand::Limits;
-use crate::rules::{Finding, PackageWorld, Selection};
-use crate::vfs::{Environment, Vfs};
-use crate::workspace::{PackageOptions, Packages, workspace_root};
-
-/// Files, packages and environment that checks share.
+/// Files, packages, environment and configuration.
 pub struct Session {
     /// Files.
     pub vfs: Arc<Vfs>,
@@ -26,33 +17,57 @@ pub struct Session {
     pub packages: Packages,
     /// Variables and working directory.
     pub env: Environment,
+    configs: Configs,
 }
 
-/// What to check, and how.
+/// How a session is set up.
 #[derive(Clone, Debug, Default)]
-pub struct CheckOptions {
-    /// Files and folders.
-    pub paths: Vec<PathBuf>,
-    /// Files that are robots, whatever their content looks like.
-    pub entries: Vec<PathBuf>,
-    /// Configured roots.
-    pub roots: Vec<RootSpec>,
-    /// Arguments of every expansion, over those of the roots.
-    pub args: Vec<(String, String)>,
-    /// Globs of files that are not checked.
-    pub exclude: Vec<String>,
-    /// Budgets of each expansion.
-    pub limits: Limits,
-    /// Set to stop early.
-    pub cancel: CancelFlag,
+pub struct Setup {
+    /// What the session is about: the configuration nearest to it says where packages are.
+    pub about: PathBuf,
+    /// Folders searched for packages before those of the configuration.
+    pub package_path: Vec<PathBuf>,
+    /// Settings over those of the configuration.
+    pub overrides: Overrides,
 }
 
 impl Session {
-    /// A session that sees the world from `env`; files above `max_file_bytes` are not read.
-    pub fn new(env: &Environment, max_file_bytes: u64, packages: PackageOptions) -> Self {
-        let vfs = Arc::new(Vfs::with_cwd(max_file_bytes, env.cwd.clone()));
-        let packages = Packages::new(vfs.clone(), env, packages);
-        Self { vfs, packages, env: env.clone() }
+    /// A session that sees the world from `env`.
+    ///
+    /// # Errors
+    /// When the configuration file that `setup` names cannot be read.
+    pub fn new(env: &Environment, setup: Setup) -> Result<Self, LoadError> {
+        let vfs = Arc::new(Vfs::with_cwd(u64::MAX, env.cwd.clone()));
+        let configs = Configs::new(&vfs, setup.overrides)?;
+        let about = vfs.absolute(&setup.about);
+        let folder = if vfs.is_dir(&about) { Some(about.as_path()) } else { about.parent() };
+        let settings = configs.of_folder(&vfs, folder.unwrap_or(&about));
+        let config = &settings.config;
+        vfs.set_max_file_bytes(config.limits.file_bytes());
+        let explicit = setup.package_path.iter().map(|path| env.cwd.join(path));
+        let options = PackageOptions {
+            explicit: explicit.chain(config.package_path.iter().cloned()).collect(),
+            use_environment: config.use_environment,
+            target: config.target,
+            ..PackageOptions::default()
+        };
+        let packages = Packages::new(vfs.clone(), env, options);
+        Ok(Self { vfs, packages, env: env.clone(), configs })
+    }
+
+    /// The settings for a file.
+    pub fn settings(&self, file: &Path) -> Arc<Settings> {
+        self.configs.of_folder(&self.vfs, file.parent().unwrap_or(file))
+    }
+
+    /// The settings for what lies directly in a folder.
+    pub(super) fn folder_settings(&self, folder: &Path) -> Arc<Settings> {
+        self.configs.of_folder(&self.vfs, folder)
+    }
+
+    /// What in the configurations read so far has no effect.
+    pub fn config_warnings(&self) -> Vec<ConfigWarning> {
+        self.configs.warnings()
     }
 
     /// Where rules look for packages.
@@ -62,163 +77,4 @@ impl Session {
         let has_ros = sourced || self.vfs.is_dir(Path::new("/opt/ros"));
         PackageWorld { packages: &self.packages, has_ros }
     }
-
-    /// Check files and folders. `selection` says for each file which rules run.
-    pub fn check(
-        &self,
-        options: &CheckOptions,
-        selection: &(dyn Fn(&Path) -> Arc<Selection> + Sync),
-    ) -> Report {
-        let mut report = Report::default();
-        let jobs = self.jobs(options, &mut report);
-        let outcomes: Vec<Outcome> = jobs.into_par_iter().map(|job| job::run(self, options, job)).collect();
-        let kept = self.keep(outcomes);
-        for outcome in &kept {
-            report.roots.push(outcome.job.file.clone());
-            report.robots += usize::from(outcome.is_robot);
-            report.files.extend(outcome.files.iter().map(|file| (file.id, file.clone())));
-        }
-        let homes = self.homes(options);
-        let mut findings = merge(kept);
-        findings.retain_mut(|finding| self.admit(finding, &homes, selection));
-        findings.sort_by_cached_key(|f| (self.vfs.path(f.span.file), f.span.range.start, f.rule.code));
-        once_per_package(&mut findings, |file| Some(self.packages.containing(&self.vfs.path(file))?.folder));
-        for finding in &findings {
-            let spans =
-                std::iter::once(finding.span).chain(finding.related.iter().map(|related| related.span));
-            report.paths.extend(spans.map(|span| (span.file, self.vfs.path(span.file))));
-        }
-        report.findings = findings;
-        report
-    }
-
-    /// The files that [`check`](Self::check) would look at, sorted; what they include comes on top.
-    pub fn files(&self, options: &CheckOptions) -> Vec<PathBuf> {
-        let jobs = self.jobs(options, &mut Report::default());
-        let files: std::collections::BTreeSet<PathBuf> = jobs.into_iter().map(|job| job.file).collect();
-        files.into_iter().collect()
-    }
-
-    fn jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<Job> {
-        let absolute = |path: &PathBuf| self.vfs.absolute(path);
-        let mut jobs: Vec<Job> = Vec::new();
-        let plain = |file, reason| Job { file, reason, args: options.args.clone(), preset: None };
-        jobs.extend(options.entries.iter().map(|path| plain(absolute(path), Reason::Root)));
-        let mut walked = Vec::new();
-        for path in options.paths.iter().map(absolute) {
-            if self.vfs.is_dir(&path) {
-                walked.extend(walk::descriptions(&path, &options.exclude));
-            } else {
-                jobs.push(plain(path, Reason::Named));
-            }
-        }
-        jobs.extend(self.configured(options, &walked));
-        let mut known: FastSet<PathBuf> = jobs.iter().map(|job| job.file.clone()).collect();
-        let walked = walked.into_iter().filter(|path| known.insert(path.clone()));
-        jobs.extend(walked.map(|path| plain(path, Reason::Walked)));
-        for job in jobs.iter().filter(|job| job.reason != Reason::Walked) {
-            if let Err(error) = self.vfs.document(&job.file) {
-                report.unreadable.push(Unreadable { path: job.file.clone(), error });
-            }
-        }
-        jobs.retain(|job| !report.unreadable.iter().any(|unreadable| unreadable.path == job.file));
-        jobs
-    }
-
-    /// The jobs of `[[roots]]`: those that name a file, and those whose glob fits a file that was found.
-    fn configured(&self, options: &CheckOptions, walked: &[PathBuf]) -> Vec<Job> {
-        let mut jobs = Vec::new();
-        for root in &options.roots {
-            let literal = PathBuf::from(&root.file);
-            let files = match Glob::new(&root.file) {
-                Ok(glob) if crate::vfs::has_magic(&root.file) => {
-                    let glob = glob.compile_matcher();
-                    walked.iter().filter(|path| glob.is_match(path)).cloned().collect()
-                }
-                _ => vec![literal],
-            };
-            jobs.extend(files.into_iter().flat_map(|file| root.jobs(file, &options.args)));
-        }
-        jobs
-    }
-
-    /// Drop what another expansion covers, and what cannot be judged without the file that includes it.
-    fn keep(&self, outcomes: Vec<Outcome>) -> Vec<Outcome> {
-        let included = self.statically_included(&outcomes);
-        let (mut kept, mut others): (Vec<Outcome>, Vec<Outcome>) =
-            outcomes.into_iter().partition(|outcome| outcome.job.reason != Reason::Walked);
-        let mut covered: FastSet<u128> = FastSet::default();
-        let identities = |outcome: &Outcome| -> Vec<u128> {
-            outcome.reads.iter().filter_map(|path| self.vfs.identity(path)).collect()
-        };
-        let robots = others.iter().chain(&kept).filter(|outcome| outcome.is_robot);
-        covered.extend(robots.flat_map(identities));
-        // robots first: what they include needs no look of its own
-        others.sort_by_key(|outcome| !outcome.is_robot);
-        for mut outcome in others {
-            let own = self.vfs.identity(&outcome.job.file).unwrap_or_default();
-            if covered.contains(&own) {
-                continue;
-            }
-            if !outcome.is_robot {
-                covered.extend(identities(&outcome));
-                if included.contains(&own) {
-                    outcome.findings.retain(|finding| !needs_includer(finding));
-                }
-            }
-            kept.push(outcome);
-        }
-        kept
-    }
-
-    /// The files that another file may include, by what its text says.
-    fn statically_included(&self, outcomes: &[Outcome]) -> FastSet<u128> {
-        let patterns: Vec<_> = outcomes
-            .par_iter()
-            .filter_map(|outcome| outcome.files.first())
-            .map(|file| (file.path.clone(), includes::patterns(file, &self.packages)))
-            .collect();
-        let files = outcomes.iter().map(|outcome| &outcome.job.file).filter(|file| {
-            let from_other = patterns.iter().filter(|(from, _)| **from != ***file);
-            from_other.flat_map(|(_, patterns)| patterns).any(|pattern| pattern.is_match(file))
-        });
-        files.filter_map(|file| self.vfs.identity(file)).collect()
-    }
-
-    /// The folders whose files are the user's own: in files elsewhere, only errors are news.
-    fn homes(&self, options: &CheckOptions) -> Vec<PathBuf> {
-        let home = self.env.var("HOME").map(Path::new);
-        let paths = options.paths.iter().chain(&options.entries).map(|path| self.vfs.absolute(path));
-        let homes = paths.flat_map(|path| {
-            let folder =
-                if self.vfs.is_dir(&path) { Some(path.clone()) } else { path.parent().map(Path::to_owned) };
-            let package = self.packages.containing(&path.join("_")).map(|package| package.folder);
-            let workspace = folder.as_ref().and_then(|folder| workspace_root(&self.vfs, folder, home));
-            [folder, package, workspace]
-        });
-        homes.flatten().collect()
-    }
-
-    /// Whether a finding is wanted; sets its severity as configured.
-    fn admit(
-        &self,
-        finding: &mut Finding,
-        homes: &[PathBuf],
-        selection: &(dyn Fn(&Path) -> Arc<Selection> + Sync),
-    ) -> bool {
-        let path = self.vfs.path(finding.span.file);
-        let Some(severity) = selection(&path).severity(finding) else { return false };
-        finding.severity = severity;
-        // what `$(find)` made absolute is shown as the user would write it
-        let cwd = format!("{}/", self.env.cwd.display());
-        if finding.message.contains(&cwd) {
-            finding.message = finding.message.replace(&cwd, "");
-        }
-        severity == crate::rules::Severity::Error || homes.iter().any(|home| path.starts_with(home))
-    }
-}
-
-/// Whether a finding may be wrong as long as the file that includes this one is not known.
-fn needs_includer(finding: &Finding) -> bool {
-    ["XAC001", "XAC002", "XAC003", "XAC004", "XAC005", "XAC025", "XAC027"].contains(&finding.rule.code)
 }

@@ -68,6 +68,9 @@ pub(super) struct CheckArgs {
     /// Check this file as a robot, whatever it looks like
     #[arg(long, value_name = "FILE")]
     pub(super) entry: Vec<PathBuf>,
+    /// Use this configuration file instead of the nearest xacro-lint.toml
+    #[arg(long, value_name = "FILE")]
+    pub(super) config: Option<PathBuf>,
     /// Exit with 1 for findings of this severity or worse
     #[arg(long, value_enum, value_name = "SEVERITY", default_value_t)]
     pub(super) fail_level: FailLevel,

@@ -11,7 +11,7 @@ use crate::vfs::Environment;
 
 /// Print what an expansion depends on.
 pub(super) fn run(args: &DepsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
-    let expansion = match expand_named(&args.file, &args.package_path, env) {
+    let expansion = match expand_named(&args.file, &args.package_path, env, io) {
         Ok(expansion) => expansion,
         Err(message) => {
             io.line(&format!("error: {}", visible(&message)));

@@ -15,8 +15,7 @@ pub(super) fn explain(rule: Option<&str>, io: &mut Io<'_>) -> u8 {
             0
         }
         None => {
-            let unknown = rules::UnknownSelector(selector.to_owned());
-            io.line(&format!("error: {}", visible(&unknown.to_string())));
+            io.line(&format!("error: {}", visible(&rules::unknown_selector(selector))));
             2
         }
     }

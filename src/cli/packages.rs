@@ -1,29 +1,37 @@
 //! `xacro-lint packages`.
 
-use std::path::Path;
-use std::sync::Arc;
+use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
 use super::args::{PackagesArgs, Plain};
-use super::check::MAX_FILE_BYTES;
-use super::expand::package_options;
+use super::check::warn_about_config;
 use super::io::Io;
 use super::render::{shown_path, visible};
-use crate::vfs::{Environment, Vfs};
-use crate::workspace::{Entry, Packages};
+use crate::analysis::{Session, Setup};
+use crate::vfs::Environment;
+use crate::workspace::Entry;
 
 /// Print the packages that can be found, with the step of the look-up that gave each.
 pub(super) fn run(args: &PackagesArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
-    let vfs = Arc::new(Vfs::with_cwd(MAX_FILE_BYTES, env.cwd.clone()));
-    let packages = Packages::new(vfs.clone(), env, package_options(&args.package_path, env, false));
+    let package_path = args.package_path.iter().map(PathBuf::from).collect();
+    let setup = Setup { about: args.from.clone(), package_path, ..Setup::default() };
+    let session = match Session::new(env, setup) {
+        Ok(session) => session,
+        Err(error) => {
+            io.line(&format!("error: {error}"));
+            return 2;
+        }
+    };
+    warn_about_config(&session, env, io);
+    let vfs = &session.vfs;
     if !vfs.exists(&args.from) {
         io.line(&format!("error: {}: No such file or directory", visible(&args.from.to_string_lossy())));
         return 2;
     }
     // the look-up starts from a file
     let from = if vfs.is_dir(&args.from) { args.from.join("_") } else { args.from.clone() };
-    let entries = packages.all(&from);
+    let entries = session.packages.all(&from);
     match args.format {
         Plain::Text => table(&entries, &env.cwd, io),
         Plain::Json => {

@@ -1,15 +1,16 @@
 //! `xacro-lint tree`.
 
+use std::path::PathBuf;
+
 use serde_json::json;
 
 use super::args::{TreeArgs, TreeFormat};
-use super::check::MAX_FILE_BYTES;
-use super::expand::package_options;
+use super::check::warn_about_config;
 use super::io::Io;
-use super::options::{UsageError, mappings};
+use super::options::mappings;
 use super::render::visible;
 use super::{svg, text};
-use crate::analysis::{CheckOptions, Session};
+use crate::analysis::{CheckOptions, Session, Setup};
 use crate::expand::{Expansion, Request, World, expand};
 use crate::model::{Joint, Kinematics, Robot};
 use crate::rules::{Category, Severity};
@@ -47,7 +48,10 @@ pub(super) fn run(args: &TreeArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
         Ok(named) => named,
         Err(message) => return fails(io, &message),
     };
-    let session = Session::new(env, MAX_FILE_BYTES, package_options(&args.package_path, env, false));
+    let session = match open(&file, &args.package_path, env, io) {
+        Ok(session) => session,
+        Err(message) => return fails(io, &message),
+    };
     let expansion = expand_in(&session, &file, arguments.clone());
     if let Some(error) = &expansion.root_error {
         return fails(io, &format!("{file}: {}", error.strerror));
@@ -91,9 +95,7 @@ fn explain(
     io: &mut Io<'_>,
 ) -> u8 {
     let options = CheckOptions { entries: vec![file.into()], args, ..CheckOptions::default() };
-    let (selection, _) = crate::rules::Selection::new(&crate::rules::SelectionOptions::default());
-    let selection = std::sync::Arc::new(selection);
-    let mut report = session.check(&options, &|_| selection.clone());
+    let mut report = session.check(&options);
     let categories = [Category::Xml, Category::Xacro, Category::Structure, Category::Package];
     report.findings.retain(|f| f.severity == Severity::Error && categories.contains(&f.rule.category));
     for line in text::drawings(&report, &env.cwd, io.color) {
@@ -108,14 +110,24 @@ pub(super) fn expand_named(
     names: &[String],
     package_path: &[String],
     env: &Environment,
+    io: &mut Io<'_>,
 ) -> Result<Expansion, String> {
     let (file, arguments) = file_and_arguments(names)?;
-    let session = Session::new(env, MAX_FILE_BYTES, package_options(package_path, env, false));
+    let session = open(&file, package_path, env, io)?;
     let expansion = expand_in(&session, &file, arguments);
     match &expansion.root_error {
         Some(error) => Err(format!("{file}: {}", error.strerror)),
         None => Ok(expansion),
     }
+}
+
+/// A session about one file.
+fn open(file: &str, package_path: &[String], env: &Environment, io: &mut Io<'_>) -> Result<Session, String> {
+    let package_path = package_path.iter().map(PathBuf::from).collect();
+    let setup = Setup { about: file.into(), package_path, ..Setup::default() };
+    let session = Session::new(env, setup).map_err(|error| error.to_string())?;
+    warn_about_config(&session, env, io);
+    Ok(session)
 }
 
 fn expand_in(session: &Session, file: &str, args: Vec<(String, String)>) -> Expansion {
@@ -124,10 +136,7 @@ fn expand_in(session: &Session, file: &str, args: Vec<(String, String)>) -> Expa
 }
 
 fn file_and_arguments(names: &[String]) -> Result<(String, Vec<(String, String)>), String> {
-    let arguments = mappings(names.iter().map(String::as_str)).map_err(|error| match error {
-        UsageError::Mapping(message) | UsageError::Usage(message) => message,
-        UsageError::Help => String::new(),
-    })?;
+    let arguments = mappings(names.iter().map(String::as_str)).map_err(|error| error.message())?;
     let mut files = names.iter().filter(|name| !name.contains(":="));
     match (files.next(), files.next()) {
         (Some(file), None) => Ok((file.clone(), arguments)),

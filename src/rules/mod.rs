@@ -21,7 +21,8 @@ pub use context::{DocumentCx, FileCx, PackageWorld, RobotCx, RootKind};
 pub use finding::{Edit, Finding, Fix, Related};
 pub use registry::{
     Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector,
+    unknown_selector,
 };
 pub use run::{check_expansion, check_files};
-pub use selection::{Selection, SelectionOptions, UnknownSelector};
+pub use selection::{Selection, SelectionOptions};
 pub use sink::Sink;

@@ -223,3 +223,11 @@ pub fn find(selector: &str) -> impl Iterator<Item = &'static Rule> {
 pub fn nearest_selector(selector: &str) -> Option<&'static str> {
     nearest(selector, all().flat_map(|rule| [rule.name, rule.code]))
 }
+
+/// What to tell the user about a selector that means no rule.
+pub fn unknown_selector(selector: &str) -> String {
+    match nearest_selector(selector) {
+        Some(near) => format!("`{selector}` is no rule; a similar one is `{near}`"),
+        None => format!("`{selector}` is no rule; `xacro-lint rules` lists them"),
+    }
+}

@@ -1,7 +1,7 @@
 //! Which rules run, and how bad their findings are.
 
 use super::finding::Finding;
-use super::registry::{Activation, Rule, Severity, all, find};
+use super::registry::{Activation, Rule, Severity, all};
 use crate::base::FastMap;
 
 /// What was configured; lists hold codes, beginnings of codes, or names.
@@ -26,23 +26,13 @@ pub struct Selection {
     rules: FastMap<&'static str, Option<Severity>>,
 }
 
-/// A selector that means no rule.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct UnknownSelector(pub String);
-
 impl Selection {
-    /// The rules that options choose; and the selectors that mean nothing.
+    /// The rules that options choose. Selectors that mean no rule have no effect.
     ///
     /// As in ruff, the longer of two selectors for one rule wins, a name counting as longest: `--select STR
     /// --ignore STR008` and `--ignore STR --select orphan-link` both do what they say.
-    pub fn new(options: &SelectionOptions) -> (Self, Vec<UnknownSelector>) {
-        let rules = all().filter_map(|rule| Some((rule.code, setting(rule, options)?))).collect();
-        let lists = [options.select.as_deref().unwrap_or(&[]), &options.extend_select, &options.ignore];
-        let selectors =
-            lists.into_iter().flatten().chain(options.severity.iter().map(|(selector, _)| selector));
-        let unknown = selectors.filter(|s| *s != "ALL" && find(s).next().is_none());
-        let unknown = unknown.map(|selector| UnknownSelector(selector.clone())).collect();
-        (Self { rules }, unknown)
+    pub fn new(options: &SelectionOptions) -> Self {
+        Self { rules: all().filter_map(|rule| Some((rule.code, setting(rule, options)?))).collect() }
     }
 
     /// The severity of a finding as configured; none when its rule does not run.
@@ -93,12 +83,54 @@ fn weight(rule: &Rule, selector: &str) -> Option<usize> {
     rule.is_named(selector).then(|| if selector == rule.name { 6 } else { selector.len() })
 }
 
-impl std::fmt::Display for UnknownSelector {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "`{}` is no rule", self.0)?;
-        match super::nearest_selector(&self.0) {
-            Some(near) => write!(f, "; a similar one is `{near}`"),
-            None => write!(f, "; `xacro-lint rules` lists them"),
+#[cfg(test)]
+mod tests {
+    use super::super::registry::{Severity, by_code};
+    use super::{Selection, SelectionOptions};
+
+    fn list(text: &str) -> Vec<String> {
+        text.split_whitespace().map(str::to_owned).collect()
+    }
+
+    /// Whether a rule runs, by code.
+    fn runs(options: &SelectionOptions, code: &str) -> bool {
+        Selection::new(options).runs(by_code(code).unwrap())
+    }
+
+    #[test]
+    fn longer_selectors_win() {
+        for (select, ignore, code, expected) in [
+            ("", "", "STR008", true),
+            ("", "STR", "STR008", false),
+            ("", "orphan-link", "STR008", false),
+            ("", "orphan-link", "STR007", true),
+            ("STR", "STR008", "STR008", false),
+            ("STR", "STR008", "STR007", true),
+            ("orphan-link", "STR", "STR008", true),
+            ("STR008", "ALL", "STR008", true),
+            ("XAC", "", "STR008", false),
+            ("ALL", "", "STR008", true),
+            ("STR00", "", "STR008", true),
+            ("ST", "", "STR008", false),
+        ] {
+            let select = (!select.is_empty()).then(|| list(select));
+            let options = SelectionOptions { select, ignore: list(ignore), ..SelectionOptions::default() };
+            assert_eq!(runs(&options, code), expected, "{options:?} {code}");
         }
+    }
+
+    #[test]
+    fn configured_severity() {
+        let severity = vec![
+            ("STR".to_owned(), Some(Severity::Info)),
+            ("orphan-link".to_owned(), Some(Severity::Warning)),
+            ("no-links".to_owned(), None),
+        ];
+        let selection = Selection::new(&SelectionOptions { severity, ..SelectionOptions::default() });
+        let of = |code| selection.rules.get(code).copied();
+        assert_eq!(of("STR008"), Some(Some(Severity::Warning)));
+        assert_eq!(of("STR007"), Some(Some(Severity::Info)));
+        assert_eq!(of("STR009"), None);
+        assert_eq!(of("XAC001"), Some(None));
     }
 }
