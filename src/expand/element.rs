@@ -305,7 +305,10 @@ impl Expander<'_> {
     pub fn entities(&self, src: SrcId) -> &Entities {
         let source = self.result.sources.get(src.0 as usize);
         let file = source.and_then(|s| self.result.files.get(s.file.0 as usize));
-        file.map_or_else(|| no_entities(), |f| f.source.document.entities())
+        match file {
+            Some(file) => file.source.document.entities(),
+            None => no_entities(),
+        }
     }
 
     /// The item of a source.

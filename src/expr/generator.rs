@@ -33,7 +33,7 @@ impl Interp<'_> {
             let cursor = Cursor::Generator(Box::new(generator));
             return Ok(Value::Iter(Iter::new(IterKind::Generator, cursor)));
         }
-        let outer = std::mem::replace(&mut self.env, Some(frame));
+        let outer = self.env.replace(frame);
         let result = self.gather(comprehension, vec![cursor]);
         self.env = outer;
         result

@@ -222,7 +222,7 @@ impl<'a> Node<'a> {
     /// The element around; `None` for the top-level nodes of an item.
     pub fn parent(self) -> Option<Node<'a>> {
         let parent = self.data().parent;
-        (parent != NONE).then(|| Node { item: self.item, id: NodeId(parent) })
+        (parent != NONE).then_some(Node { item: self.item, id: NodeId(parent) })
     }
 
     /// Text as written; comments, CDATA and instructions without their delimiters (an instruction also

@@ -3,7 +3,6 @@
 use std::fmt::Write;
 
 use super::*;
-use crate::base::{Encoding, LineCol, TextRange};
 
 /// One line per node, indented; attributes in brackets.
 fn dump(document: &Document) -> String {

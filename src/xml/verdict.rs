@@ -77,6 +77,11 @@ impl Context {
             Condition::Always => Some(error()),
             Condition::UnlessBound(prefix) => (!self.namespaces.contains_key(prefix)).then(error),
             Condition::SameNamespace(one, two) => {
+                #[allow(
+                    clippy::pattern_type_mismatch,
+                    clippy::toplevel_ref_arg,
+                    clippy::needless_borrowed_reference
+                )]
                 let uri = |of| match of {
                     &Namespace::Uri(ref uri) => Some(uri),
                     Namespace::Outer(prefix) => self.namespaces.get(prefix),

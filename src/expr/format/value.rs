@@ -37,7 +37,7 @@ fn format_number(interp: &mut Interp, number: Num<'_>, spec: &Spec, kind: &str) 
                 let f = integer.float()?.unwrap_or(f64::NAN);
                 float::format(interp, f, spec, kind)
             }
-            Some(code) if !"bcdnoxX".contains(code) => return Err(unknown_code(code, kind)),
+            Some(code) if !"bcdnoxX".contains(code) => Err(unknown_code(code, kind)),
             _ => int::format(interp, &integer.big().unwrap_or_default(), spec),
         },
     }

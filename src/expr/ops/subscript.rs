@@ -52,9 +52,7 @@ pub(crate) fn subscript(interp: &mut Interp, object: &Value, key: &Value) -> Eva
         Value::Bytes(bytes) => bytes_item(interp, bytes, key),
         Value::Range(range) => range_item(range, key),
         Value::Scope(_) | Value::Module(_) => namespace_item(interp, object, key),
-        Value::Type(kind)
-            if matches!(kind, Type::List | Type::Dict | Type::Tuple | Type::Set | Type::Type) =>
-        {
+        Value::Type(Type::List | Type::Dict | Type::Tuple | Type::Set | Type::Type) => {
             Err(Stop::typ("generic types are not supported"))
         }
         Value::Type(kind) => Err(Stop::typ(format!("type '{}' is not subscriptable", kind.name()))),

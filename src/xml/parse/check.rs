@@ -105,7 +105,7 @@ impl<'t> Parser<'t> {
             let range = (start, start + raw.len());
             self.error(Kind::BadNamespace, range, (verdict, tag), message);
         }
-        if prefix != "" && prefix != "xml" {
+        if !prefix.is_empty() && prefix != "xml" {
             self.scopes.bind(prefix, uri, self.open.len() + 1);
         }
     }

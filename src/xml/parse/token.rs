@@ -4,6 +4,7 @@ use super::Parser;
 use crate::xml::chars::{is_legal, is_space, name_char};
 
 /// A token of a DOCTYPE.
+#[allow(clippy::enum_variant_names)] // "name token" is the term of the XML specification
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Token {
     Name,
