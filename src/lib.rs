@@ -3,11 +3,14 @@
 //! The modules below are listed in import order: each may use only those above it
 //! (see `docs/architecture.md`; `tests/architecture.rs` fails when an import breaks the order).
 
+pub mod analysis;
 pub mod base;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod expand;
 pub mod expr;
+pub mod model;
+pub mod rules;
 pub mod vfs;
 pub mod workspace;
 pub mod xml;

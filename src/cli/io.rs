@@ -12,6 +12,8 @@ pub struct Io<'a> {
     pub stdin: &'a mut dyn std::io::Read,
     /// Whether messages may be coloured.
     pub color: bool,
+    /// Whether results may be coloured.
+    pub color_out: bool,
 }
 
 impl Io<'_> {

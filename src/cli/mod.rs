@@ -1,21 +1,61 @@
 //! `xacro-lint`: the command line.
 
+mod args;
+mod check;
+mod deps;
 mod expand;
+mod explain;
 mod io;
+mod json;
 mod options;
+mod packages;
 mod render;
+mod svg;
+mod text;
+mod tree;
 
 pub use io::Io;
 
+use clap::Parser;
+use clap::error::ErrorKind;
+
 use crate::vfs::Environment;
+use args::{Arguments, Command};
 
 /// Run a command line (without the program's name); the result is the exit code.
 pub fn run(args: &[String], env: &Environment, io: &mut Io<'_>) -> u8 {
-    match args.split_first() {
-        Some((command, rest)) if command == "expand" => expand::run(rest, env, io),
-        _ => {
-            io.line("usage: xacro-lint expand <input>");
+    // `expand` has the option grammar of xacro, which clap does not know
+    if let Some((command, rest)) = args.split_first()
+        && command == "expand"
+    {
+        return expand::run(rest, env, io);
+    }
+    let name = std::iter::once("xacro-lint").chain(args.iter().map(String::as_str));
+    match Arguments::try_parse_from(name) {
+        Ok(arguments) => dispatch(arguments.command, env, io),
+        Err(error) => {
+            let text = error.render();
+            let wanted = matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion);
+            let color = if wanted { io.color_out } else { io.color };
+            let text = if color { text.ansi().to_string() } else { text.to_string() };
+            if wanted {
+                io.out(&text);
+                return 0;
+            }
+            io.line(text.trim_end());
             2
         }
+    }
+}
+
+fn dispatch(command: Command, env: &Environment, io: &mut Io<'_>) -> u8 {
+    match command {
+        Command::Check(options) => check::run(&options, env, io),
+        Command::Expand { args } => expand::run(&args, env, io),
+        Command::Tree(options) => tree::run(&options, env, io),
+        Command::Packages(options) => packages::run(&options, env, io),
+        Command::Deps(options) => deps::run(&options, env, io),
+        Command::Explain { rule } => explain::explain(rule.as_deref(), io),
+        Command::Rules { format } => explain::rules(format, io),
     }
 }

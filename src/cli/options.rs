@@ -34,6 +34,16 @@ pub enum UsageError {
     Mapping(String),
 }
 
+impl UsageError {
+    /// What to tell the user.
+    pub fn message(self) -> String {
+        match self {
+            UsageError::Mapping(message) | UsageError::Usage(message) => message,
+            UsageError::Help => String::new(),
+        }
+    }
+}
+
 const LONG: [&str; 8] = [
     "--deps",
     "--inorder",

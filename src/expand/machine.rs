@@ -109,6 +109,9 @@ pub struct Expansion {
     pub includes: Vec<String>,
     /// False when something could not be resolved: rules about the whole robot then stay silent.
     pub complete: bool,
+    /// False when parts of the document may be missing: an include, macro or condition could not be resolved.
+    /// Unlike [`complete`](Self::complete), a value that could not be computed leaves this as it is.
+    pub whole: bool,
     /// Why the root file could not be read; there is no document then.
     pub root_error: Option<LoadError>,
 }
@@ -170,6 +173,8 @@ pub(super) struct Expander<'w> {
     pub reads: Vec<u32>,
     /// An include is missing: undefined names are then no news.
     pub include_missing: bool,
+    /// A text holds a piece that could not be computed.
+    pub unknown_texts: bool,
     /// Files that are not well-formed.
     pub broken: FastSet<FileIdx>,
     /// Problems about undefined names, in case they turn out to be defined later.
@@ -229,6 +234,7 @@ impl<'w> Expander<'w> {
             lazy_uses: Vec::new(),
             reads: Vec::new(),
             include_missing: false,
+            unknown_texts: false,
             broken: FastSet::default(),
             undefined: Undefined::default(),
             calls: Vec::new(),
@@ -250,7 +256,8 @@ impl<'w> Expander<'w> {
         // what the recovered tree of a broken file seems to say is not trusted
         self.problems.list.retain(|p| p.code.starts_with("XML") || !broken.contains(&p.place.file));
         self.result.problems = std::mem::take(&mut self.problems.list);
-        self.result.complete &= !self.result.has_errors();
+        self.result.whole = self.result.complete && !self.stopped;
+        self.result.complete &= !self.unknown_texts && !self.result.has_errors();
         self.result
     }
 

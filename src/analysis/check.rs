@@ -1,0 +1,188 @@
+//! Checking files and folders.
+
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+
+use super::includes;
+use super::job::{self, Outcome};
+use super::merge::{merge, once_per_package};
+use super::report::{Report, Unreadable};
+use super::roots::{Job, Reason};
+use super::session::Session;
+use super::walk;
+use crate::base::{CancelFlag, FastSet};
+use crate::rules::{Finding, Severity};
+use crate::workspace::workspace_root;
+
+/// What to check.
+#[derive(Clone, Debug, Default)]
+pub struct CheckOptions {
+    /// Files and folders.
+    pub paths: Vec<PathBuf>,
+    /// Files that are robots, whatever their content looks like.
+    pub entries: Vec<PathBuf>,
+    /// Arguments of every expansion, over those of configured roots.
+    pub args: Vec<(String, String)>,
+    /// Set to stop early.
+    pub cancel: CancelFlag,
+}
+
+impl Session {
+    /// Check files and folders.
+    pub fn check(&self, options: &CheckOptions) -> Report {
+        let mut report = Report::default();
+        let jobs = self.jobs(options, &mut report);
+        let outcomes: Vec<Outcome> = jobs.into_par_iter().map(|job| job::run(self, options, job)).collect();
+        let kept = self.keep(outcomes);
+        for outcome in &kept {
+            report.roots.push(outcome.job.file.clone());
+            report.robots += usize::from(outcome.is_robot);
+            report.files.extend(outcome.files.iter().map(|file| (file.id, file.clone())));
+        }
+        let homes = self.homes(options);
+        let mut findings = merge(kept);
+        findings.retain_mut(|finding| self.admit(finding, &homes));
+        findings.sort_by_cached_key(|f| (self.vfs.path(f.span.file), f.span.range.start, f.rule.code));
+        once_per_package(&mut findings, |file| Some(self.packages.containing(&self.vfs.path(file))?.folder));
+        for finding in &findings {
+            let spans =
+                std::iter::once(finding.span).chain(finding.related.iter().map(|related| related.span));
+            report.paths.extend(spans.map(|span| (span.file, self.vfs.path(span.file))));
+        }
+        report.findings = findings;
+        report
+    }
+
+    /// The files that [`check`](Self::check) would look at, sorted; what they include comes on top.
+    pub fn files(&self, options: &CheckOptions) -> Vec<PathBuf> {
+        let jobs = self.jobs(options, &mut Report::default());
+        let files: std::collections::BTreeSet<PathBuf> = jobs.into_iter().map(|job| job.file).collect();
+        files.into_iter().collect()
+    }
+
+    fn jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<Job> {
+        let absolute = |path: &PathBuf| self.vfs.absolute(path);
+        let plain = |file, reason| Job { file, reason, args: options.args.clone(), preset: None };
+        let entries = options.entries.iter().map(|path| plain(absolute(path), Reason::Root));
+        let mut jobs: Vec<Job> = entries.collect();
+        let mut named = Vec::new();
+        let mut walked = Vec::new();
+        for path in options.paths.iter().map(absolute) {
+            match self.vfs.is_dir(&path) {
+                true => walked.extend(walk::descriptions(&path, self)),
+                false => named.push(path),
+            }
+        }
+        jobs.extend(self.configured(options, &named, &walked));
+        let mut known: FastSet<PathBuf> = jobs.iter().map(|job| job.file.clone()).collect();
+        let named = named.into_iter().map(|path| plain(path, Reason::Named));
+        let walked = walked.into_iter().map(|path| plain(path, Reason::Walked));
+        jobs.extend(named.chain(walked).filter(|job| known.insert(job.file.clone())));
+        for job in jobs.iter().filter(|job| job.reason != Reason::Walked) {
+            if let Err(error) = self.vfs.document(&job.file) {
+                report.unreadable.push(Unreadable { path: job.file.clone(), error });
+            }
+        }
+        jobs.retain(|job| !report.unreadable.iter().any(|unreadable| unreadable.path == job.file));
+        jobs
+    }
+
+    /// The jobs of `[[roots]]` that are among the files to be checked, or below a folder to be checked.
+    fn configured(&self, options: &CheckOptions, named: &[PathBuf], walked: &[PathBuf]) -> Vec<Job> {
+        let folders: Vec<PathBuf> = options.paths.iter().map(|path| self.vfs.absolute(path)).collect();
+        let mut seen: FastSet<Vec<PathBuf>> = FastSet::default();
+        let mut jobs = Vec::new();
+        let own =
+            folders.iter().filter(|path| self.vfs.is_dir(path)).map(|folder| self.folder_settings(folder));
+        let settings = own.chain(named.iter().chain(walked).map(|file| self.settings(file)));
+        for settings in settings {
+            if !seen.insert(settings.config.files.clone()) {
+                continue;
+            }
+            for root in &settings.config.roots {
+                let mut files = root.files(&self.vfs);
+                files.retain(|file| folders.iter().any(|folder| file.starts_with(folder)));
+                jobs.extend(files.iter().flat_map(|file| Job::of_root(root, file, &options.args)));
+            }
+        }
+        jobs
+    }
+
+    /// Drop what another expansion covers, and what cannot be judged without the file that includes it.
+    fn keep(&self, outcomes: Vec<Outcome>) -> Vec<Outcome> {
+        let included = self.statically_included(&outcomes);
+        let (mut kept, mut others): (Vec<Outcome>, Vec<Outcome>) =
+            outcomes.into_iter().partition(|outcome| outcome.job.reason != Reason::Walked);
+        let mut covered: FastSet<u128> = FastSet::default();
+        let identities = |outcome: &Outcome| -> Vec<u128> {
+            outcome.reads.iter().filter_map(|path| self.vfs.identity(path)).collect()
+        };
+        let robots = others.iter().chain(&kept).filter(|outcome| outcome.is_robot);
+        covered.extend(robots.flat_map(identities));
+        // robots first: what they include needs no look of its own
+        others.sort_by_key(|outcome| !outcome.is_robot);
+        for mut outcome in others {
+            let own = self.vfs.identity(&outcome.job.file).unwrap_or_default();
+            if covered.contains(&own) {
+                continue;
+            }
+            if !outcome.is_robot {
+                covered.extend(identities(&outcome));
+                if included.contains(&own) {
+                    outcome.findings.retain(|finding| !needs_includer(finding));
+                }
+            }
+            kept.push(outcome);
+        }
+        kept
+    }
+
+    /// The files that another file may include, by what its text says.
+    fn statically_included(&self, outcomes: &[Outcome]) -> FastSet<u128> {
+        let patterns: Vec<_> = outcomes
+            .par_iter()
+            .filter_map(|outcome| outcome.files.first())
+            .map(|file| (file.path.clone(), includes::patterns(file, &self.packages)))
+            .collect();
+        let is_included = |file: &Path| {
+            let from_others = patterns.iter().filter(|(from, _)| **from != *file);
+            from_others.flat_map(|(_, patterns)| patterns).any(|pattern| pattern.matches(file))
+        };
+        let files =
+            outcomes.iter().map(|outcome| outcome.job.file.as_path()).filter(|file| is_included(file));
+        files.filter_map(|file| self.vfs.identity(file)).collect()
+    }
+
+    /// The folders whose files are the user's own: in files elsewhere, only errors are news.
+    fn homes(&self, options: &CheckOptions) -> Vec<PathBuf> {
+        let home = self.env.var("HOME").map(Path::new);
+        let paths = options.paths.iter().chain(&options.entries).map(|path| self.vfs.absolute(path));
+        let homes = paths.flat_map(|path| {
+            let is_dir = self.vfs.is_dir(&path);
+            let folder = if is_dir { Some(path.clone()) } else { path.parent().map(Path::to_owned) };
+            let package = self.packages.containing(&path.join("_")).map(|package| package.folder);
+            let workspace = folder.as_ref().and_then(|folder| workspace_root(&self.vfs, folder, home));
+            [folder, package, workspace]
+        });
+        homes.flatten().collect()
+    }
+
+    /// Whether a finding is wanted; sets its severity as configured.
+    fn admit(&self, finding: &mut Finding, homes: &[PathBuf]) -> bool {
+        let path = self.vfs.path(finding.span.file);
+        let Some(severity) = self.settings(&path).severity(finding, &path) else { return false };
+        finding.severity = severity;
+        // what `$(find)` made absolute is shown as the user would write it
+        let cwd = format!("{}/", self.env.cwd.display());
+        if finding.message.contains(&cwd) {
+            finding.message = finding.message.replace(&cwd, "");
+        }
+        severity == Severity::Error || homes.iter().any(|home| path.starts_with(home))
+    }
+}
+
+/// Whether a finding may be wrong as long as the file that includes this one is not known.
+fn needs_includer(finding: &Finding) -> bool {
+    ["XAC001", "XAC002", "XAC003", "XAC004", "XAC005", "XAC025", "XAC027"].contains(&finding.rule.code)
+}

@@ -1,0 +1,173 @@
+//! Which settings hold for a file: those of the configuration nearest to it, under those of the command line.
+
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use crate::base::FastMap;
+use crate::rules::{Finding, Selection, SelectionOptions, Severity, find, nearest_selector};
+use crate::vfs::{LoadError, Vfs};
+use crate::workspace::config::{Config, ConfigWarning, Level, Loaded, Profile, find_config};
+
+/// What the command line says over every configuration file.
+#[derive(Clone, Debug, Default)]
+pub struct Overrides {
+    /// `--config`
+    pub config: Option<PathBuf>,
+    /// `--select`
+    pub select: Option<Vec<String>>,
+    /// `--extend-select`
+    pub extend_select: Option<Vec<String>>,
+    /// `--ignore`
+    pub ignore: Option<Vec<String>>,
+    /// `--profile`
+    pub profiles: Option<Vec<String>>,
+}
+
+/// The settings that hold for a file.
+#[derive(Debug)]
+pub struct Settings {
+    /// The configuration.
+    pub config: Config,
+    selection: Selection,
+}
+
+/// Configurations by the folder they hold for.
+pub(super) struct Configs {
+    overrides: Overrides,
+    state: Mutex<State>,
+}
+
+#[derive(Default)]
+struct State {
+    /// By folder: the settings that hold there.
+    folders: FastMap<PathBuf, Arc<Settings>>,
+    /// By configuration file; none: no file at all.
+    files: FastMap<Option<PathBuf>, Arc<Settings>>,
+    warnings: Vec<ConfigWarning>,
+}
+
+impl Settings {
+    fn new(config: Config, overrides: &Overrides) -> Self {
+        let own = |given: &Option<Vec<String>>, configured: &[String]| {
+            given.clone().unwrap_or_else(|| configured.to_vec())
+        };
+        let profiles: Vec<String> =
+            config.profiles.iter().map(|&profile| profile_name(profile).to_owned()).collect();
+        let severity = config.severity.iter().map(|(rule, &level)| (rule.clone(), severity(level)));
+        let selection = Selection::new(&SelectionOptions {
+            select: overrides.select.clone().or_else(|| config.select.clone()),
+            extend_select: own(&overrides.extend_select, &config.extend_select),
+            ignore: own(&overrides.ignore, &config.ignore),
+            profiles: own(&overrides.profiles, &profiles),
+            severity: severity.collect(),
+        });
+        Self { config, selection }
+    }
+
+    /// The severity of a finding in `path`; none when it is not wanted there.
+    pub(super) fn severity(&self, finding: &Finding, path: &Path) -> Option<Severity> {
+        let excluded = self.config.exclude.iter().any(|pattern| pattern.matches(path));
+        let mut ignores = self.config.per_file_ignores.iter().filter(|(pattern, _)| pattern.matches(path));
+        let ignored =
+            ignores.any(|(_, rules)| rules.iter().any(|rule| rule == "ALL" || finding.rule.is_named(rule)));
+        if excluded || ignored { None } else { self.selection.severity(finding) }
+    }
+}
+
+impl Configs {
+    /// Configurations under `overrides`.
+    ///
+    /// # Errors
+    /// When `--config` names a file that cannot be read.
+    pub(super) fn new(vfs: &Vfs, overrides: Overrides) -> Result<Self, LoadError> {
+        let configs = Self { overrides, state: Mutex::default() };
+        if let Some(path) = &configs.overrides.config {
+            let loaded = Config::load(vfs, path)?;
+            configs.lock().add(None, loaded, &configs.overrides);
+        }
+        Ok(configs)
+    }
+
+    fn lock(&self) -> std::sync::MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The settings for files in `folder`.
+    pub(super) fn of_folder(&self, vfs: &Vfs, folder: &Path) -> Arc<Settings> {
+        let mut state = self.lock();
+        if let Some(settings) = state.folders.get(folder) {
+            return settings.clone();
+        }
+        let path = match self.overrides.config {
+            Some(_) => None,
+            None => find_config(vfs, folder),
+        };
+        let settings = match state.files.get(&path) {
+            Some(settings) => settings.clone(),
+            None => {
+                let loaded = path.as_ref().and_then(|path| Config::load(vfs, path).ok()).unwrap_or_default();
+                state.add(path, loaded, &self.overrides)
+            }
+        };
+        state.folders.insert(folder.to_owned(), settings.clone());
+        settings
+    }
+
+    /// What in the configurations read so far has no effect.
+    pub(super) fn warnings(&self) -> Vec<ConfigWarning> {
+        self.lock().warnings.clone()
+    }
+}
+
+impl State {
+    fn add(&mut self, path: Option<PathBuf>, loaded: Loaded, overrides: &Overrides) -> Arc<Settings> {
+        let Loaded { config, mut warnings } = loaded;
+        warnings.extend(unknown_names(&config));
+        for warning in warnings {
+            // several files may extend the same one
+            if !self.warnings.contains(&warning) {
+                self.warnings.push(warning);
+            }
+        }
+        let settings = Arc::new(Settings::new(config, overrides));
+        self.files.insert(path, settings.clone());
+        settings
+    }
+}
+
+/// Names in a configuration that mean no rule.
+fn unknown_names(config: &Config) -> Vec<ConfigWarning> {
+    let unknown = config
+        .mentions
+        .iter()
+        .filter(|m| m.is_threshold || m.text != "ALL" && find(&m.text).next().is_none());
+    let warning = |mention: &crate::workspace::config::Mention| {
+        let (kind, nearest) = match mention.is_threshold {
+            true => ("threshold of a rule", None),
+            false => ("rule", nearest_selector(&mention.text).map(str::to_owned)),
+        };
+        let message = format!("`{}` is no {kind}", mention.text);
+        ConfigWarning { place: mention.place.clone(), message, nearest }
+    };
+    unknown.map(warning).collect()
+}
+
+fn profile_name(profile: Profile) -> &'static str {
+    match profile {
+        Profile::RosIndustrial => "ros-industrial",
+        Profile::Mobile => "mobile",
+        Profile::Gazebo => "gazebo",
+        Profile::Pedantic => "pedantic",
+    }
+}
+
+/// None switches off.
+fn severity(level: Level) -> Option<Severity> {
+    match level {
+        Level::Off => None,
+        Level::Hint => Some(Severity::Hint),
+        Level::Info => Some(Severity::Info),
+        Level::Warning => Some(Severity::Warning),
+        Level::Error => Some(Severity::Error),
+    }
+}

@@ -1,0 +1,93 @@
+//! One expansion, and what the rules say about it.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
+
+use super::check::CheckOptions;
+use super::roots::{Job, Reason};
+use super::session::Session;
+use crate::base::{FileId, Span, TextRange};
+use crate::expand::{Expansion, FileUse, Limits, Read, Request, World, expand};
+use crate::model::Robot;
+use crate::rules::{Finding, RootKind, by_code, check_expansion, check_files};
+use crate::vfs::{LoadError, SourceFile};
+use crate::workspace::config;
+
+/// What a job gave.
+pub(super) struct Outcome {
+    pub(super) job: Job,
+    /// Whether the file is a robot on its own.
+    pub(super) is_robot: bool,
+    /// Files that were read, the root file left out.
+    pub(super) reads: Vec<PathBuf>,
+    /// Descriptions that were read.
+    pub(super) files: Vec<Arc<SourceFile>>,
+    pub(super) findings: Vec<Finding>,
+}
+
+/// Expand a file and check the result.
+pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcome {
+    let request = Request {
+        // messages name files as the user would
+        file: job.file.strip_prefix(&session.env.cwd).unwrap_or(&job.file).to_string_lossy().into_owned(),
+        args: job.args.clone(),
+        root_dir: None,
+        limits: limits(&session.settings(&job.file).config.limits),
+        cancel: options.cancel.clone(),
+    };
+    let world = World { vfs: &session.vfs, packages: &session.packages, env: &session.env };
+    let expansion = expand(world, &request);
+    let kind = kind(&expansion, &job);
+    let mut findings =
+        check_expansion(&expansion, kind, job.reason != Reason::Walked, session.package_world());
+    findings.append(&mut check_files(&expansion));
+    if let Some(error) = &expansion.root_error {
+        findings.extend(unreadable(session.vfs.file_id(&job.file), error));
+    }
+    Outcome {
+        is_robot: kind == RootKind::Robot,
+        reads: reads(&expansion),
+        files: expansion.files.iter().map(|file| file.source.clone()).collect(),
+        findings,
+        job,
+    }
+}
+
+/// A file is a robot when it is configured as one, calls itself plain URDF, or gives one by itself.
+fn kind(expansion: &Expansion, job: &Job) -> RootKind {
+    let uses_xacro =
+        |file: &FileUse| file.source.document.root().is_some_and(|root| root.attr("xmlns:xacro").is_some());
+    let plain = job.file.extension().is_some_and(|ending| ending == "urdf")
+        && !expansion.files.first().is_some_and(uses_xacro);
+    let by_itself = || Robot::of(expansion).is_some_and(|robot| robot.is_entry());
+    if job.reason == Reason::Root || plain || by_itself() { RootKind::Robot } else { RootKind::Library }
+}
+
+fn reads(expansion: &Expansion) -> Vec<PathBuf> {
+    let files = expansion.record.iter().filter_map(|read| match read {
+        Read::File(path, _) => Some(path.clone()),
+        _ => None,
+    });
+    files.skip(1).collect()
+}
+
+/// The budgets of the configuration.
+fn limits(configured: &config::Limits) -> Limits {
+    Limits {
+        eval_steps: configured.eval_steps,
+        expand_nodes: configured.expand_nodes,
+        expand_time: Duration::from_millis(configured.expand_ms),
+        macro_depth: configured.macro_depth,
+        include_depth: configured.include_depth,
+        ..Limits::default()
+    }
+}
+
+/// A file that cannot be read is not well-formed either.
+fn unreadable(file: FileId, error: &LoadError) -> Option<Finding> {
+    let rule = by_code("XML001")?;
+    let message = format!("the file cannot be read: {}", error.strerror);
+    let span = Span { file, range: TextRange::default() };
+    Some(Finding { rule, severity: rule.severity, message, span, related: Vec::new(), help: None, fix: None })
+}

@@ -1,0 +1,111 @@
+//! Many expansions, one list of findings.
+
+use std::path::PathBuf;
+
+use indexmap::IndexMap;
+
+use super::job::Outcome;
+use crate::base::{FastMap, FileId, Span};
+use crate::rules::{Finding, Related, Severity};
+
+/// A finding, and where it occurred.
+struct Merged {
+    finding: Finding,
+    /// Numbers of the outcomes that have it.
+    outcomes: Vec<usize>,
+}
+
+/// All findings; one that several expansions have is kept once, with the places of all of them.
+pub(super) fn merge(outcomes: Vec<Outcome>) -> Vec<Finding> {
+    let mut merged: Vec<Merged> = Vec::new();
+    let mut by_place: FastMap<(&'static str, Span), Vec<usize>> = FastMap::default();
+    let mut runs: Vec<Run> = Vec::new();
+    for (number, outcome) in outcomes.into_iter().enumerate() {
+        runs.push(Run { file: outcome.job.file, preset: outcome.job.preset });
+        let library = !outcome.is_robot;
+        for mut finding in outcome.findings {
+            if library && finding.rule.code == "XAC003" {
+                // whoever includes the library may declare the argument
+                finding.severity = Severity::Info;
+            }
+            let places = by_place.entry((finding.rule.code, finding.span)).or_default();
+            let same = |&&i: &&usize| merged.get(i).is_some_and(|old| old.admits(&finding, number));
+            match places.iter().find(same).and_then(|&i| merged.get_mut(i)) {
+                Some(old) => old.add(finding, number),
+                None => {
+                    places.push(merged.len());
+                    merged.push(Merged { finding, outcomes: vec![number] });
+                }
+            }
+        }
+    }
+    merged.into_iter().map(|merged| merged.finish(&runs)).collect()
+}
+
+/// Of findings that whole packages share, keep the first of each package, with the others beside it.
+pub(super) fn once_per_package(findings: &mut Vec<Finding>, package: impl Fn(FileId) -> Option<PathBuf>) {
+    const RULES: [&str; 1] = ["XML003"];
+    let mut groups: IndexMap<(&str, PathBuf), (usize, Vec<Related>)> = IndexMap::new();
+    let mut at = 0;
+    findings.retain(|finding| {
+        let package = RULES.contains(&finding.rule.code).then(|| package(finding.span.file)).flatten();
+        let Some(package) = package else {
+            at += 1;
+            return true;
+        };
+        if let Some((_, others)) = groups.get_mut(&(finding.rule.code, package.clone())) {
+            others.push(Related { span: finding.span, message: "here too".to_owned() });
+            return false;
+        }
+        groups.insert((finding.rule.code, package), (at, Vec::new()));
+        at += 1;
+        true
+    });
+    for (at, others) in groups.into_values() {
+        if let (Some(finding), false) = (findings.get_mut(at), others.is_empty()) {
+            finding.message.push_str(&format!(", in {} files of this package", others.len() + 1));
+            finding.related.extend(others.into_iter().take(MOST_PLACES));
+        }
+    }
+}
+
+/// Further places listed with a finding.
+const MOST_PLACES: usize = 10;
+
+/// An expansion: the file and its preset.
+struct Run {
+    file: PathBuf,
+    preset: Option<String>,
+}
+
+impl Merged {
+    /// Whether a finding at the same place is the same: two expansions may word one defect differently, one
+    /// expansion says different things at one place only when they are different.
+    fn admits(&self, finding: &Finding, number: usize) -> bool {
+        self.finding.message == finding.message || !self.outcomes.contains(&number)
+    }
+
+    fn add(&mut self, finding: Finding, number: usize) {
+        const MOST_RELATED: usize = 12;
+        self.outcomes.push(number);
+        self.finding.severity = self.finding.severity.max(finding.severity);
+        for related in finding.related {
+            if !self.finding.related.contains(&related) && self.finding.related.len() < MOST_RELATED {
+                self.finding.related.push(related);
+            }
+        }
+    }
+
+    /// Say in which presets the finding occurs, when not in all of them.
+    fn finish(mut self, runs: &[Run]) -> Finding {
+        let own = |number: &usize| runs.get(*number);
+        let presets: Vec<&str> =
+            self.outcomes.iter().filter_map(own).filter_map(|run| run.preset.as_deref()).collect();
+        let has = |run: &Run| self.outcomes.iter().filter_map(own).any(|own| own.file == run.file);
+        let possible = runs.iter().filter(|run| has(run)).count();
+        if !presets.is_empty() && self.outcomes.len() < possible {
+            self.finding.message.push_str(&format!(" (with preset `{}`)", presets.join("`, `")));
+        }
+        self.finding
+    }
+}

@@ -1,0 +1,18 @@
+//! Checks of whole workspaces: which files are robots, expanding them, running rules, merging what is found.
+//!
+//! What the command line and the language server share.
+
+mod check;
+mod configs;
+mod includes;
+mod job;
+mod merge;
+mod report;
+mod roots;
+mod session;
+mod walk;
+
+pub use check::CheckOptions;
+pub use configs::{Overrides, Settings};
+pub use report::{Position, Report, Unreadable};
+pub use session::{Session, Setup};

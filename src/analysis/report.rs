@@ -1,0 +1,61 @@
+//! The result of a check.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::base::{Encoding, FileId, Span};
+use crate::rules::Finding;
+use crate::vfs::{LoadError, SourceFile};
+
+/// What a check found.
+#[derive(Debug, Default)]
+pub struct Report {
+    /// The findings, by path, position and code.
+    pub findings: Vec<Finding>,
+    /// The files that were read as descriptions.
+    pub files: BTreeMap<FileId, Arc<SourceFile>>,
+    /// The files that findings are in, by number.
+    pub paths: BTreeMap<FileId, Arc<Path>>,
+    /// The files that were expanded as roots, in order, with the number of robots among them.
+    pub roots: Vec<PathBuf>,
+    /// How many of the roots are robots.
+    pub robots: usize,
+    /// Paths named by the user that cannot be read.
+    pub unreadable: Vec<Unreadable>,
+}
+
+/// A path named by the user that cannot be read.
+#[derive(Clone, Debug)]
+pub struct Unreadable {
+    /// The path, absolute.
+    pub path: PathBuf,
+    /// Why.
+    pub error: LoadError,
+}
+
+/// A place as people count: row and column from 1, columns in characters; the end is exclusive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Position {
+    /// Row and column of the first character.
+    pub start: (u32, u32),
+    /// Row and column behind the last character.
+    pub end: (u32, u32),
+}
+
+impl Report {
+    /// The path of a file that a finding is in.
+    pub fn path(&self, file: FileId) -> &Path {
+        self.paths.get(&file).map_or(Path::new(""), |path| path)
+    }
+
+    /// Rows and columns of a span; the start of the file when it could not be read.
+    pub fn position(&self, span: Span) -> Position {
+        let Some(file) = self.files.get(&span.file) else { return Position { start: (1, 1), end: (1, 1) } };
+        let at = |offset: u32| {
+            let position = file.document.line_col(offset, Encoding::Utf32);
+            (position.line + 1, position.col + 1)
+        };
+        Position { start: at(span.range.start), end: at(span.range.end) }
+    }
+}

@@ -1,0 +1,80 @@
+//! Files, packages, environment and configuration that checks and commands share.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::configs::{Configs, Overrides, Settings};
+use crate::rules::PackageWorld;
+use crate::vfs::{Environment, LoadError, Vfs};
+use crate::workspace::config::ConfigWarning;
+use crate::workspace::{PackageOptions, Packages};
+
+/// Files, packages, environment and configuration.
+pub struct Session {
+    /// Files.
+    pub vfs: Arc<Vfs>,
+    /// `$(find)` and `package://`.
+    pub packages: Packages,
+    /// Variables and working directory.
+    pub env: Environment,
+    configs: Configs,
+}
+
+/// How a session is set up.
+#[derive(Clone, Debug, Default)]
+pub struct Setup {
+    /// What the session is about: the configuration nearest to it says where packages are.
+    pub about: PathBuf,
+    /// Folders searched for packages before those of the configuration.
+    pub package_path: Vec<PathBuf>,
+    /// Settings over those of the configuration.
+    pub overrides: Overrides,
+}
+
+impl Session {
+    /// A session that sees the world from `env`.
+    ///
+    /// # Errors
+    /// When the configuration file that `setup` names cannot be read.
+    pub fn new(env: &Environment, setup: Setup) -> Result<Self, LoadError> {
+        let vfs = Arc::new(Vfs::with_cwd(u64::MAX, env.cwd.clone()));
+        let configs = Configs::new(&vfs, setup.overrides)?;
+        let about = vfs.absolute(&setup.about);
+        let folder = if vfs.is_dir(&about) { Some(about.as_path()) } else { about.parent() };
+        let settings = configs.of_folder(&vfs, folder.unwrap_or(&about));
+        let config = &settings.config;
+        vfs.set_max_file_bytes(config.limits.file_bytes());
+        let explicit = setup.package_path.iter().map(|path| env.cwd.join(path));
+        let options = PackageOptions {
+            explicit: explicit.chain(config.package_path.iter().cloned()).collect(),
+            use_environment: config.use_environment,
+            target: config.target,
+            ..PackageOptions::default()
+        };
+        let packages = Packages::new(vfs.clone(), env, options);
+        Ok(Self { vfs, packages, env: env.clone(), configs })
+    }
+
+    /// The settings for a file.
+    pub fn settings(&self, file: &Path) -> Arc<Settings> {
+        self.configs.of_folder(&self.vfs, file.parent().unwrap_or(file))
+    }
+
+    /// The settings for what lies directly in a folder.
+    pub(super) fn folder_settings(&self, folder: &Path) -> Arc<Settings> {
+        self.configs.of_folder(&self.vfs, folder)
+    }
+
+    /// What in the configurations read so far has no effect.
+    pub fn config_warnings(&self) -> Vec<ConfigWarning> {
+        self.configs.warnings()
+    }
+
+    /// Where rules look for packages.
+    pub(super) fn package_world(&self) -> PackageWorld<'_> {
+        let variables = ["AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "ROS_PACKAGE_PATH"];
+        let sourced = variables.iter().any(|name| self.env.var(name).is_some_and(|value| !value.is_empty()));
+        let has_ros = sourced || self.vfs.is_dir(Path::new("/opt/ros"));
+        PackageWorld { packages: &self.packages, has_ros }
+    }
+}

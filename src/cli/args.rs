@@ -1,0 +1,194 @@
+//! The command line, declared.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// Check xacro and URDF robot descriptions.
+#[derive(Debug, Parser)]
+#[command(name = "xacro-lint", version, about, subcommand_required = true, arg_required_else_help = true)]
+pub(super) struct Arguments {
+    #[command(subcommand)]
+    pub(super) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// Check files and folders: every robot in them, with every preset
+    Check(CheckArgs),
+    /// Expand a file exactly as xacro does (has xacro's options)
+    #[command(disable_help_flag = true)]
+    Expand {
+        /// Options of xacro, the file, name:=value
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        args: Vec<String>,
+    },
+    /// Print the links of a robot as a tree, as `check_urdf` does
+    Tree(TreeArgs),
+    /// Print the packages that can be found, and where
+    Packages(PackagesArgs),
+    /// Print the files that a robot is made from
+    Deps(DepsArgs),
+    /// Say what a rule is about
+    Explain {
+        /// Code or name of the rule
+        rule: Option<String>,
+    },
+    /// Print all rules
+    Rules {
+        /// Form of the list
+        #[arg(long, value_enum, default_value_t)]
+        format: Plain,
+    },
+}
+
+#[derive(Args, Debug)]
+pub(super) struct CheckArgs {
+    /// Files and folders [default: .], and name:=value for their arguments
+    #[arg(value_name = "PATH")]
+    pub(super) paths: Vec<String>,
+    /// Form of the result
+    #[arg(long, alias = "output-format", value_enum, default_value_t)]
+    pub(super) format: Format,
+    /// Run these rules instead of the default ones (codes, beginnings of codes, names, ALL)
+    #[arg(long, value_name = "RULE", value_delimiter = ',')]
+    pub(super) select: Vec<String>,
+    /// Run these rules in addition
+    #[arg(long, value_name = "RULE", value_delimiter = ',')]
+    pub(super) extend_select: Vec<String>,
+    /// Do not run these rules
+    #[arg(long, value_name = "RULE", value_delimiter = ',')]
+    pub(super) ignore: Vec<String>,
+    /// Switch on the rules of a profile
+    #[arg(long, value_name = "PROFILE", value_delimiter = ',', value_parser = PROFILES)]
+    pub(super) profile: Vec<String>,
+    /// Look for packages there first
+    #[arg(long, value_name = "DIR")]
+    pub(super) package_path: Vec<String>,
+    /// Check this file as a robot, whatever it looks like
+    #[arg(long, value_name = "FILE")]
+    pub(super) entry: Vec<PathBuf>,
+    /// Use this configuration file instead of the nearest xacro-lint.toml
+    #[arg(long, value_name = "FILE")]
+    pub(super) config: Option<PathBuf>,
+    /// Exit with 1 for findings of this severity or worse
+    #[arg(long, value_enum, value_name = "SEVERITY", default_value_t)]
+    pub(super) fail_level: FailLevel,
+    /// Exit with 0 whatever is found
+    #[arg(long)]
+    pub(super) exit_zero: bool,
+    /// Print findings of this severity too
+    #[arg(long, value_enum, value_name = "SEVERITY")]
+    pub(super) show: Option<Show>,
+    /// Print how often each rule fired instead of its findings
+    #[arg(long)]
+    pub(super) statistics: bool,
+    /// Print the files that would be checked
+    #[arg(long)]
+    pub(super) show_files: bool,
+    /// Read standard input as the content of this file
+    #[arg(long, value_name = "NAME")]
+    pub(super) stdin_filename: Option<PathBuf>,
+}
+
+/// Profiles that rules can belong to.
+const PROFILES: [&str; 4] = ["ros-industrial", "mobile", "gazebo", "pedantic"];
+
+/// Forms of the result of `check`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum Format {
+    /// With the source text, for people
+    #[default]
+    Text,
+    /// One line a finding
+    Concise,
+    /// An array of objects
+    Json,
+    /// Annotations of GitHub Actions
+    Github,
+}
+
+/// Forms of lists.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum Plain {
+    /// For people
+    #[default]
+    Text,
+    /// For programs
+    Json,
+}
+
+/// Severities that make `check` fail.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum FailLevel {
+    /// Errors
+    Error,
+    /// Errors and warnings
+    #[default]
+    Warning,
+    /// Everything but hints
+    Info,
+}
+
+/// Severities that are not printed unless asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Show {
+    /// Unnecessary things
+    Hint,
+}
+
+#[derive(Args, Debug)]
+pub(super) struct TreeArgs {
+    /// The file, and name:=value for its arguments
+    #[arg(value_name = "FILE", required = true)]
+    pub(super) file: Vec<String>,
+    /// Name the joints and their types
+    #[arg(long)]
+    pub(super) joints: bool,
+    /// Form of the tree
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: TreeFormat,
+    /// Look for packages there first
+    #[arg(long, value_name = "DIR")]
+    pub(super) package_path: Vec<String>,
+}
+
+/// Forms of a tree.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum TreeFormat {
+    /// As `check_urdf` prints it
+    #[default]
+    Text,
+    /// For Graphviz
+    Dot,
+    /// For programs
+    Json,
+    /// A picture
+    Svg,
+}
+
+#[derive(Args, Debug)]
+pub(super) struct PackagesArgs {
+    /// A file or folder that packages are looked for from
+    #[arg(default_value = ".")]
+    pub(super) from: PathBuf,
+    /// Look for packages there first
+    #[arg(long, value_name = "DIR")]
+    pub(super) package_path: Vec<String>,
+    /// Form of the list
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: Plain,
+}
+
+#[derive(Args, Debug)]
+pub(super) struct DepsArgs {
+    /// The file, and name:=value for its arguments
+    #[arg(value_name = "FILE", required = true)]
+    pub(super) file: Vec<String>,
+    /// Look for packages there first
+    #[arg(long, value_name = "DIR")]
+    pub(super) package_path: Vec<String>,
+    /// Form of the list: files one a line, or everything the result depends on
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: Plain,
+}

@@ -1,0 +1,99 @@
+//! Findings as JSON.
+
+use std::path::Path;
+
+use serde::Serialize;
+
+use super::render::shown_path;
+use crate::analysis::Report;
+use crate::base::Span;
+use crate::rules::{Finding, Fix};
+
+#[derive(Serialize)]
+struct JsonFinding<'a> {
+    code: &'a str,
+    name: &'a str,
+    severity: &'a str,
+    message: &'a str,
+    #[serde(flatten)]
+    place: JsonPlace,
+    help: Option<&'a str>,
+    related: Vec<JsonRelated<'a>>,
+    fix: Option<JsonFix<'a>>,
+    url: Option<&'a str>,
+}
+
+#[derive(Serialize)]
+struct JsonPlace {
+    filename: String,
+    location: JsonPosition,
+    end_location: JsonPosition,
+}
+
+#[derive(Serialize)]
+struct JsonPosition {
+    row: u32,
+    column: u32,
+}
+
+#[derive(Serialize)]
+struct JsonRelated<'a> {
+    #[serde(flatten)]
+    place: JsonPlace,
+    message: &'a str,
+}
+
+#[derive(Serialize)]
+struct JsonFix<'a> {
+    applicability: &'a str,
+    message: &'a str,
+    edits: Vec<JsonEdit<'a>>,
+}
+
+#[derive(Serialize)]
+struct JsonEdit<'a> {
+    #[serde(flatten)]
+    place: JsonPlace,
+    content: &'a str,
+}
+
+/// All findings as one array.
+pub(super) fn findings(report: &Report, cwd: &Path) -> String {
+    let place = |span: Span| place(report, span, cwd);
+    let list: Vec<JsonFinding<'_>> = report.findings.iter().map(|finding| object(finding, &place)).collect();
+    let text = serde_json::to_string_pretty(&list).unwrap_or_else(|_| "[]".to_owned());
+    format!("{text}\n")
+}
+
+fn object<'a>(finding: &'a Finding, place: &dyn Fn(Span) -> JsonPlace) -> JsonFinding<'a> {
+    JsonFinding {
+        code: finding.rule.code,
+        name: finding.rule.name,
+        severity: finding.severity.name(),
+        message: &finding.message,
+        place: place(finding.span),
+        help: finding.help.as_deref(),
+        related: finding
+            .related
+            .iter()
+            .map(|related| JsonRelated { place: place(related.span), message: &related.message })
+            .collect(),
+        fix: finding.fix.as_ref().map(|fix| json_fix(fix, place)),
+        url: None,
+    }
+}
+
+fn json_fix<'a>(fix: &'a Fix, place: &dyn Fn(Span) -> JsonPlace) -> JsonFix<'a> {
+    let edits = fix.edits.iter().map(|edit| JsonEdit { place: place(edit.span), content: &edit.content });
+    JsonFix { applicability: fix.safety.name(), message: &fix.message, edits: edits.collect() }
+}
+
+fn place(report: &Report, span: Span, cwd: &Path) -> JsonPlace {
+    let position = report.position(span);
+    let json = |(row, column)| JsonPosition { row, column };
+    JsonPlace {
+        filename: shown_path(report.path(span.file), cwd),
+        location: json(position.start),
+        end_location: json(position.end),
+    }
+}

@@ -1,0 +1,63 @@
+//! `xacro-lint packages`.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::json;
+
+use super::args::{PackagesArgs, Plain};
+use super::check::warn_about_config;
+use super::io::Io;
+use super::render::{shown_path, visible};
+use crate::analysis::{Session, Setup};
+use crate::vfs::Environment;
+use crate::workspace::Entry;
+
+/// Print the packages that can be found, with the step of the look-up that gave each.
+pub(super) fn run(args: &PackagesArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
+    let package_path = args.package_path.iter().map(PathBuf::from).collect();
+    let setup = Setup { about: args.from.clone(), package_path, ..Setup::default() };
+    let session = match Session::new(env, setup) {
+        Ok(session) => session,
+        Err(error) => {
+            io.line(&format!("error: {error}"));
+            return 2;
+        }
+    };
+    warn_about_config(&session, env, io);
+    let vfs = &session.vfs;
+    if !vfs.exists(&args.from) {
+        io.line(&format!("error: {}: No such file or directory", visible(&args.from.to_string_lossy())));
+        return 2;
+    }
+    // the look-up starts from a file
+    let from = if vfs.is_dir(&args.from) { args.from.join("_") } else { args.from.clone() };
+    let entries = session.packages.all(&from);
+    match args.format {
+        Plain::Text => table(&entries, &env.cwd, io),
+        Plain::Json => {
+            let list: Vec<_> = entries
+                .iter()
+                .map(|entry| {
+                    let (path, step) = (entry.path.to_string_lossy(), entry.step.to_string());
+                    json!({"name": entry.name, "path": path, "step": step, "shadowed": entry.shadowed})
+                })
+                .collect();
+            io.out(&format!("{:#}\n", serde_json::Value::Array(list)));
+        }
+    }
+    0
+}
+
+fn table(entries: &[Entry], cwd: &Path, io: &mut Io<'_>) {
+    let width =
+        |text: &dyn Fn(&Entry) -> String| entries.iter().map(|e| text(e).chars().count()).max().unwrap_or(0);
+    let names = width(&|entry| entry.name.clone());
+    let steps = width(&|entry| entry.step.to_string());
+    for entry in entries {
+        let path = shown_path(&entry.path, cwd);
+        let path = if path.is_empty() { "." } else { &path };
+        let shadowed = if entry.shadowed { "  (shadowed)" } else { "" };
+        let step = entry.step.to_string();
+        io.out(&visible(&format!("{:names$}  {step:steps$}  {path}{shadowed}\n", entry.name)));
+    }
+}

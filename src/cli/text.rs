@@ -1,0 +1,172 @@
+//! Findings as text: drawn, one line each, counted.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use annotate_snippets::Level;
+use indexmap::IndexMap;
+
+use super::io::Io;
+use super::render::{Mark, Report as Drawing, ShownFile, render, shown_path, visible};
+use crate::analysis::{Position, Report};
+use crate::base::{FastMap, FastSet, FileId, Span};
+use crate::rules::{Finding, Severity};
+use crate::vfs::SourceFile;
+
+/// Findings of one rule in one file that are drawn or listed; the others are counted.
+const MOST_OF_A_RULE: usize = 100;
+
+/// With the source text and a summary.
+pub(super) fn full(report: &Report, cwd: &Path, hints: bool, io: &mut Io<'_>) {
+    let files = shown_files(report, cwd);
+    let draw = |finding: &Finding, io: &mut Io<'_>| {
+        io.out(&format!("{}\n\n", drawing(finding, &files, report, cwd, io.color_out)));
+    };
+    listed(report, hints, draw, io);
+    let summary = summary(report);
+    io.out(&format!("{summary}\n"));
+}
+
+/// One line a finding.
+pub(super) fn concise(report: &Report, cwd: &Path, hints: bool, io: &mut Io<'_>) {
+    listed(
+        report,
+        hints,
+        |finding, io| {
+            let Position { start: (row, column), .. } = report.position(finding.span);
+            let path = shown_path(report.path(finding.span.file), cwd);
+            let Finding { severity, message, rule, .. } = finding;
+            io.out(&visible(&format!("{path}:{row}:{column}: {severity}: {message} [{}]\n", rule.name)));
+        },
+        io,
+    );
+}
+
+/// Commands that GitHub Actions turns into annotations.
+pub(super) fn github(report: &Report, cwd: &Path, hints: bool, io: &mut Io<'_>) {
+    for finding in report.findings.iter().filter(|finding| hints || finding.severity > Severity::Hint) {
+        let command = match finding.severity {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+            Severity::Info | Severity::Hint => "notice",
+        };
+        let Position { start, end } = report.position(finding.span);
+        let file = property(&shown_path(report.path(finding.span.file), cwd));
+        let title = property(&format!("{} ({})", finding.rule.name, finding.rule.code));
+        let message = visible(&escape(&finding.message));
+        io.out(&format!(
+            "::{command} file={file},line={},endLine={},col={},endColumn={},title={title}::{message}\n",
+            start.0, end.0, start.1, end.1
+        ));
+    }
+}
+
+fn escape(text: &str) -> String {
+    text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")
+}
+
+fn property(text: &str) -> String {
+    visible(&escape(text).replace(':', "%3A").replace(',', "%2C"))
+}
+
+/// How often each rule fired, most often first.
+pub(super) fn statistics(report: &Report, io: &mut Io<'_>) {
+    let mut counts: IndexMap<&str, (usize, &Finding)> = IndexMap::new();
+    for finding in &report.findings {
+        counts.entry(finding.rule.code).or_insert((0, finding)).0 += 1;
+    }
+    let mut counts: Vec<_> = counts.into_values().collect();
+    counts.sort_by_key(|(count, finding)| (std::cmp::Reverse(*count), finding.rule.code));
+    for (count, finding) in counts {
+        io.out(&format!("{count:6}  {}  {}  {}\n", finding.severity, finding.rule.code, finding.rule.name));
+    }
+}
+
+/// Print findings, not too many of one kind.
+fn listed(report: &Report, hints: bool, mut print: impl FnMut(&Finding, &mut Io<'_>), io: &mut Io<'_>) {
+    let mut seen: FastMap<(&str, FileId), usize> = FastMap::default();
+    for finding in report.findings.iter().filter(|finding| hints || finding.severity > Severity::Hint) {
+        let count = seen.entry((finding.rule.code, finding.span.file)).or_default();
+        *count += 1;
+        if *count <= MOST_OF_A_RULE {
+            print(finding, io);
+        }
+    }
+    let left: usize = seen.values().map(|count| count.saturating_sub(MOST_OF_A_RULE)).sum();
+    if left > 0 {
+        io.line(&format!(
+            "note: {left} findings are not shown: more than {MOST_OF_A_RULE} of one rule in one file"
+        ));
+    }
+}
+
+/// All findings with their source text.
+pub(super) fn drawings(report: &Report, cwd: &Path, color: bool) -> Vec<String> {
+    let files = shown_files(report, cwd);
+    report.findings.iter().map(|finding| drawing(finding, &files, report, cwd, color)).collect()
+}
+
+fn shown_files<'a>(report: &'a Report, cwd: &Path) -> FastMap<FileId, ShownFile<'a>> {
+    let shown = |source: &'a Arc<SourceFile>| ShownFile { source, path: shown_path(&source.path, cwd) };
+    report.files.iter().map(|(id, source)| (*id, shown(source))).collect()
+}
+
+/// A finding with its source text.
+fn drawing(
+    finding: &Finding,
+    files: &FastMap<FileId, ShownFile<'_>>,
+    report: &Report,
+    cwd: &Path,
+    color: bool,
+) -> String {
+    let mark = |span: Span, label: &str| {
+        Some(Mark { file: files.get(&span.file)?, range: span.range, label: label.to_owned() })
+    };
+    let Some(primary) = mark(finding.span, "") else {
+        let path = shown_path(report.path(finding.span.file), cwd);
+        let Finding { severity, rule, message, .. } = finding;
+        return visible(&format!("{severity}[{}]: {path}: {message}", rule.name));
+    };
+    let drawing = Drawing {
+        level: level(finding.severity),
+        id: Some(finding.rule.name.to_owned()),
+        title: finding.message.clone(),
+        primary,
+        trace: finding.related.iter().filter_map(|related| mark(related.span, &related.message)).collect(),
+        help: finding.help.clone(),
+    };
+    render(&drawing, color)
+}
+
+fn level(severity: Severity) -> Level<'static> {
+    match severity {
+        Severity::Error => Level::ERROR,
+        Severity::Warning => Level::WARNING,
+        Severity::Info => Level::INFO,
+        Severity::Hint => Level::NOTE.with_name("hint"),
+    }
+}
+
+/// `2 errors, 1 warning in 2 files (1 robot, 7 files checked)`
+fn summary(report: &Report) -> String {
+    let robots = counted(report.robots, "robot");
+    let files = counted(report.files.len(), "file");
+    let checked = format!("{robots}, {files} checked");
+    let counts: Vec<String> = Severity::ALL
+        .iter()
+        .filter_map(|severity| {
+            let count = report.findings.iter().filter(|finding| finding.severity == *severity).count();
+            (count > 0).then(|| counted(count, severity.name()))
+        })
+        .collect();
+    if counts.is_empty() {
+        return format!("no findings ({checked})");
+    }
+    let with_findings: FastSet<FileId> = report.findings.iter().map(|finding| finding.span.file).collect();
+    format!("{} in {} ({checked})", counts.join(", "), counted(with_findings.len(), "file"))
+}
+
+fn counted(count: usize, noun: &str) -> String {
+    let plural = if count == 1 || noun == "info" { "" } else { "s" };
+    format!("{count} {noun}{plural}")
+}

@@ -1,0 +1,208 @@
+//! `xacro-lint tree`.
+
+use std::path::PathBuf;
+
+use serde_json::json;
+
+use super::args::{TreeArgs, TreeFormat};
+use super::check::warn_about_config;
+use super::io::Io;
+use super::options::mappings;
+use super::render::visible;
+use super::{svg, text};
+use crate::analysis::{CheckOptions, Session, Setup};
+use crate::expand::{Expansion, Request, World, expand};
+use crate::model::{Joint, Kinematics, Robot};
+use crate::rules::{Category, Severity};
+use crate::vfs::Environment;
+
+/// A robot whose links hang together as a tree.
+pub(super) struct Tree<'a> {
+    pub(super) robot: &'a Robot,
+    pub(super) kinematics: Kinematics,
+    /// The link at the top.
+    pub(super) root: usize,
+}
+
+impl Tree<'_> {
+    /// The name of a link.
+    pub(super) fn link(&self, link: usize) -> &str {
+        self.robot.links.get(link).and_then(|link| link.name.as_ref()).map_or("", |name| name.value.as_str())
+    }
+
+    /// The joints below a link with the links they lead to, in the order of urdfdom.
+    pub(super) fn children(&self, link: usize) -> impl DoubleEndedIterator<Item = (&Joint, usize)> {
+        let joints = self.kinematics.down(link).iter();
+        joints.filter_map(|&joint| Some((self.robot.joints.get(joint)?, self.kinematics.ends(joint)?.1)))
+    }
+}
+
+/// The type of a joint, for people.
+pub(super) fn kind(joint: &Joint) -> &str {
+    joint.kind.as_ref().map_or("?", |kind| kind.value.as_str())
+}
+
+/// Run `tree`.
+pub(super) fn run(args: &TreeArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
+    let (file, arguments) = match file_and_arguments(&args.file) {
+        Ok(named) => named,
+        Err(message) => return fails(io, &message),
+    };
+    let session = match open(&file, &args.package_path, env, io) {
+        Ok(session) => session,
+        Err(message) => return fails(io, &message),
+    };
+    let expansion = expand_in(&session, &file, arguments.clone());
+    if let Some(error) = &expansion.root_error {
+        return fails(io, &format!("{file}: {}", error.strerror));
+    }
+    let robot = Robot::of(&expansion);
+    let Some(tree) = robot.as_ref().filter(|_| !expansion.has_errors()).and_then(good_tree) else {
+        return explain(&session, &file, arguments, env, io);
+    };
+    match args.format {
+        TreeFormat::Text => io.out(&text_tree(&tree, args.joints)),
+        TreeFormat::Dot => io.out(&dot(&tree)),
+        TreeFormat::Json => io.out(&format!("{:#}\n", as_json(&tree))),
+        TreeFormat::Svg => io.out(&svg::draw(&tree)),
+    }
+    0
+}
+
+fn fails(io: &mut Io<'_>, message: &str) -> u8 {
+    io.line(&format!("error: {}", visible(message)));
+    2
+}
+
+/// The tree of a robot in which every link but one hangs on exactly one joint.
+fn good_tree(robot: &Robot) -> Option<Tree<'_>> {
+    let kinematics = Kinematics::of(robot);
+    robot.name.as_ref().filter(|name| !name.value.is_empty())?;
+    let mut roots = kinematics.roots(robot).into_iter();
+    let (root, None) = (roots.next()?, roots.next()) else { return None };
+    // n links in a tree hang on n - 1 joints; a cycle would need one more, a loose link one less
+    let single = (0..robot.links.len()).all(|link| kinematics.up(link).len() == usize::from(link != root));
+    let joined = (0..robot.joints.len()).all(|joint| kinematics.ends(joint).is_some());
+    (single && joined && kinematics.cycles().is_empty()).then_some(Tree { robot, kinematics, root })
+}
+
+/// Say why there is no tree.
+fn explain(
+    session: &Session,
+    file: &str,
+    args: Vec<(String, String)>,
+    env: &Environment,
+    io: &mut Io<'_>,
+) -> u8 {
+    let options = CheckOptions { entries: vec![file.into()], args, ..CheckOptions::default() };
+    let mut report = session.check(&options);
+    let categories = [Category::Xml, Category::Xacro, Category::Structure, Category::Package];
+    report.findings.retain(|f| f.severity == Severity::Error && categories.contains(&f.rule.category));
+    for line in text::drawings(&report, &env.cwd, io.color) {
+        io.line(&line);
+    }
+    io.line("error: the links of this robot make no tree");
+    1
+}
+
+/// Expand the one file among `names`, with `name:=value` from there as well.
+pub(super) fn expand_named(
+    names: &[String],
+    package_path: &[String],
+    env: &Environment,
+    io: &mut Io<'_>,
+) -> Result<Expansion, String> {
+    let (file, arguments) = file_and_arguments(names)?;
+    let session = open(&file, package_path, env, io)?;
+    let expansion = expand_in(&session, &file, arguments);
+    match &expansion.root_error {
+        Some(error) => Err(format!("{file}: {}", error.strerror)),
+        None => Ok(expansion),
+    }
+}
+
+/// A session about one file.
+fn open(file: &str, package_path: &[String], env: &Environment, io: &mut Io<'_>) -> Result<Session, String> {
+    let package_path = package_path.iter().map(PathBuf::from).collect();
+    let setup = Setup { about: file.into(), package_path, ..Setup::default() };
+    let session = Session::new(env, setup).map_err(|error| error.to_string())?;
+    warn_about_config(&session, env, io);
+    Ok(session)
+}
+
+fn expand_in(session: &Session, file: &str, args: Vec<(String, String)>) -> Expansion {
+    let world = World { vfs: &session.vfs, packages: &session.packages, env: &session.env };
+    expand(world, &Request { file: file.to_owned(), args, ..Request::default() })
+}
+
+fn file_and_arguments(names: &[String]) -> Result<(String, Vec<(String, String)>), String> {
+    let arguments = mappings(names.iter().map(String::as_str)).map_err(|error| error.message())?;
+    let mut files = names.iter().filter(|name| !name.contains(":="));
+    match (files.next(), files.next()) {
+        (Some(file), None) => Ok((file.clone(), arguments)),
+        _ => Err("expected exactly one file".to_owned()),
+    }
+}
+
+/// What `check_urdf` prints; `joints` adds names and types of joints.
+fn text_tree(tree: &Tree<'_>, joints: bool) -> String {
+    let name = tree.robot.name.as_ref().map_or("", |name| name.value.as_str());
+    let mut out = format!("robot name is: {name}\n---------- Successfully Parsed XML ---------------\n");
+    let count = tree.children(tree.root).count();
+    out.push_str(&format!("root Link: {} has {count} child(ren)\n", tree.link(tree.root)));
+    // links still to be printed: level, number among its siblings, joint
+    let mut open: Vec<(usize, usize, &Joint, usize)> = Vec::new();
+    let below = |link: usize, level: usize| {
+        let children: Vec<_> = tree.children(link).enumerate().collect();
+        children.into_iter().rev().map(move |(i, (joint, child))| (level, i + 1, joint, child))
+    };
+    open.extend(below(tree.root, 1));
+    while let Some((level, number, joint, link)) = open.pop() {
+        let by = if joints { format!("  [{}: {}]", joint.shown(), kind(joint)) } else { String::new() };
+        out.push_str(&format!("{}child({number}):  {}{by}\n", "    ".repeat(level), tree.link(link)));
+        open.extend(below(link, level + 1));
+    }
+    out
+}
+
+/// Links and joints in document order, as lists: trees may be deeper than JSON readers bear.
+fn as_json(tree: &Tree<'_>) -> serde_json::Value {
+    let text = |text: &Option<crate::model::Text>| text.as_ref().map(|text| text.value.to_string());
+    let links: Vec<_> = (0..tree.robot.links.len()).map(|link| tree.link(link)).collect();
+    let joints: Vec<_> = tree
+        .robot
+        .joints
+        .iter()
+        .map(|j| {
+            json!({
+                "name": j.shown(),
+                "type": kind(j),
+                "parent": text(&j.parent),
+                "child": text(&j.child),
+            })
+        })
+        .collect();
+    json!({
+        "robot": text(&tree.robot.name),
+        "root": tree.link(tree.root),
+        "links": links,
+        "joints": joints,
+    })
+}
+
+/// For Graphviz: boxes for links, ellipses for joints.
+fn dot(tree: &Tree<'_>) -> String {
+    let quoted = |text: &str| format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""));
+    let name = tree.robot.name.as_ref().map_or("", |name| name.value.as_str());
+    let mut out = format!("digraph {} {{\n  node [shape=box];\n", quoted(name));
+    for link in 0..tree.robot.links.len() {
+        out.push_str(&format!("  {};\n", quoted(tree.link(link))));
+    }
+    for joint in &tree.robot.joints {
+        let Some((parent, child)) = joint.ends() else { continue };
+        let label = quoted(&format!("{}\n{}", joint.shown(), kind(joint))).replace('\n', "\\n");
+        out.push_str(&format!("  {} -> {} [label={label}];\n", quoted(parent), quoted(child)));
+    }
+    out.push_str("}\n");
+    out
+}

@@ -1,0 +1,135 @@
+//! How links hang together: the graph that joints make.
+
+use ecow::EcoString;
+
+use super::robot::Robot;
+use crate::base::FastMap;
+
+/// Links by name, and the joints between them.
+///
+/// Of several links of one name, the first counts. Joints with an end that is unknown or names no link
+/// take no part.
+#[derive(Clone, Debug)]
+pub struct Kinematics {
+    /// Index into [`Robot::links`] by name.
+    links: FastMap<EcoString, usize>,
+    /// For each link, the joints whose parent it is: indices into [`Robot::joints`], ordered by joint name.
+    down: Vec<Vec<usize>>,
+    /// For each link, the joints whose child it is, in document order.
+    up: Vec<Vec<usize>>,
+    /// For each joint, the links it joins.
+    ends: Vec<Option<(usize, usize)>>,
+}
+
+impl Kinematics {
+    /// The graph of a robot.
+    pub fn of(robot: &Robot) -> Self {
+        let mut links = FastMap::default();
+        for (i, link) in robot.links.iter().enumerate() {
+            if let Some(name) = link.name.as_ref().and_then(|name| name.name()) {
+                links.entry(name.clone()).or_insert(i);
+            }
+        }
+        let mut down = vec![Vec::new(); robot.links.len()];
+        let mut up = vec![Vec::new(); robot.links.len()];
+        let mut ends = Vec::with_capacity(robot.joints.len());
+        for (i, joint) in robot.joints.iter().enumerate() {
+            let pair =
+                joint.ends().and_then(|(parent, child)| Some((*links.get(parent)?, *links.get(child)?)));
+            if let Some((parent, child)) = pair {
+                down.get_mut(parent).into_iter().for_each(|joints| joints.push(i));
+                up.get_mut(child).into_iter().for_each(|joints| joints.push(i));
+            }
+            ends.push(pair);
+        }
+        // urdfdom keeps joints in a map by name and hangs children up in its order
+        for joints in &mut down {
+            joints
+                .sort_by_key(|&joint: &usize| robot.joints.get(joint).map(|joint| joint.shown().to_owned()));
+        }
+        Self { links, down, up, ends }
+    }
+
+    /// The link of a name.
+    pub fn link(&self, name: &str) -> Option<usize> {
+        self.links.get(name).copied()
+    }
+
+    /// Parent and child link of a joint, when both exist.
+    pub fn ends(&self, joint: usize) -> Option<(usize, usize)> {
+        self.ends.get(joint).copied().flatten()
+    }
+
+    /// The joints whose parent is `link`, ordered by name as urdfdom does.
+    pub fn down(&self, link: usize) -> &[usize] {
+        self.down.get(link).map_or(&[], Vec::as_slice)
+    }
+
+    /// The joints whose child is `link`, in document order.
+    pub fn up(&self, link: usize) -> &[usize] {
+        self.up.get(link).map_or(&[], Vec::as_slice)
+    }
+
+    /// The links that are no child of any joint, in document order; links of a name that an earlier link has
+    /// are left out.
+    pub fn roots(&self, robot: &Robot) -> Vec<usize> {
+        let first = |&link: &usize| {
+            let name = robot.links.get(link).and_then(|link| link.name.as_ref()?.name());
+            name.is_some_and(|name| self.link(name) == Some(link))
+        };
+        (0..robot.links.len()).filter(first).filter(|&link| self.up(link).is_empty()).collect()
+    }
+
+    /// The cycles that joints make, each as the joints along it from parent to child; a joint from a link to
+    /// itself is no cycle. Every way back to a link above is one cycle.
+    pub fn cycles(&self) -> Vec<Vec<usize>> {
+        let mut cycles = Vec::new();
+        let mut state = vec![State::New; self.down.len()];
+        for start in 0..self.down.len() {
+            // links from `start` down to where the walk is: link, joints tried, joint taken
+            let mut way = vec![(start, 0, None)];
+            if state.get(start) != Some(&State::New) {
+                continue;
+            }
+            set(&mut state, start, State::OnWay);
+            while let Some(&mut (link, ref mut tried, ref mut taken)) = way.last_mut() {
+                let Some(&joint) = self.down(link).get(*tried) else {
+                    set(&mut state, link, State::Done);
+                    way.pop();
+                    continue;
+                };
+                *tried += 1;
+                *taken = Some(joint);
+                let Some((_, child)) = self.ends(joint).filter(|(parent, child)| parent != child) else {
+                    continue;
+                };
+                match state.get(child) {
+                    Some(State::New) => {
+                        set(&mut state, child, State::OnWay);
+                        way.push((child, 0, None));
+                    }
+                    Some(State::OnWay) => {
+                        let cycle = way.iter().skip_while(|(link, ..)| *link != child);
+                        cycles.push(cycle.filter_map(|&(_, _, taken)| taken).collect());
+                    }
+                    _ => {}
+                }
+            }
+        }
+        cycles
+    }
+}
+
+/// How far the search for cycles is with a link.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum State {
+    New,
+    OnWay,
+    Done,
+}
+
+fn set(state: &mut [State], link: usize, to: State) {
+    if let Some(slot) = state.get_mut(link) {
+        *slot = to;
+    }
+}

@@ -1,0 +1,20 @@
+//! From expanded elements back to the words of the source.
+
+use crate::base::TextRange;
+use crate::expand::{Expansion, Origin, XId};
+use crate::xml::Node;
+
+/// The start of an element's tag: from `<` to the end of the name as the source spells it.
+pub fn tag_start(expansion: &Expansion, element: XId) -> Origin {
+    let origin = expansion.tree.get(element).origin;
+    match node(expansion, origin) {
+        Some(node) => Origin { range: TextRange::new(origin.range.start, node.name_range().end), ..origin },
+        None => origin,
+    }
+}
+
+/// The source element whose start tag is at `origin`.
+fn node(expansion: &Expansion, origin: Origin) -> Option<Node<'_>> {
+    let item = &expansion.sources.get(origin.src.0 as usize)?.item;
+    item.all_nodes().find(|node| node.start_tag_range() == origin.range)
+}

@@ -1,0 +1,111 @@
+use super::{Kinematics, Robot, tag_start};
+use crate::expand::{Expansion, Request, World, expand};
+use crate::vfs::testing::Tree;
+use crate::workspace::{PackageOptions, Packages};
+
+fn expanded(text: &str) -> Expansion {
+    let tree = Tree::new();
+    tree.write("r.xacro", text);
+    let env = tree.environment(&[]);
+    let packages = Packages::new(tree.vfs().clone(), &env, PackageOptions::default());
+    let world = World { vfs: tree.vfs(), packages: &packages, env: &env };
+    let file = tree.path("r.xacro").display().to_string();
+    expand(world, &Request { file, ..Request::default() })
+}
+
+fn robot(body: &str) -> (Expansion, Robot) {
+    let expansion =
+        expanded(&format!("<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'>{body}</robot>"));
+    let robot = Robot::of(&expansion).unwrap();
+    (expansion, robot)
+}
+
+/// Links `a b c`, joints `name:parent>child`.
+fn chain(links: &str, joints: &str) -> (Robot, Kinematics) {
+    let mut body: String = links.split_whitespace().map(|name| format!("<link name='{name}'/>")).collect();
+    for joint in joints.split_whitespace() {
+        let (name, ends) = joint.split_once(':').unwrap();
+        let (parent, child) = ends.split_once('>').unwrap();
+        body.push_str(&format!(
+            "<joint name='{name}'><parent link='{parent}'/><child link='{child}'/></joint>"
+        ));
+    }
+    let (_, robot) = robot(&body);
+    let kinematics = Kinematics::of(&robot);
+    (robot, kinematics)
+}
+
+#[test]
+fn links_and_joints_with_their_values() {
+    let (_, robot) = robot(
+        "<xacro:property name='p' value='left_'/><link name='${p}arm'/><link/>\
+         <joint name='j' type='fixed'><parent link='world'/><child link='${p}arm'/><child link='x'/></joint>\
+         <gazebo><link name='not mine'/></gazebo>",
+    );
+    assert!(robot.is_entry() && robot.names_are_known());
+    let names: Vec<_> =
+        robot.links.iter().map(|link| link.name.as_ref().map(|name| name.value.as_str())).collect();
+    assert_eq!(names, [Some("left_arm"), None]);
+    assert!(!robot.links[0].name.as_ref().unwrap().literal);
+    let joint = &robot.joints[0];
+    assert_eq!(joint.kind.as_ref().unwrap().value, "fixed");
+    assert_eq!(
+        joint.ends().map(|(parent, child)| (parent.as_str(), child.as_str())),
+        Some(("world", "left_arm"))
+    );
+}
+
+#[test]
+fn unknown_names_are_no_names() {
+    let (_, robot) = robot("<link name='${oops}'/>");
+    assert!(!robot.names_are_known());
+    assert_eq!(robot.links[0].name.as_ref().unwrap().name(), None);
+}
+
+#[test]
+fn what_is_no_robot() {
+    assert!(Robot::of(&expanded("<sdf/>")).is_none());
+    assert!(!Robot::of(&expanded("<robot><link name='a'/></robot>")).unwrap().is_entry());
+    assert!(!Robot::of(&expanded("<robot name='r'/>")).unwrap().is_entry());
+}
+
+#[test]
+fn children_are_ordered_by_joint_name() {
+    let (robot, kinematics) = chain("a b c d", "j3:a>b j10:a>c J:a>d");
+    let names: Vec<_> = kinematics.down(0).iter().map(|&joint| robot.joints[joint].shown()).collect();
+    assert_eq!(names, ["J", "j10", "j3"]);
+    assert_eq!(kinematics.roots(&robot), [0]);
+}
+
+#[test]
+fn roots_and_missing_ends() {
+    let (robot, kinematics) = chain("a b b c", "x:a>b y:nowhere>c");
+    assert_eq!(kinematics.roots(&robot), [0, 3]);
+    assert_eq!(kinematics.ends(1), None);
+    assert_eq!(kinematics.link("b"), Some(1));
+}
+
+#[test]
+fn cycles_are_found_beside_a_root() {
+    let cycles = |links, joints| chain(links, joints).1.cycles();
+    assert_eq!(cycles("r a b", "x:a>b y:b>a"), [[0, 1]]);
+    assert_eq!(cycles("r a b c", "x:r>a y:a>b z:b>a w:b>c"), [[1, 2]]);
+    assert!(cycles("r a b", "x:r>a y:r>b z:a>b").is_empty());
+    assert!(cycles("a", "x:a>a").is_empty());
+}
+
+#[test]
+fn a_long_chain_needs_no_stack() {
+    let links: Vec<String> = (0..5_000).map(|i| format!("l{i}")).collect();
+    let joints: Vec<String> = (1..5_000).map(|i| format!("j{i}:l{}>l{i}", i - 1)).collect();
+    let (robot, kinematics) = chain(&links.join(" "), &joints.join(" "));
+    assert!(kinematics.cycles().is_empty());
+    assert_eq!(kinematics.roots(&robot), [0]);
+}
+
+#[test]
+fn tags_begin_in_the_source() {
+    let (expansion, robot) = robot("\n  <link\n name='a'/>");
+    let place = expansion.place(tag_start(&expansion, robot.links[0].element)).unwrap();
+    assert_eq!(expansion.files[0].source.document.slice(place.range), "<link");
+}

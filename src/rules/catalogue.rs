@@ -1,0 +1,35 @@
+//! The list of all rules for programs.
+
+use serde::Serialize;
+
+use super::registry::{Safety, all};
+
+#[derive(Serialize)]
+struct Entry {
+    code: &'static str,
+    name: &'static str,
+    category: &'static str,
+    severity: &'static str,
+    default: String,
+    since: &'static str,
+    fix: Option<&'static str>,
+    summary: String,
+}
+
+/// All rules as a JSON array.
+pub fn catalogue() -> String {
+    let entries: Vec<Entry> = all()
+        .map(|rule| Entry {
+            code: rule.code,
+            name: rule.name,
+            category: rule.category.name(),
+            severity: rule.severity.name(),
+            default: rule.default.to_string(),
+            since: rule.since,
+            fix: rule.fix.map(Safety::name),
+            summary: rule.summary().replace('\n', " "),
+        })
+        .collect();
+    let text = serde_json::to_string_pretty(&entries).unwrap_or_default();
+    format!("{text}\n")
+}

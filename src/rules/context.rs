@@ -1,0 +1,86 @@
+//! What rules see.
+
+use crate::base::FastSet;
+use crate::expand::{Expansion, FileIdx};
+use crate::model::{Kinematics, Robot};
+use crate::vfs::SourceFile;
+use crate::workspace::Packages;
+use crate::xml::{Attr, Node, NodeKind};
+
+/// What an expanded file is taken for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RootKind {
+    /// A robot that stands on its own.
+    Robot,
+    /// Macros, properties or parts for other files.
+    Library,
+}
+
+/// One source file.
+pub struct FileCx<'a> {
+    /// An expansion the file took part in.
+    pub expansion: &'a Expansion,
+    /// Its number there.
+    pub file: FileIdx,
+    /// The file.
+    pub source: &'a SourceFile,
+    /// The macros that the files of the expansion define.
+    pub macros: &'a FastSet<String>,
+}
+
+impl FileCx<'_> {
+    /// Whether the file is taken for plain URDF, which parsers that know no xacro read: by its name, and because
+    /// nothing includes it.
+    pub fn is_plain_urdf(&self) -> bool {
+        let name = self.source.path.file_name().map(|name| name.to_string_lossy()).unwrap_or_default();
+        name.ends_with(".urdf") && !name.contains(".xacro") && self.file == FileIdx(0)
+    }
+
+    /// All elements but the root, each with the offset its ranges count from.
+    pub fn elements(&self) -> impl Iterator<Item = (u32, Node<'_>)> {
+        let parts = self.source.document.parts().skip(1);
+        let nodes = parts.flat_map(|(base, item)| item.all_nodes().map(move |node| (base, node)));
+        nodes.filter(|(_, node)| node.kind() == NodeKind::Element)
+    }
+
+    /// The attributes of the root element; their ranges are absolute.
+    pub fn root_attrs(&self) -> impl Iterator<Item = Attr<'_>> {
+        self.source.document.root().into_iter().flat_map(|root| root.attrs())
+    }
+}
+
+/// The expanded document of a root.
+pub struct DocumentCx<'a> {
+    /// The expansion.
+    pub expansion: &'a Expansion,
+    /// What the root file is taken for.
+    pub kind: RootKind,
+    /// Whether the user named the root file.
+    pub explicit: bool,
+    /// The robot in it.
+    pub robot: Option<&'a Robot>,
+    /// Where packages are looked for.
+    pub packages: PackageWorld<'a>,
+}
+
+/// Where packages are looked for.
+#[derive(Clone, Copy)]
+pub struct PackageWorld<'a> {
+    /// The look-up.
+    pub packages: &'a Packages,
+    /// Whether any ROS is around: without one, that a package is not found says little.
+    pub has_ros: bool,
+}
+
+/// An expanded robot.
+pub struct RobotCx<'a> {
+    /// The expansion.
+    pub expansion: &'a Expansion,
+    /// The robot.
+    pub robot: &'a Robot,
+    /// How its links hang together.
+    pub kinematics: &'a Kinematics,
+    /// Whether all links and joints are there, with all their names known. When an include, a macro or a
+    /// condition could not be resolved, nothing may be said about what is missing.
+    pub whole: bool,
+}

@@ -1,0 +1,28 @@
+//! Rules: what can be wrong with a description, one file a rule.
+//!
+//! A rule is a file here, a line in the list of its category and a page in `docs/rules/`. Rules that the
+//! expander finds on its way have no file: they are lines of a table and a page.
+
+mod catalogue;
+mod context;
+mod finding;
+mod package;
+mod registry;
+mod run;
+mod selection;
+mod sink;
+mod structure;
+mod vocabulary;
+mod xacro;
+mod xml;
+
+pub use catalogue::catalogue;
+pub use context::{DocumentCx, FileCx, PackageWorld, RobotCx, RootKind};
+pub use finding::{Edit, Finding, Fix, Related};
+pub use registry::{
+    Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector,
+    unknown_selector,
+};
+pub use run::{check_expansion, check_files};
+pub use selection::{Selection, SelectionOptions};
+pub use sink::Sink;

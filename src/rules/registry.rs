@@ -1,0 +1,233 @@
+//! The list of all rules, and how they are named.
+
+use std::fmt;
+
+use super::context::{DocumentCx, FileCx, RobotCx};
+use super::sink::Sink;
+use super::{package, structure, xacro, xml};
+use crate::workspace::nearest;
+
+/// A rule.
+#[derive(Debug)]
+pub struct Rule {
+    /// Three letters and three digits; never given to another rule.
+    pub code: &'static str,
+    /// What configuration and suppressions call it.
+    pub name: &'static str,
+    /// The group it belongs to.
+    pub category: Category,
+    /// How bad a finding is, unless configured otherwise.
+    pub severity: Severity,
+    /// Whether it runs when nothing is configured.
+    pub default: Activation,
+    /// The first version that had it.
+    pub since: &'static str,
+    /// How safe its fixes are; none when it offers none.
+    pub fix: Option<Safety>,
+    /// Its page in `docs/rules/`.
+    pub docs: &'static str,
+    /// How findings are made, and from what.
+    pub check: Check,
+}
+
+/// The groups of rules.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Category {
+    /// Well-formedness and the schema.
+    Xml,
+    /// The xacro language.
+    Xacro,
+    /// The kinematic tree.
+    Structure,
+    /// Packages and files of the workspace.
+    Package,
+}
+
+/// How bad a finding is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Severity {
+    /// Unnecessary; for editors.
+    Hint,
+    /// Convention or portability.
+    Info,
+    /// Accepted, and almost surely not meant.
+    Warning,
+    /// Some tool in common use rejects it, or it is physically impossible.
+    Error,
+}
+
+/// Whether a rule runs when nothing is configured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Activation {
+    /// It does.
+    On,
+    /// Only when it is selected.
+    Off,
+    /// Only with one of these profiles.
+    Profiles(&'static [&'static str]),
+}
+
+/// How safe a fix is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Safety {
+    /// The expansion stays equal, or becomes what was obviously meant.
+    Safe,
+    /// Names or numbers change.
+    Unsafe,
+}
+
+/// What a rule looks at.
+#[derive(Clone, Copy, Debug)]
+pub enum Check {
+    /// Nothing of its own: expansion reports it.
+    Expander,
+    /// One source file.
+    File(fn(&FileCx<'_>, &mut Sink<'_>)),
+    /// The expanded document of a root, robot or library.
+    Document(fn(&DocumentCx<'_>, &mut Sink<'_>)),
+    /// An expanded robot.
+    Robot(fn(&RobotCx<'_>, &mut Sink<'_>)),
+}
+
+/// The page of a rule.
+macro_rules! page {
+    ($name:literal) => {
+        include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/rules/", $name, ".md"))
+    };
+}
+pub(super) use page;
+
+impl Rule {
+    /// A rule that the expander finds.
+    pub(super) const fn found(
+        code: &'static str,
+        name: &'static str,
+        category: Category,
+        severity: Severity,
+        docs: &'static str,
+    ) -> Self {
+        let (default, check) = (Activation::On, Check::Expander);
+        Self { code, name, category, severity, default, since: "0.1", fix: None, docs, check }
+    }
+
+    /// The same with fixes.
+    pub(super) const fn fixed(mut self, safety: Safety) -> Self {
+        self.fix = Some(safety);
+        self
+    }
+
+    /// The first paragraph of the page: what the rule finds, in a sentence or two.
+    pub fn summary(&self) -> &'static str {
+        self.docs.split("\n\n").nth(2).unwrap_or("").trim()
+    }
+
+    /// The line below the title of the page.
+    pub fn headline(&self) -> String {
+        let fix = self.fix.map_or("no fix".to_owned(), |safety| format!("{} fix", safety.name()));
+        let Self { code, severity, default, since, .. } = self;
+        format!("`{code}` · {severity} · {default} by default · {fix} · since {since}")
+    }
+
+    /// Whether `selector` (a code, the beginning of a code, or a name) means this rule.
+    pub fn is_named(&self, selector: &str) -> bool {
+        let letters = selector.len() >= 3 && selector.starts_with(|c: char| c.is_ascii_uppercase());
+        self.name == selector || (letters && self.code.starts_with(selector))
+    }
+}
+
+impl Category {
+    /// Its name in lists.
+    pub fn name(self) -> &'static str {
+        match self {
+            Category::Xml => "xml",
+            Category::Xacro => "xacro",
+            Category::Structure => "structure",
+            Category::Package => "package",
+        }
+    }
+
+    /// What its rules are about.
+    pub fn title(self) -> &'static str {
+        match self {
+            Category::Xml => "Well-formedness and the URDF schema",
+            Category::Xacro => "The xacro language",
+            Category::Structure => "The kinematic tree",
+            Category::Package => "Packages and files",
+        }
+    }
+}
+
+impl Severity {
+    /// All of them, worst first.
+    pub const ALL: [Severity; 4] = [Severity::Error, Severity::Warning, Severity::Info, Severity::Hint];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Severity::Hint => "hint",
+            Severity::Info => "info",
+            Severity::Warning => "warning",
+            Severity::Error => "error",
+        }
+    }
+
+    /// The severity of a name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|severity| severity.name() == name)
+    }
+}
+
+impl fmt::Display for Activation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Activation::On => f.write_str("on"),
+            Activation::Off => f.write_str("off"),
+            Activation::Profiles(profiles) => f.write_str(&profiles.join(", ")),
+        }
+    }
+}
+
+impl Safety {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Safety::Safe => "safe",
+            Safety::Unsafe => "unsafe",
+        }
+    }
+}
+
+impl fmt::Display for Severity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// All rules, by category and code.
+pub fn all() -> impl Iterator<Item = &'static Rule> {
+    let categories: [&'static [Rule]; 4] = [xml::RULES, xacro::RULES, structure::RULES, package::RULES];
+    categories.into_iter().flatten()
+}
+
+/// The rule of a code.
+pub fn by_code(code: &str) -> Option<&'static Rule> {
+    all().find(|rule| rule.code == code)
+}
+
+/// The rules that a selector means: a code, the beginning of a code (at least its letters) or a name.
+pub fn find(selector: &str) -> impl Iterator<Item = &'static Rule> {
+    all().filter(move |rule| rule.is_named(selector))
+}
+
+/// A code or name much like a selector that means no rule.
+pub fn nearest_selector(selector: &str) -> Option<&'static str> {
+    nearest(selector, all().flat_map(|rule| [rule.name, rule.code]))
+}
+
+/// What to tell the user about a selector that means no rule.
+pub fn unknown_selector(selector: &str) -> String {
+    match nearest_selector(selector) {
+        Some(near) => format!("`{selector}` is no rule; a similar one is `{near}`"),
+        None => format!("`{selector}` is no rule; `xacro-lint rules` lists them"),
+    }
+}

@@ -1,0 +1,154 @@
+//! Running rules.
+
+use super::context::{DocumentCx, FileCx, PackageWorld, RobotCx, RootKind};
+use super::finding::{Edit, Finding, Fix, Related};
+use super::package::is_news;
+use super::registry::{Check, Rule, Safety, Severity, all, by_code};
+use super::sink::{Sink, limit_calls, span};
+use super::xacro::is_unprefixed;
+use crate::base::FastSet;
+use crate::expand::{Expansion, FileIdx, Problem, Step};
+use crate::model::{Kinematics, Robot};
+
+/// Problems after which links and joints may be missing from the expansion.
+const LOSES_CONTENT: [&str; 8] =
+    ["XML001", "XML002", "XAC002", "XAC004", "XAC009", "XAC032", "XAC034", "XAC041"];
+
+/// What expansion reported, and what the rules say about the expanded document.
+pub fn check_expansion(
+    expansion: &Expansion,
+    kind: RootKind,
+    explicit: bool,
+    packages: PackageWorld<'_>,
+) -> Vec<Finding> {
+    let unprefixed = Unprefixed::of(expansion);
+    let problems = expansion.problems.iter().filter(|problem| !unprefixed.explains(expansion, problem));
+    let mut findings: Vec<Finding> = problems.filter_map(|problem| finding(expansion, problem)).collect();
+    excuse_packages(&mut findings, packages);
+    let robot = Robot::of(expansion);
+    let Some(first) = all().next() else { return findings };
+    let mut sink = Sink::new(expansion, first);
+    let document = DocumentCx { expansion, kind, explicit, robot: robot.as_ref(), packages };
+    run(&mut sink, |rule, sink| {
+        if let Check::Document(check) = rule.check {
+            check(&document, sink);
+        }
+    });
+    if let Some(robot) = robot.as_ref().filter(|_| kind == RootKind::Robot) {
+        let kinematics = Kinematics::of(robot);
+        let lost = expansion.problems.iter().any(|problem| LOSES_CONTENT.contains(&problem.code));
+        let whole = expansion.whole && !lost && !unprefixed.structure && robot.names_are_known();
+        let cx = RobotCx { expansion, robot, kinematics: &kinematics, whole };
+        run(&mut sink, |rule, sink| {
+            if let Check::Robot(check) = rule.check {
+                check(&cx, sink);
+            }
+        });
+    }
+    findings.append(&mut sink.finish());
+    findings
+}
+
+/// What the rules say about the source files of an expansion. Of a file that is not well-formed, only that
+/// is said.
+pub fn check_files(expansion: &Expansion) -> Vec<Finding> {
+    let Some(first) = all().next() else { return Vec::new() };
+    let mut sink = Sink::new(expansion, first);
+    let macros = defined_macros(expansion);
+    for (file, used) in (0..).map(FileIdx).zip(&expansion.files) {
+        let cx = FileCx { expansion, file, source: &used.source, macros: &macros };
+        let well_formed = used.source.document.errors().is_empty();
+        run(&mut sink, |rule, sink| match rule.check {
+            Check::File(check) if well_formed || rule.code == "XML016" => check(&cx, sink),
+            _ => {}
+        });
+    }
+    sink.finish()
+}
+
+/// The macros that the files of an expansion define somewhere.
+fn defined_macros(expansion: &Expansion) -> FastSet<String> {
+    let items = expansion.files.iter().flat_map(|file| file.source.document.parts());
+    let macros = items.flat_map(|(_, item)| item.all_nodes()).filter(|node| node.name() == "xacro:macro");
+    macros.filter_map(|node| Some(node.attr("name")?.raw().trim_start_matches("xacro:").to_owned())).collect()
+}
+
+fn run(sink: &mut Sink<'_>, mut apply: impl FnMut(&Rule, &mut Sink<'_>)) {
+    for rule in all() {
+        sink.set_rule(rule);
+        apply(rule, sink);
+    }
+}
+
+/// What tags without their prefix would have defined: that it is missing has its cause there.
+#[derive(Default)]
+struct Unprefixed {
+    names: FastSet<String>,
+    /// Whole files or macros are missing.
+    structure: bool,
+}
+
+impl Unprefixed {
+    fn of(expansion: &Expansion) -> Self {
+        let mut found = Self::default();
+        for file in &expansion.files {
+            let document = &file.source.document;
+            let nodes = document.parts().skip(1).flat_map(|(_, item)| item.all_nodes());
+            for node in nodes.filter(|&node| is_unprefixed(document, node)) {
+                found.structure |= node.name() != "property" && node.name() != "arg";
+                found.names.extend(node.attr("name").map(|name| name.raw().to_owned()));
+            }
+        }
+        found
+    }
+
+    fn explains(&self, expansion: &Expansion, problem: &Problem) -> bool {
+        if !problem.code.starts_with("XAC") || self.names.is_empty() && !self.structure {
+            return false;
+        }
+        let Some(file) = expansion.files.get(problem.place.file.0 as usize) else { return false };
+        let text = file.source.document.slice(problem.place.range);
+        let name = text.trim_start_matches("<xacro:");
+        let undefined = ["XAC001", "XAC002", "XAC003", "XAC004"].contains(&problem.code);
+        undefined && (self.names.contains(name) || self.structure)
+    }
+}
+
+/// Where no ROS is, a missing package is a note, once for each name and file.
+fn excuse_packages(findings: &mut Vec<Finding>, packages: PackageWorld<'_>) {
+    let mut said = FastSet::default();
+    findings.retain_mut(|finding| {
+        // the expander offers a replacement when a package has almost the same name
+        let near = finding.fix.as_ref().map(|_| "");
+        if finding.rule.code != "PKG001" || is_news(packages, near) {
+            return true;
+        }
+        finding.severity = Severity::Info;
+        said.insert((finding.span.file, finding.message.clone()))
+    });
+}
+
+/// A problem of the expander as a finding.
+fn finding(expansion: &Expansion, problem: &Problem) -> Option<Finding> {
+    let rule = by_code(problem.code)?;
+    let place = span(expansion, problem.place)?;
+    let related =
+        |step: &Step| Some(Related { span: span(expansion, step.place)?, message: step.message.clone() });
+    let fix = problem.replacement.as_ref().map(|content| Fix {
+        safety: rule.fix.unwrap_or(Safety::Unsafe),
+        message: format!("replace by `{content}`"),
+        edits: vec![Edit { span: place, content: content.clone() }],
+    });
+    let mut finding = Finding {
+        rule,
+        severity: rule.severity,
+        message: problem.message.clone(),
+        span: place,
+        related: Vec::new(),
+        help: problem.help.clone(),
+        fix,
+    };
+    let steps = problem.trace.iter().chain(&problem.more_calls);
+    limit_calls(&mut finding, steps.filter_map(related).collect());
+    Some(finding)
+}

@@ -1,0 +1,210 @@
+//! Where rules put what they find.
+
+use super::finding::{Edit, Finding, Fix, Related};
+use super::registry::{Rule, Safety, Severity};
+use crate::base::{FastMap, Span, TextRange};
+use crate::expand::{Expansion, FileIdx, Frame, FrameKind, Origin, Place};
+
+/// Collects findings of one expansion. A place that several expansions of one source text lead to is
+/// reported once, with all the calls that lead there.
+pub struct Sink<'a> {
+    expansion: &'a Expansion,
+    rule: &'static Rule,
+    drafts: Vec<Draft>,
+    by_place: FastMap<(&'static str, Span), usize>,
+}
+
+/// A finding in the making.
+pub(super) struct Draft {
+    finding: Finding,
+    calls: Vec<Related>,
+}
+
+/// Adds to a finding.
+pub struct Reported<'s, 'a> {
+    sink: &'s mut Sink<'a>,
+    draft: Draft,
+}
+
+impl<'a> Sink<'a> {
+    pub(super) fn new(expansion: &'a Expansion, rule: &'static Rule) -> Self {
+        Self { expansion, rule, drafts: Vec::new(), by_place: FastMap::default() }
+    }
+
+    /// From now on, findings are of this rule.
+    pub(super) fn set_rule(&mut self, rule: &'static Rule) {
+        self.rule = rule;
+    }
+
+    /// The findings, with their calls behind the other related places.
+    pub(super) fn finish(self) -> Vec<Finding> {
+        let finish = |draft: Draft| {
+            let Draft { mut finding, calls } = draft;
+            limit_calls(&mut finding, calls);
+            finding
+        };
+        self.drafts.into_iter().map(finish).collect()
+    }
+
+    /// Report a defect at `origin`; [`Reported::done`] completes it.
+    pub fn report(&mut self, origin: Origin, message: impl Into<String>) -> Reported<'_, 'a> {
+        let span = self.span_of(origin);
+        let calls = self.calls(origin);
+        self.draft(span.unwrap_or_else(|| self.nowhere()), calls, message.into())
+    }
+
+    /// Report a defect at an absolute range of a file.
+    pub fn report_in(
+        &mut self,
+        file: FileIdx,
+        range: TextRange,
+        message: impl Into<String>,
+    ) -> Reported<'_, 'a> {
+        let span = self.span(Place { file, range });
+        self.draft(span.unwrap_or_else(|| self.nowhere()), Vec::new(), message.into())
+    }
+
+    fn draft(&mut self, span: Span, calls: Vec<Related>, message: String) -> Reported<'_, 'a> {
+        let rule = self.rule;
+        let finding = Finding {
+            rule,
+            severity: rule.severity,
+            message,
+            span,
+            related: Vec::new(),
+            help: None,
+            fix: None,
+        };
+        Reported { draft: Draft { finding, calls }, sink: self }
+    }
+
+    fn push(&mut self, draft: Draft) {
+        let key = (draft.finding.rule.code, draft.finding.span);
+        match self.by_place.get(&key).and_then(|&i| self.drafts.get_mut(i)) {
+            Some(old) => {
+                let new =
+                    draft.calls.into_iter().filter(|call| !old.calls.contains(call)).collect::<Vec<_>>();
+                old.calls.extend(new);
+            }
+            None => {
+                self.by_place.insert(key, self.drafts.len());
+                self.drafts.push(draft);
+            }
+        }
+    }
+
+    /// The start of the root file, for what has no place of its own.
+    fn nowhere(&self) -> Span {
+        let place = Place { file: FileIdx(0), range: TextRange::default() };
+        self.span(place).unwrap_or(Span { file: crate::base::FileId(0), range: TextRange::default() })
+    }
+
+    fn span(&self, place: Place) -> Option<Span> {
+        span(self.expansion, place)
+    }
+
+    fn span_of(&self, origin: Origin) -> Option<Span> {
+        self.span(self.expansion.place(origin)?)
+    }
+
+    /// The macro calls and inserted blocks that led to `origin`, innermost first.
+    fn calls(&self, origin: Origin) -> Vec<Related> {
+        let steps = self.expansion.frames_of(origin).filter(|frame| frame.kind != FrameKind::Include);
+        steps
+            .filter_map(|frame| {
+                Some(Related { span: self.span_of(frame.call)?, message: call_message(frame) })
+            })
+            .collect()
+    }
+}
+
+impl Reported<'_, '_> {
+    /// With a further place. When it is the very text that is reported, the calls that lead there are
+    /// added instead.
+    #[must_use]
+    pub fn also(mut self, origin: Origin, message: impl Into<String>) -> Self {
+        let Some(span) = self.sink.span_of(origin) else { return self };
+        if span == self.draft.finding.span {
+            let calls = self.sink.calls(origin);
+            let new: Vec<_> = calls.into_iter().filter(|call| !self.draft.calls.contains(call)).collect();
+            self.draft.calls.extend(new);
+        } else {
+            self.draft.finding.related.push(Related { span, message: message.into() });
+        }
+        self
+    }
+
+    /// With another severity than the rule's own.
+    #[must_use]
+    pub fn severity(mut self, severity: Severity) -> Self {
+        self.draft.finding.severity = severity;
+        self
+    }
+
+    /// With advice.
+    #[must_use]
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.draft.finding.help = Some(help.into());
+        self
+    }
+
+    /// With a fix: new texts for ranges of `file`.
+    #[must_use]
+    pub fn fix(
+        mut self,
+        safety: Safety,
+        message: impl Into<String>,
+        file: FileIdx,
+        edits: impl IntoIterator<Item = (TextRange, String)>,
+    ) -> Self {
+        let edit = |(range, content)| Some(Edit { span: self.sink.span(Place { file, range })?, content });
+        let edits: Vec<Edit> = edits.into_iter().filter_map(edit).collect();
+        self.draft.finding.fix = Some(Fix { safety, message: message.into(), edits });
+        self
+    }
+
+    /// With the reported text replaced.
+    #[must_use]
+    pub fn replace_with(
+        mut self,
+        safety: Safety,
+        message: impl Into<String>,
+        content: impl Into<String>,
+    ) -> Self {
+        let edits = vec![Edit { span: self.draft.finding.span, content: content.into() }];
+        self.draft.finding.fix = Some(Fix { safety, message: message.into(), edits });
+        self
+    }
+
+    /// The finding is complete.
+    pub fn done(self) {
+        self.sink.push(self.draft);
+    }
+}
+
+/// A place of an expansion in terms that hold beyond it.
+pub(super) fn span(expansion: &Expansion, place: Place) -> Option<Span> {
+    let file = expansion.files.get(place.file.0 as usize)?;
+    Some(Span { file: file.source.id, range: place.range })
+}
+
+fn call_message(frame: &Frame) -> String {
+    match frame.kind {
+        FrameKind::Macro => format!("expanded from this call of macro `{}`", frame.name),
+        FrameKind::Block => format!("in block `{}`, inserted here", frame.name),
+        FrameKind::Include | FrameKind::Root => "included here".to_owned(),
+    }
+}
+
+/// Calls listed with a finding.
+const MOST_CALLS: usize = 10;
+
+/// Put the calls behind the related places; of many, the first ones, and the message counts the others.
+pub(super) fn limit_calls(finding: &mut Finding, mut calls: Vec<Related>) {
+    let more = calls.len().saturating_sub(MOST_CALLS);
+    calls.truncate(MOST_CALLS);
+    finding.related.append(&mut calls);
+    if more > 0 {
+        finding.message.push_str(&format!(" (and {more} more calls lead here)"));
+    }
+}

@@ -1,0 +1,27 @@
+//! The kinematic tree, judged on the expansion and reported at the source.
+
+mod duplicate_joint_name;
+mod duplicate_link_name;
+mod joint_self_loop;
+mod link_cycle;
+mod missing_links;
+mod multiple_parents;
+mod multiple_roots;
+mod no_links;
+mod orphan_link;
+mod undefined_link;
+
+use super::registry::Rule;
+
+/// The rules.
+pub(super) static RULES: &[Rule] = &[
+    duplicate_link_name::RULE,
+    duplicate_joint_name::RULE,
+    undefined_link::RULE,
+    multiple_parents::RULE,
+    link_cycle::RULE,
+    joint_self_loop::RULE,
+    multiple_roots::RULE,
+    orphan_link::RULE,
+    no_links::RULE,
+];

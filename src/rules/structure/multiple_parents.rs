@@ -1,0 +1,39 @@
+//! A link that is the child of several joints.
+
+use super::super::context::RobotCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+
+pub(super) const RULE: Rule = Rule {
+    code: "STR004",
+    name: "multiple-parents",
+    category: Category::Structure,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("multiple-parents"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    for (link, _) in cx.robot.links.iter().enumerate() {
+        let joints = cx.kinematics.up(link).iter().filter_map(|&joint| cx.robot.joints.get(joint));
+        // loops and doubled joints are said elsewhere
+        let mut joints = joints.filter(|joint| joint.ends().is_some_and(|(parent, child)| parent != child));
+        let Some(first) = joints.next() else { continue };
+        for joint in joints.filter(|joint| joint.shown() != first.shown()) {
+            let (Some(child), Some(earlier)) = (&joint.child, &first.child) else { continue };
+            let message = format!(
+                "link `{}` is child of joint `{}` and of joint `{}`",
+                child.value,
+                first.shown(),
+                joint.shown()
+            );
+            out.report(child.origin, message)
+                .also(earlier.origin, format!("joint `{}` is its first parent joint", first.shown()))
+                .help("a link hangs on one joint: describe closed chains outside of the URDF, or swap parent and child")
+                .done();
+        }
+    }
+}

@@ -1,0 +1,26 @@
+//! A robot without links.
+
+use super::super::context::RobotCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use crate::model::tag_start;
+
+pub(super) const RULE: Rule = Rule {
+    code: "STR009",
+    name: "no-links",
+    category: Category::Structure,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("no-links"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    if cx.whole && cx.robot.links.is_empty() {
+        out.report(tag_start(cx.expansion, cx.robot.element), "the robot has no link")
+            .help("urdfdom refuses a robot without links")
+            .done();
+    }
+}

@@ -1,0 +1,43 @@
+//! A joint that names a link which does not exist.
+
+use super::super::context::RobotCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::missing_links::missing_links;
+
+pub(super) const RULE: Rule = Rule {
+    code: "STR003",
+    name: "undefined-link",
+    category: Category::Structure,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("undefined-link"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    if !cx.whole {
+        return;
+    }
+    for missing in missing_links(cx) {
+        let name = &missing.name;
+        let (first, others) = (&missing.uses.first, &missing.uses.others);
+        let message =
+            format!("joint `{}` names {} link `{name}`, which does not exist", first.joint, first.end);
+        let mut report = out.report(first.at, message);
+        for other in others {
+            report = report.also(other.at, format!("joint `{}` names it as {} link", other.joint, other.end));
+        }
+        match &missing.nearest {
+            Some(near) if first.literal => {
+                let rename = format!("rename it to `{near}`");
+                report = report.help(rename.clone()).replace_with(Safety::Unsafe, rename, near.as_str());
+            }
+            Some(near) => report = report.help(format!("a link with a similar name exists: `{near}`")),
+            None => report = report.help(format!("add <link name=\"{name}\"/>, or name an existing link")),
+        }
+        report.done();
+    }
+}

@@ -1,0 +1,35 @@
+//! `xmlns:xacro` bound to something else than the documented namespace.
+
+use super::super::context::FileCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::XACRO_URI;
+
+pub(super) const RULE: Rule = Rule {
+    code: "XML003",
+    name: "nonstandard-xacro-namespace",
+    category: Category::Xml,
+    severity: Severity::Info,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Safe),
+    docs: page!("nonstandard-xacro-namespace"),
+    check: Check::File(check),
+};
+
+fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
+    let Some(attr) = cx.root_attrs().find(|attr| attr.name() == "xmlns:xacro") else { return };
+    let uri = attr.raw();
+    if uri == XACRO_URI {
+        return;
+    }
+    // the root stands in the header, which begins the file
+    out.report_in(cx.file, attr.range(), format!("`xmlns:xacro` is `{uri}` instead of `{XACRO_URI}`"))
+        .fix(
+            Safety::Safe,
+            format!("use `{XACRO_URI}`"),
+            cx.file,
+            [(attr.value_range(), XACRO_URI.to_owned())],
+        )
+        .done();
+}

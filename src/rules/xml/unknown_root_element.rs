@@ -1,0 +1,36 @@
+//! A description whose root element is not `robot`.
+
+use super::super::context::{DocumentCx, RootKind};
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use crate::model::tag_start;
+
+pub(super) const RULE: Rule = Rule {
+    code: "XML005",
+    name: "unknown-root-element",
+    category: Category::Xml,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("unknown-root-element"),
+    check: Check::Document(check),
+};
+
+/// Roots of other formats that carry the ending `.urdf` by accident.
+const OTHER_FORMATS: [&str; 4] = ["sdf", "mujoco", "COLLADA", "launch"];
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let tree = &cx.expansion.tree;
+    let Some(root) = tree.root().filter(|_| cx.kind == RootKind::Robot && cx.robot.is_none()) else { return };
+    let name = &tree.get(root).text;
+    let report =
+        out.report(tag_start(cx.expansion, root), format!("the root element is `{name}` instead of `robot`"));
+    if OTHER_FORMATS.contains(&name.as_str()) && !cx.explicit {
+        return report
+            .severity(Severity::Info)
+            .help("this file is of another format and was not checked")
+            .done();
+    }
+    report.help("urdfdom reads nothing but a `robot`").done();
+}

@@ -1,0 +1,35 @@
+//! xacro tags in a file that calls itself plain URDF.
+
+use super::super::context::FileCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use crate::base::TextRange;
+
+pub(super) const RULE: Rule = Rule {
+    code: "XML017",
+    name: "xacro-tags-in-urdf",
+    category: Category::Xml,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("xacro-tags-in-urdf"),
+    check: Check::File(check),
+};
+
+fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
+    if !cx.is_plain_urdf() {
+        return;
+    }
+    let Some((base, node)) = cx.elements().find(|(_, node)| node.name().starts_with("xacro:")) else {
+        return;
+    };
+    let name = node.name_range().shift(base);
+    out.report_in(
+        cx.file,
+        TextRange::new(name.start - 1, name.end),
+        format!("`{}` in a file that ends in `.urdf`", node.name()),
+    )
+    .help("readers of plain URDF skip it in silence: rename the file to `.urdf.xacro`, and expand it")
+    .done();
+}

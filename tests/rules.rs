@@ -1,0 +1,187 @@
+//! The pages of `docs/rules/` are the tests of the rules: each block is checked as it stands, and a bad one
+//! yields exactly its rule at its markers.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use xacro_lsp::analysis::{CheckOptions, Overrides, Position, Session, Setup};
+use xacro_lsp::rules::{self, Category, Rule, Severity};
+use xacro_lsp::vfs::Environment;
+
+/// A fenced block of a page.
+struct Block {
+    /// `xacro` or `urdf`.
+    kind: String,
+    bad: bool,
+    /// Line of the page.
+    line: usize,
+    lines: Vec<String>,
+}
+
+/// A place: file, row, first and last column (exclusive).
+type Place = (String, u32, u32, u32);
+
+fn pages() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/rules")
+}
+
+fn blocks(rule: &Rule) -> Vec<Block> {
+    let mut found: Vec<Block> = Vec::new();
+    let mut inside = false;
+    for (i, line) in rule.docs.lines().enumerate() {
+        match line.strip_prefix("```") {
+            Some("") => inside = false,
+            Some(info) => {
+                let (kind, verdict) =
+                    info.split_once(',').unwrap_or_else(|| panic!("{}: `{info}`", rule.name));
+                assert!(["bad", "good"].contains(&verdict), "{}: `{info}`", rule.name);
+                let block =
+                    Block { kind: kind.to_owned(), bad: verdict == "bad", line: i + 1, lines: Vec::new() };
+                found.push(block);
+                inside = true;
+            }
+            None if inside => found.last_mut().unwrap().lines.push(line.to_owned()),
+            None => {}
+        }
+    }
+    found
+}
+
+/// The files of a block, the one to check first, and the places its markers point at.
+fn files(block: &Block) -> (Vec<(String, String)>, Vec<Place>) {
+    let mut files: Vec<(String, Vec<&str>)> = vec![(format!("robot.{}", block.kind), Vec::new())];
+    let mut places = Vec::new();
+    for line in &block.lines {
+        let (name, lines) = files.last_mut().unwrap();
+        if let Some(next) = line.strip_prefix("//- ") {
+            if lines.is_empty() {
+                files.pop();
+            }
+            files.push((next.to_owned(), Vec::new()));
+        } else if line.contains('^') && line.chars().all(|c| c == ' ' || c == '^') {
+            let start = line.find('^').unwrap() as u32 + 1;
+            let row = lines.len() as u32;
+            places.push((name.clone(), row, start, line.chars().count() as u32 + 1));
+        } else {
+            lines.push(line);
+        }
+    }
+    let text = |lines: Vec<&str>| lines.iter().map(|line| format!("{line}\n")).collect();
+    (files.into_iter().map(|(name, lines)| (name, text(lines))).collect(), places)
+}
+
+/// Check a block in a folder of its own: findings by rule name with their places.
+fn check(rule: &Rule, number: usize, block: &Block) -> (Vec<(&'static str, Severity, Place)>, Vec<Place>) {
+    let folder =
+        Path::new(env!("CARGO_TARGET_TMPDIR")).join("rules").join(rule.name).join(number.to_string());
+    let _ = fs::remove_dir_all(&folder);
+    let (files, places) = files(block);
+    for (name, text) in &files {
+        let path = folder.join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    }
+    let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), folder.join("none").display().to_string())]);
+    let env = Environment { vars, cwd: folder.clone() };
+    let extend_select = Some(vec![rule.name.to_owned()]);
+    let overrides = Overrides { extend_select, ..Overrides::default() };
+    let session = Session::new(&env, Setup { about: folder.clone(), overrides, ..Setup::default() }).unwrap();
+    let options = CheckOptions { paths: vec![files[0].0.clone().into()], ..CheckOptions::default() };
+    let report = session.check(&options);
+    assert!(report.unreadable.is_empty());
+    let findings = report.findings.iter().map(|finding| {
+        let Position { start, end } = report.position(finding.span);
+        let path = report.path(finding.span.file).strip_prefix(&folder).unwrap().display().to_string();
+        (finding.rule.name, finding.severity, (path, start.0, start.1, end.1.max(start.1 + 1)))
+    });
+    (findings.collect(), places)
+}
+
+#[test]
+fn every_block_says_what_it_should() {
+    let mut wrong = Vec::new();
+    for rule in rules::all() {
+        let blocks = blocks(rule);
+        assert!(
+            blocks.iter().any(|b| b.bad) && blocks.iter().any(|b| !b.bad),
+            "{} needs both kinds",
+            rule.name
+        );
+        for (number, block) in blocks.iter().enumerate() {
+            let (findings, expected) = check(rule, number, block);
+            let place = format!("docs/rules/{}.md:{}", rule.name, block.line);
+            assert_eq!(block.bad, !expected.is_empty(), "{place}: bad blocks have markers, good ones none");
+            let own: Vec<&Place> = findings.iter().filter(|f| f.0 == rule.name).map(|f| &f.2).collect();
+            if own != expected.iter().collect::<Vec<_>>() {
+                wrong.push(format!("{place}: found {own:?}, expected {expected:?}"));
+            }
+            for (name, severity, at) in &findings {
+                if *name != rule.name && *severity >= Severity::Warning {
+                    wrong.push(format!("{place}: {name} at {at:?}"));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn pages_have_their_shape() {
+    const HEADINGS: [&str; 6] =
+        ["## Why", "## Reported", "## Not reported", "## How to fix it", "## When to allow it", "## Source"];
+    for rule in rules::all() {
+        let mut lines = rule.docs.lines();
+        assert_eq!(lines.next(), Some(format!("# {}", rule.name).as_str()));
+        assert_eq!(lines.nth(1), Some(rule.headline().as_str()), "{}", rule.name);
+        let headings: Vec<&str> = rule.docs.lines().filter(|line| line.starts_with("## ")).collect();
+        assert_eq!(headings, HEADINGS, "{}", rule.name);
+        assert!(!rule.summary().is_empty() && rule.docs.ends_with('\n'), "{}", rule.name);
+    }
+}
+
+#[test]
+fn every_page_has_a_rule_and_codes_are_unique() {
+    let codes: Vec<&str> = rules::all().map(|rule| rule.code).collect();
+    let mut sorted = codes.clone();
+    sorted.sort_unstable();
+    sorted.dedup();
+    assert_eq!(sorted.len(), codes.len());
+    for entry in fs::read_dir(pages()).unwrap() {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        let Some(name) = name.strip_suffix(".md").filter(|name| *name != "README") else { continue };
+        assert!(rules::all().any(|rule| rule.name == name), "docs/rules/{name}.md has no rule");
+    }
+}
+
+/// The table of all rules.
+fn index() -> String {
+    let mut text = String::from(
+        "# Rules\n\nWritten by `UPDATE=1 cargo test --test rules`. A rule is named by its name (`orphan-link`), its code\n\
+         (`STR008`) or the beginning of its code (`STR`). `xacro-lint explain NAME` prints its page.\n",
+    );
+    for category in [Category::Xml, Category::Xacro, Category::Structure, Category::Package] {
+        text.push_str(&format!(
+            "\n## {}\n\n| code | name | severity | default | fix |\n|---|---|---|---|---|\n",
+            category.title()
+        ));
+        for rule in rules::all().filter(|rule| rule.category == category) {
+            let fix = rule.fix.map_or("", |safety| safety.name());
+            let Rule { code, name, severity, default, .. } = rule;
+            text.push_str(&format!("| {code} | [{name}]({name}.md) | {severity} | {default} | {fix} |\n"));
+        }
+    }
+    text
+}
+
+#[test]
+fn index_and_catalogue_are_up_to_date() {
+    for (name, text) in [("README.md", index()), ("rules.json", rules::catalogue())] {
+        let path = pages().join(name);
+        if std::env::var_os("UPDATE").is_some() {
+            fs::write(&path, &text).unwrap();
+        }
+        let stored = fs::read_to_string(&path).unwrap_or_default();
+        assert_eq!(stored, text, "docs/rules/{name} is old: run `UPDATE=1 cargo test --test rules`");
+    }
+}
