@@ -132,7 +132,7 @@ pub(crate) fn attribute(module: Module, name: &str) -> Option<Value> {
     }
 }
 
-pub(crate) use types::float;
+pub(crate) use convert::float;
 
 /// The value of a global symbol, as an expression without properties sees it.
 pub fn global_symbol(name: &str) -> Option<Value> {
