@@ -1,5 +1,12 @@
 //! The pages of `docs/rules/` are the tests of the rules: each block is checked as it stands, and a bad one
 //! yields exactly its rule at its markers.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    clippy::disallowed_methods
+)] // a test may fail loudly
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -2,6 +2,13 @@
 //!
 //! `tests/xml/expat.txt` holds, per line, a document as a JSON string, a TAB, and what
 //! `xml.dom.minidom.parse` of CPython 3.11 (expat 2.5.0) says to it: `line:column message` or `ok`.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    clippy::disallowed_methods
+)] // a test may fail loudly
 
 use xacro_lsp::base::Encoding;
 use xacro_lsp::xml::Document;

@@ -1,4 +1,11 @@
 //! Acceptance against a second parser: where the two disagree, a reason must be known.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    clippy::disallowed_methods
+)] // a test may fail loudly
 
 use std::collections::BTreeMap;
 

@@ -1,6 +1,6 @@
 //! Which files are expanded, and with which arguments.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::workspace::config::Root;
 
@@ -30,10 +30,10 @@ pub(super) struct Job {
 
 impl Job {
     /// The expansions of one file of a configured root; `args` go over all others.
-    pub(super) fn of_root(root: &Root, file: &PathBuf, args: &[(String, String)]) -> Vec<Self> {
+    pub(super) fn of_root(root: &Root, file: &Path, args: &[(String, String)]) -> Vec<Self> {
         let variants = root.variants().into_iter();
         let job = |variant: crate::workspace::config::Variant| Self {
-            file: file.clone(),
+            file: file.to_path_buf(),
             reason: Reason::Root,
             args: variant.args.into_iter().chain(args.iter().cloned()).collect(),
             preset: variant.preset,

@@ -56,10 +56,10 @@ pub(super) fn draw(tree: &Tree<'_>) -> String {
         let (x1, y1) = (left(child.depth), middle(child));
         let bend = columns.get(child.depth).map_or(x1, |column| column.bend);
         let class = if kind == "fixed" { "joint fixed" } else { "joint" };
-        let _ = write!(
+        let _ = writeln!(
             out,
             "<g class=\"{class}\"><title>{0}: {1}</title><path d=\"M{x0:.1} {y0:.1}H{bend:.1}V{y1:.1}H{x1:.1}\"/>\
-             <text x=\"{2:.1}\" y=\"{3:.1}\">{0} ({1})</text></g>\n",
+             <text x=\"{2:.1}\" y=\"{3:.1}\">{0} ({1})</text></g>",
             escape(joint),
             escape(kind),
             bend + 6.0,
@@ -68,10 +68,10 @@ pub(super) fn draw(tree: &Tree<'_>) -> String {
     }
     for link in &placed {
         let (x, y, w) = (left(link.depth), middle(link) - BOX / 2.0, width(link));
-        let _ = write!(
+        let _ = writeln!(
             out,
             "<g class=\"link\"><rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{w:.1}\" height=\"{BOX}\" rx=\"5\"/>\
-             <text x=\"{:.1}\" y=\"{:.1}\">{}</text></g>\n",
+             <text x=\"{:.1}\" y=\"{:.1}\">{}</text></g>",
             x + w / 2.0,
             y + BOX / 2.0,
             escape(tree.link(link.link))
