@@ -271,36 +271,17 @@ impl Expander<'_> {
 
     fn syntax_problem(&self, error: &SyntaxError, at: Origin, file: FileIdx) -> super::Problem {
         let place = |range| super::Place { file, range };
-        if error.kind == SyntaxErrorKind::UnboundPrefix && error.message.contains("xacro") {
-            let mut problem = self.problem("XML002", at, error.message.clone());
-            problem.place = place(self.whole_name(error.range, file));
-            return problem.help("add xmlns:xacro=\"http://www.ros.org/wiki/xacro\" to the root element");
-        }
-        let mut problem = self.problem("XML001", at, error.message.clone());
+        let xacro = error.kind == SyntaxErrorKind::UnboundPrefix && error.message.contains("xacro");
+        let code = if xacro { "XML002" } else { "XML001" };
+        let mut problem = self.problem(code, at, error.message.clone());
         problem.place = place(error.range);
-        match error.related {
-            // the end tag that does not fit is the token a parser stumbles over
-            Some((end_tag, _)) if error.kind == SyntaxErrorKind::UnclosedElement => {
-                problem.place = place(end_tag);
-                problem.trace =
-                    vec![super::Step { place: place(error.range), message: "opened here".to_owned() }];
-            }
-            Some((range, what)) => {
-                problem.trace.push(super::Step { place: place(range), message: what.to_owned() })
-            }
-            None => {}
+        if xacro {
+            problem = problem.help("add xmlns:xacro=\"http://www.ros.org/wiki/xacro\" to the root element");
+        }
+        if let Some((range, what)) = error.related {
+            problem.trace.push(super::Step { place: place(range), message: what.to_owned() });
         }
         problem
-    }
-
-    /// The qualified name that begins with the prefix at `prefix`.
-    fn whole_name(&self, prefix: TextRange, file: FileIdx) -> TextRange {
-        const MOST: u32 = 200;
-        let Some(used) = self.result.files.get(file.0 as usize) else { return prefix };
-        let ends = |c: char| c.is_whitespace() || matches!(c, '>' | '/' | '=' | '<' | '"');
-        let text = used.source.document.slice(TextRange::new(prefix.start, prefix.start + MOST));
-        let len = text.find(ends).unwrap_or(text.len()) as u32;
-        TextRange::new(prefix.start, prefix.start + len.max(prefix.len()))
     }
 
     /// Whether including `file` once more can never end; reports it.
@@ -313,6 +294,7 @@ impl Expander<'_> {
             return false;
         }
         self.result.complete = false;
+        self.content_lost = true;
         if undecided {
             // whether to go on cannot be known, so the recursion ends here
             return true;

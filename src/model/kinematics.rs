@@ -3,7 +3,7 @@
 use ecow::EcoString;
 
 use super::robot::Robot;
-use crate::base::FastMap;
+use crate::base::{FastMap, FastSet};
 
 /// Links by name, and the joints between them.
 ///
@@ -77,7 +77,10 @@ impl Kinematics {
             let name = robot.links.get(link).and_then(|link| link.name.as_ref()?.name());
             name.is_some_and(|name| self.link(name) == Some(link))
         };
-        (0..robot.links.len()).filter(first).filter(|&link| self.up(link).is_empty()).collect()
+        // a joint whose parent does not exist still says that its child is no root
+        let held: FastSet<usize> =
+            robot.joints.iter().filter_map(|joint| self.link(joint.child.as_ref()?.name()?)).collect();
+        (0..robot.links.len()).filter(first).filter(|link| !held.contains(link)).collect()
     }
 
     /// The cycles that joints make, each as the joints along it from parent to child; a joint from a link to
