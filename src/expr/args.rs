@@ -109,43 +109,15 @@ pub(crate) fn bind_named(
     if args.named.is_empty() && (required..=positional).contains(&args.len()) {
         return Ok(args);
     }
+    check_counts(function, names, required, positional, &args)?;
+    let given = args.len();
     let Args { mut pos, named } = args;
-    let given = pos.len() + named.len();
-    if given > names.len() {
-        let how = if required == names.len() { "exactly" } else { "at most" };
-        let keyword = if pos.is_empty() && !named.is_empty() { "keyword " } else { "" };
-        let (most, plural) = (names.len(), if names.len() == 1 { "" } else { "s" });
-        return Err(Stop::typ(format!(
-            "{function}() takes {how} {most} {keyword}argument{plural} ({given} given)"
-        )));
-    }
-    if pos.len() > positional {
-        let count = pos.len();
-        if positional == 0 {
-            return Err(Stop::typ(format!("{function}() takes no positional arguments")));
-        }
-        let how = if required >= positional { "exactly" } else { "at most" };
-        let plural = if positional == 1 { "" } else { "s" };
-        return Err(Stop::typ(format!(
-            "{function}() takes {how} {positional} positional argument{plural} ({count} given)"
-        )));
-    }
-    let by_position = pos.len();
-    let unnamed = names.iter().take(required).take_while(|name| name.is_empty()).count();
-    if by_position < unnamed {
-        let how = if unnamed < positional { "at least" } else { "exactly" };
-        let plural = if unnamed == 1 { "" } else { "s" };
-        return Err(Stop::typ(format!(
-            "{function}() takes {how} {unnamed} positional argument{plural} ({by_position} given)"
-        )));
-    }
     pos.resize(names.len(), Value::Unknown);
     let mut wrong = None;
     for (name, value) in named {
-        let place = names.iter().position(|known| *known == name);
-        match place {
+        match names.iter().position(|known| *known == name) {
             None => wrong = wrong.or(Some(name)),
-            Some(place) if place < by_position => {
+            Some(place) if place < given => {
                 return Err(Stop::typ(format!(
                     "argument for {function}() given by name ('{name}') and position ({})",
                     place + 1
@@ -158,14 +130,45 @@ pub(crate) fn bind_named(
             }
         }
     }
-    for (i, name) in names.iter().enumerate().take(required) {
-        if pos.get(i).is_none_or(Value::is_unknown) {
-            let place = i + 1;
-            return Err(Stop::typ(format!("{function}() missing required argument '{name}' (pos {place})")));
-        }
+    let missing = pos.iter().take(required).position(Value::is_unknown);
+    if let Some((place, name)) = missing.and_then(|place| Some((place + 1, names.get(place)?))) {
+        return Err(Stop::typ(format!("{function}() missing required argument '{name}' (pos {place})")));
     }
     match wrong {
         Some(name) => Err(Stop::typ(format!("'{name}' is an invalid keyword argument for {function}()"))),
         None => Ok(Args { pos, named: Vec::new() }),
     }
+}
+
+/// Whether the numbers of arguments fit, in total and by position.
+fn check_counts(function: &str, names: &[&str], required: usize, positional: usize, args: &Args) -> Eval<()> {
+    let plural = |count: usize| if count == 1 { "" } else { "s" };
+    let (by_position, given) = (args.len(), args.len() + args.named.len());
+    if given > names.len() {
+        let how = if required == names.len() { "exactly" } else { "at most" };
+        let keyword = if by_position == 0 { "keyword " } else { "" };
+        let (most, s) = (names.len(), plural(names.len()));
+        return Err(Stop::typ(format!(
+            "{function}() takes {how} {most} {keyword}argument{s} ({given} given)"
+        )));
+    }
+    if by_position > positional {
+        if positional == 0 {
+            return Err(Stop::typ(format!("{function}() takes no positional arguments")));
+        }
+        let how = if required >= positional { "exactly" } else { "at most" };
+        let s = plural(positional);
+        return Err(Stop::typ(format!(
+            "{function}() takes {how} {positional} positional argument{s} ({by_position} given)"
+        )));
+    }
+    let unnamed = names.iter().take(required).take_while(|name| name.is_empty()).count();
+    if by_position < unnamed {
+        let how = if unnamed < positional { "at least" } else { "exactly" };
+        let s = plural(unnamed);
+        return Err(Stop::typ(format!(
+            "{function}() takes {how} {unnamed} positional argument{s} ({by_position} given)"
+        )));
+    }
+    Ok(())
 }

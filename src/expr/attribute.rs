@@ -8,7 +8,7 @@ use super::interp::Interp;
 use super::methods;
 use super::numeric::Num;
 use super::stop::{Eval, Stop};
-use super::value::{Bound, Key, Value};
+use super::value::{Bound, Key, Type, Value};
 use crate::base::TextRange;
 
 impl Interp<'_> {
@@ -16,24 +16,18 @@ impl Interp<'_> {
     pub(crate) fn attribute(&mut self, value: &Value, name: &str, place: TextRange) -> Eval {
         match value {
             Value::Unknown => return Err(Stop::Unknown),
-            Value::Module(module) => {
-                return match builtins::attribute(*module, name) {
-                    Some(value) => Ok(value),
-                    None => {
-                        self.host.undefined(name, place);
-                        Err(Stop::Unknown)
-                    }
-                };
+            Value::Module(_) | Value::Scope(_) => {
+                if is_namespace_attribute(name) {
+                    return Err(Stop::Unknown);
+                }
+                return self.member(value, name, place).ok_or_else(|| {
+                    self.host.undefined(name, place);
+                    Stop::Unknown
+                });
             }
-            Value::Scope(scope) => {
-                if let Lookup::Found(value) = self.host.scope_attribute(*scope, name, place) {
-                    return Ok(value);
-                }
-                if let Some(value) = builtins::global(name) {
-                    return Ok(value);
-                }
-                self.host.undefined(name, place);
-                return Err(Stop::Unknown);
+            // Not everything they have is known here.
+            Value::Date(date) => {
+                return date_part(date, name).or_else(|| date_method(value, name)).ok_or(Stop::Unknown);
             }
             _ => {}
         }
@@ -43,6 +37,28 @@ impl Interp<'_> {
         }
         data(value, name).map_or_else(|| missing(value, name), Ok)
     }
+
+    /// What a namespace holds under a name.
+    pub(crate) fn member(&mut self, namespace: &Value, name: &str, place: TextRange) -> Option<Value> {
+        match namespace {
+            Value::Module(module) => builtins::attribute(*module, name),
+            Value::Scope(scope) => match self.host.scope_attribute(*scope, name, place) {
+                Lookup::Found(value) => Some(value),
+                Lookup::Missing => builtins::global(name),
+            },
+            _ => None,
+        }
+    }
+}
+
+/// Whether `namespace.name` is an attribute of the namespace object itself and hides a property of that name.
+///
+/// The reference's namespaces are dicts with attributes of their own: `ns.depth` is not the property `depth`.
+/// The value of such an attribute is unknown here.
+pub fn is_namespace_attribute(name: &str) -> bool {
+    matches!(name, "depth" | "parent" | "recursive" | "root" | "top" | "unevaluated")
+        || methods::of_type(Type::Dict, name).is_some()
+        || name == "fromkeys"
 }
 
 /// Attributes that are no methods.
@@ -55,7 +71,6 @@ fn data(value: &Value, name: &str) -> Option<Value> {
         (Value::Slice(slice), "start") => Some(slice.start.clone()),
         (Value::Slice(slice), "stop") => Some(slice.stop.clone()),
         (Value::Slice(slice), "step") => Some(slice.step.clone()),
-        (Value::Date(date), _) => date_part(date, name),
         (Value::Type(kind), _) => {
             let function = methods::of_type(*kind, name)?;
             Some(Value::Method(Arc::new(Bound { receiver: value.clone(), function, unbound: true })))
@@ -95,8 +110,15 @@ fn date_part(date: &super::value::DateValue, name: &str) -> Option<Value> {
     Some(Value::Int(number))
 }
 
+fn date_method(value: &Value, name: &str) -> Option<Value> {
+    let function = methods::find(value, name)?;
+    Some(Value::Method(Arc::new(Bound { receiver: value.clone(), function, unbound: false })))
+}
+
 fn missing(value: &Value, name: &str) -> Eval {
     Err(match value {
+        // Most methods of strings exist for bytes too, only not here.
+        Value::Bytes(_) if methods::of_type(Type::Str, name).is_some() => Stop::Unknown,
         Value::Dict(dict) if dict.is_yaml() => {
             Stop::new(ErrorKind::YamlKey, format!("The yaml dictionary has no key '{name}'"))
         }

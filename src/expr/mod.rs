@@ -35,6 +35,7 @@ mod token;
 mod value;
 pub mod visit;
 
+pub use attribute::is_namespace_attribute;
 pub use budget::Budget;
 pub use builtins::{
     GlobalSymbol, SymbolKind, global_symbol, global_symbols, is_global_symbol, module_symbol,

@@ -8,12 +8,13 @@ belongs in src/expr/testdata/TABLE.txt.
 
 import io
 import itertools
+import json
 import random
 import re
 import struct
 import sys
 
-from xacro import create_global_symbols, safe_eval, YamlDictWrapper, YamlListWrapper
+from xacro import Table, YamlDictWrapper, create_global_symbols, get_boolean_value, safe_eval
 
 import eval_expressions as plain
 
@@ -142,7 +143,31 @@ def floats():
         print(struct.unpack('<Q', struct.pack('<d', value))[0], repr(value), sep='\t')
 
 
-TABLES = {'eval': expressions, 'operators': operators, 'math': math, 'format': formats, 'floats': floats}
+def literals():
+    """Texts as JSON, the literal they are, and the boolean they are."""
+    texts = ['', ' ', '0', '-0', '+1', '007', '-007', ' 42 ', '1 2', '1.5', '1.50', '.5', '5.', '.', '1e3', '1E3', '1e',
+             'e3', '1e+3', '1e-3', '1e400', '-1e400', 'inf', '-inf', '+Inf', 'INFINITY', 'infinit', 'nan', '-nan', 'NaN',
+             '1_000', '_1', '1_', 'a_b', '0x10', '0b1', '0o7', '1j', 'true', 'True', 'TRUE', 'tRue', ' true', 'false',
+             'False', 'yes', 'no', 'on', 'None', "'", "''", "'" * 3, "'a'", "'1'", "''1''", "' 1'", " '1'", "'1' ", '"1"',
+             "'a", "a'", "'1_0'", '--1', '+-1', '- 1', '1-1', '1,5', '٣', '٣.٥', '१२', '１２', '1٣', '²', '½', '\u00a012\u2003',
+             '\u200b1', '1\n', '\t1', '\x1c5\x1f', '5\x00', '1.5f', '1d', '1L', '99999999999999999999',
+             '-99999999999999999999', '9' * 4300, '9' * 4301, '1' + '0' * 400, '0.1e1', '00.5', '1.e5', '.e5', '+.5',
+             '-.5e-5', 'infinity ', 'i', 'n', 't', 'f', 'base_link', 'base', '0 0 1', '1 ', '𝟏𝟐', '𝟘', '𝟿', '\u0be6', '1e٣',
+             '\u22121', '1\u066b5', '1e1_0', 'Infinity', 'iNfInItY', 'nanx']
+    rng = random.Random(4)
+    for _ in range(400):
+        texts.append(''.join(rng.choice("0011259.+-eE_ 'xinfatrue٣") for _ in range(rng.randint(1, 6))))
+    for text in dict.fromkeys(texts):
+        try:
+            boolean = get_boolean_value(text, None)
+        except Exception:
+            boolean = None
+        value = Table._eval_literal(text)
+        shown = type(value).__name__ if isinstance(value, int) and abs(value) > 10**4000 else ascii(value)
+        print(json.dumps(text), shown, boolean, sep='\t')
+
+
+TABLES = {'literals': literals, 'eval': expressions, 'operators': operators, 'math': math, 'format': formats, 'floats': floats}
 
 if __name__ == '__main__':
     for line in TABLES[sys.argv[1]]() or ():

@@ -205,6 +205,7 @@ fn len(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
         Value::View(view) => view.dict.len() as u128,
         Value::Set(set) => set.len() as u128,
         Value::Range(range) => range.len(),
+        Value::Scope(_) | Value::Module(_) => return Err(Stop::Unknown),
         other => return Err(Stop::typ(format!("object of type '{}' has no len()", other.type_name()))),
     };
     match i64::try_from(count) {

@@ -8,4 +8,6 @@ mod template;
 mod value;
 
 pub(crate) use percent::percent;
+#[cfg(test)]
+pub(crate) use template::ascii;
 pub(crate) use template::{fstring, str_format, str_format_map};

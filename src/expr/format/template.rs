@@ -48,7 +48,7 @@ fn convert(interp: &mut Interp, value: Value, conversion: Option<char>) -> Eval 
 }
 
 /// Python's `ascii()` of a text that is a `repr` already.
-pub(super) fn ascii(text: &str) -> Str {
+pub(crate) fn ascii(text: &str) -> Str {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         if c.is_ascii() { out.push(c) } else { quote::push_escape(&mut out, c) }

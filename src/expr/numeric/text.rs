@@ -91,10 +91,11 @@ pub(crate) use crate::expr::syntax::is_python_space as is_space;
 
 /// Decimal digits in ASCII, blanks at the ends cut off; `None` if a character can be in no number.
 fn ascii_number(text: &str) -> Option<Cow<'_, str>> {
-    let text = text.trim_matches(is_space);
     if text.is_ascii() {
-        return Some(Cow::Borrowed(text));
+        // The separators \x1c to \x1f are blanks only in texts that need translation.
+        return Some(Cow::Borrowed(text.trim_matches([' ', '\t', '\n', '\x0b', '\x0c', '\r'])));
     }
+    let text = text.trim_matches(is_space);
     let digit = |c: char| if c.is_ascii() { Some(c) } else { char::from_digit(decimal_digit(c)?, 10) };
     text.chars().map(digit).collect::<Option<String>>().map(Cow::Owned)
 }

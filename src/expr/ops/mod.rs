@@ -43,6 +43,10 @@ pub(crate) fn binary(interp: &mut Interp, op: BinOp, a: &Value, b: &Value) -> Ev
             None => Err(unsupported(op, a, b)),
         };
     }
+    if matches!(a, Value::Date(_)) || matches!(b, Value::Date(_)) {
+        // Differences of dates are not modelled.
+        return Err(Stop::Unknown);
+    }
     match op {
         BinOp::Add => sequence::concat(interp, a, b),
         BinOp::Mul => sequence::repeat(interp, a, b),

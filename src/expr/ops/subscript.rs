@@ -78,13 +78,8 @@ pub(crate) fn key_error(key: &Value) -> Stop {
 
 /// Namespaces are dicts too.
 fn namespace_item(interp: &mut Interp, object: &Value, key: &Value) -> Eval {
-    match key {
-        Value::Str(name) => {
-            let at = interp.at;
-            interp.attribute(object, name, at)
-        }
-        other => Err(key_error(other)),
-    }
+    let Value::Str(name) = key else { return Err(key_error(key)) };
+    interp.member(object, name, interp.at).ok_or_else(|| key_error(key))
 }
 
 /// The place an index means, or an error if it means none.
