@@ -71,7 +71,7 @@ impl Entities {
         names.sort();
         for name in &names {
             for is_attr in [false, true] {
-                self.resolve_one(name, is_attr, 0);
+                let _ = self.resolve_one(name, is_attr, 0);
             }
         }
     }
