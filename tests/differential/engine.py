@@ -69,6 +69,7 @@ def reference_child(xacro, program, folder, out, err):
     """The forked child: what the command `xacro` does; never returns."""
     code = 1
     try:
+        signal.signal(signal.SIGALRM, signal.SIG_DFL)
         signal.alarm(TIME)
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
         os.chdir(folder)

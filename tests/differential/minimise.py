@@ -4,7 +4,37 @@ import re
 import time
 
 ATTRIBUTE = re.compile(r'''\s+[\w:.-]+\s*=\s*("[^"]*"|'[^']*')''')
+TAG = re.compile(r'<!--.*?-->|<!\[CDATA\[.*?\]\]>|<(/?)[^\s<>/!?"\'=]+', re.S)
 TOKENS = re.compile(r'(<!--.*?-->|<[^<>]*>)', re.S)
+
+
+def tag_end(text, at):
+    """Where the tag ends that is open at `at`; quoted values may hold `>`."""
+    while at < len(text) and text[at] != '>':
+        if text[at] in '"\'':
+            at = text.find(text[at], at + 1)
+            if at < 0:
+                return len(text)
+        at += 1
+    return at + 1
+
+
+def elements(text):
+    """(start, end of the start tag, start of the end tag, end) of each element but the outermost."""
+    found, open_tags = [], []
+    for tag in TAG.finditer(text):
+        if tag.group(1) is None:
+            continue
+        end = tag_end(text, tag.end())
+        if tag.group(1):
+            if open_tags:
+                start, inner = open_tags.pop()
+                found.append((start, inner, tag.start(), end))
+        elif text[end - 2] == '/':
+            found.append((tag.start(), end, end, end))
+        else:
+            open_tags.append((tag.start(), end))
+    return [span for span in found if span[3] - span[0] < len(text.strip()) * 0.98 or span[0] > 200]
 
 
 class Minimiser:
@@ -24,6 +54,8 @@ class Minimiser:
             size = self.size(best)
             best = self.without_files(best)
             best = self.without_arguments(best)
+            for path in sorted(best.files, key=lambda p: -len(best.files[p])):
+                best = self.fewer_elements(best, path)
             for split in (self.by_lines, self.by_tokens, self.by_attributes, self.by_characters):
                 for path in sorted(best.files, key=lambda p: -len(best.files[p])):
                     best = self.shorter_file(best, path, split)
@@ -52,6 +84,24 @@ class Minimiser:
             best = self.attempt(best, lambda p, arg=arg: p.args.remove(arg))
         for name in list(best.env):
             best = self.attempt(best, lambda p, name=name: p.env.pop(name))
+        return best
+
+    def fewer_elements(self, best, path):
+        """Leave out whole elements, the largest first; put others' content in their place."""
+        tried = 0
+        while not self.out_of_time():
+            text = best.files[path].decode('utf-8', 'replace')
+            found = sorted(elements(text), key=lambda e: e[0] - e[3])
+            if tried >= 2 * len(found):
+                return best
+            start, inner, inner_end, end = found[tried // 2]
+            kept = text[inner:inner_end] if tried % 2 else ''
+            if tried % 2 and inner == end:
+                tried += 1
+                continue
+            after = self.attempt(best, lambda p: p.files.__setitem__(path, (text[:start] + kept + text[end:]).encode()))
+            tried += after is best
+            best = after
         return best
 
     def shorter_file(self, best, path, split):

@@ -12,12 +12,14 @@ of the reference itself, which must give no difference. Last line:
 `N passed, M failed`. See README.md.
 """
 import argparse
+import concurrent.futures
 import difflib
 import multiprocessing
 import os
 import re
 import shlex
 import shutil
+import signal
 import sys
 import tempfile
 import time
@@ -45,7 +47,7 @@ def parse_options():
     parser.add_argument('--minimise', type=int, default=10, metavar='N', help='make up to N differing programs smaller')
     parser.add_argument('--seconds', type=float, default=20, help='time for making one program smaller')
     parser.add_argument('--verify', type=int, default=3, metavar='N', help='check N programs against the command of the reference')
-    parser.add_argument('--disable', action='append', default=[], metavar='FEATURE', help='walrus or entity-markup; may be given again')
+    parser.add_argument('--disable', action='append', default=[], metavar='FEATURE', help='walrus, entity-markup or encodings; may be given again')
     parser.add_argument('--show', type=int, metavar='INDEX', help='print one program and what both make of it')
     options = parser.parse_args()
     options.python = os.path.abspath(reference.python(options.python))
@@ -83,14 +85,47 @@ def both(program):
 def signature(verdict, wanted, got):
     """A short text that groups differences of one cause."""
     if verdict == 'another output':
-        return verdict
+        return '%s: %s' % (verdict, first_difference(wanted.out, got.out))
     errors = (got if got.code else wanted).err.decode('utf-8', 'replace').split('\n')
     first = next((line for line in errors if line.startswith(('error', 'XML', 'Error'))), errors[0])
     return '%s: %s' % (verdict, re.sub(r"'[^']*'|\"[^\"]*\"|`[^`]*`|\d+", '#', first)[:100])
 
 
+def first_difference(wanted, got):
+    """What kind of thing differs first."""
+    wanted, got = wanted.split(b'\n'), got.split(b'\n')
+    at = next((i for i, pair in enumerate(zip(wanted, got)) if pair[0] != pair[1]), min(len(wanted), len(got)))
+    pair = [lines[at].decode('utf-8', 'replace').strip() if at < len(lines) else None for lines in (wanted, got)]
+    if None in pair:
+        return 'length'
+    if not all(pair):
+        return 'an empty line more' if pair[0] else 'an empty line less'
+    words = [re.findall(r'[\w.+-]+|\W', text) for text in pair]
+    odd = next(((a, b) for a, b in zip(*words) if a != b), None)
+    if odd is None or len(words[0]) != len(words[1]):
+        return 'comment' if '<!--' in pair[0] + pair[1] else 'tag or text'
+    return 'number' if all(re.match(r'[-+]?[\d.]', word) for word in odd) else 'word'
+
+
+def overdue(*_):
+    raise TimeoutError
+
+
 def try_index(index):
     """Generate and compare program `index`: what the summary needs to know."""
+    import engine
+    signal.signal(signal.SIGALRM, overdue)
+    signal.alarm(3 * engine.TIME)
+    try:
+        return try_program(index)
+    except TimeoutError:
+        return index, None, '', 'generator out of time', None, set(), Counter()
+    finally:
+        signal.alarm(0)
+
+
+def try_program(index):
+    """What `try_index` does in the time that it has."""
     import engine
     from generator import expressions
     from generator.program import generate
@@ -198,7 +233,7 @@ def report_failures(pool, failures):
     for name, indexes in sorted(groups.items(), key=lambda item: -len(item[1])):
         print('%6d  %s  (%s)' % (len(indexes), name, ', '.join(map(str, indexes[:6]))))
     order = [indexes[n] for n in range(max(map(len, groups.values()))) for indexes in groups.values() if n < len(indexes)]
-    for index, program, small, wanted, got in pool.imap(try_smaller, order[:OPTIONS.minimise]):
+    for index, program, small, wanted, got in pool.map(try_smaller, order[:OPTIONS.minimise]):
         print('\n=== program %s:%d' % (OPTIONS.seed, index))
         print(printed(small) + unified(wanted, got), end='')
         if OPTIONS.keep:
@@ -217,27 +252,32 @@ def show(index):
 
 def run():
     """The comparison; the exit status."""
-    begin = time.monotonic()
     context = multiprocessing.get_context('fork')
-    with context.Pool(OPTIONS.jobs) as pool:
-        indexes = range(OPTIONS.first, OPTIONS.first + OPTIONS.count)
-        if not all(pool.map(verify, indexes[:OPTIONS.verify], 1)):
-            sys.exit('the forked reference differs from its command: the harness is wrong')
-        outcomes = []
-        for outcome in pool.imap_unordered(try_index, indexes, 4):
-            outcomes.append(outcome)
-            if sys.stderr.isatty() and len(outcomes) % 50 == 0:
-                print('\r%d of %d' % (len(outcomes), OPTIONS.count), end='', file=sys.stderr)
-        spent = time.monotonic() - begin
-        outcomes.sort()
-        failures = [outcome for outcome in outcomes if outcome[1]]
-        if OPTIONS.stats:
-            print_stats(outcomes)
-        if failures:
-            report_failures(pool, failures)
-        folders = pool.map(scratch_parent, range(OPTIONS.jobs * 4), 1)
-    for folder in set(folders):
-        shutil.rmtree(folder, ignore_errors=True)
+    with concurrent.futures.ProcessPoolExecutor(OPTIONS.jobs, context) as pool:
+        try:
+            return run_in(pool)
+        finally:
+            for folder in set(pool.map(scratch_parent, range(OPTIONS.jobs * 4))):
+                shutil.rmtree(folder, ignore_errors=True)
+
+
+def run_in(pool):
+    """The comparison, with a pool of workers."""
+    begin = time.monotonic()
+    indexes = range(OPTIONS.first, OPTIONS.first + OPTIONS.count)
+    if not all(pool.map(verify, indexes[:OPTIONS.verify])):
+        sys.exit('the forked reference differs from its command: the harness is wrong')
+    outcomes = []
+    for outcome in pool.map(try_index, indexes, chunksize=4):
+        outcomes.append(outcome)
+        if sys.stderr.isatty() and len(outcomes) % 50 == 0:
+            print('\r%d of %d' % (len(outcomes), OPTIONS.count), end='', file=sys.stderr)
+    spent = time.monotonic() - begin
+    failures = [outcome for outcome in outcomes if outcome[1]]
+    if OPTIONS.stats:
+        print_stats(outcomes)
+    if failures:
+        report_failures(pool, failures)
     skipped = sum(outcome[1] is None for outcome in outcomes)
     refused = sum(outcome[4] == 2 for outcome in outcomes)
     print('%d programs, %d refused by the reference, %d left out because it crashed; %.0f programs/s'

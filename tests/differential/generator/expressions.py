@@ -1,13 +1,11 @@
 """Random expressions of a wanted kind, written as xacro's Python."""
 import ast
-import math
 import re
-import warnings
 from collections import Counter
-from types import SimpleNamespace
 
 from . import literals
 from .grammar import GRAMMAR, WILD
+from .trial import printable
 
 PLACE = re.compile(r'\{(\w+)(?::(\d+))?(?:\+(\w)=(\w+))?\}')
 LAMBDA, COND, UNARY, POST, ATOM = 0, 1, 12, 15, 16
@@ -183,46 +181,3 @@ class Expressions:
         if kind == 'any':
             return self.leaf(rng.choice(['int', 'flt', 'bool', 'word', 'text', 'mix', 'odd']))
         raise ValueError(kind)
-
-
-def tokenize(s, sep=',; ', skip_empty=True):
-    """Like the function of the reference, to try expressions out."""
-    parts = re.split('[%s]' % sep, s)
-    return [part for part in parts if part] if skip_empty else parts
-
-
-class Dotted(dict):
-    """Stands in for the dictionaries with dotted access."""
-
-    def __getattr__(self, name):
-        if name in self:
-            return self[name]
-        raise AttributeError(name)
-
-
-def trial_names():
-    """The global names of an expression, as Python values."""
-    import builtins
-    names = {k: v for k, v in math.__dict__.items() if not k.startswith('_')}
-    direct = 'list dict map len str float int bool True False min max round sorted range'.split()
-    more = ('abs all any complex divmod enumerate filter frozenset hash isinstance issubclass ord repr reversed slice '
-            'set sum tuple type vars zip').split()
-    names.update((k, getattr(builtins, k)) for k in direct)
-    names['math'] = SimpleNamespace(**{k: v for k, v in math.__dict__.items() if not k.startswith('_')})
-    names['python'] = SimpleNamespace(**{k: getattr(builtins, k) for k in direct + more})
-    names['xacro'] = SimpleNamespace(tokenize=tokenize, dotify=Dotted)
-    names['__builtins__'] = {}
-    return names
-
-
-TRIAL = trial_names()
-warnings.filterwarnings('ignore', category=SyntaxWarning)
-
-
-def printable(source):
-    """Whether a closed expression works and prints the same in every process."""
-    try:
-        text = str(eval(source, TRIAL))  # our own text, no names but the ones above
-    except Exception:
-        return False
-    return len(text) < 300 and ' at 0x' not in text and '$' not in text

@@ -117,8 +117,10 @@ class Files:
     def prolog(self, path):
         """What may stand before the root element."""
         rng = self.rng
-        text = rng.choice(['<?xml version="1.0"?>\n', '<?xml version="1.0" encoding="UTF-8"?>\n', "<?xml version='1.0' encoding='utf-8' standalone='yes' ?>", '', '', '<?xml version="1.0" ?>',
-                           '<?xml version="1.0" encoding="ISO-8859-1"?>\n', '<?xml version="1.0" encoding="ascii"?>'])
+        text = rng.choice(['<?xml version="1.0"?>\n', '<?xml version="1.0" encoding="UTF-8"?>\n', "<?xml version='1.0' encoding='utf-8' standalone='yes' ?>", '', '', '<?xml version="1.0" ?>'])
+        if 'encodings' not in self.disabled and rng.random() < 0.01:
+            self.use('encoding that is not used')  # the reference reads UTF-8, whatever it says
+            text = '<?xml version="1.0" encoding="%s"?>' % rng.choice(['ISO-8859-1', 'ascii', 'UTF-16', 'windows-1252'])
         if rng.random() < 0.15:
             text += rng.choice(['<!-- head -->\n', '<?pi ${1}?>\n', '<!--one--><!--two-->', '\n\n'])
         return text

@@ -697,7 +697,7 @@ WILD = {
         {text:15}.lower().count('e')
         {text:15}.casefold() == {text:15}.lower()
         {text:15}.expandtabs({digit})
-        {word:15}.ljust({int}) + '|'
+        {word:15}.ljust({digit}{digit}) + '|'
         {text:15}.rstrip() + {text:15}.lstrip({word})
         {text:15} .upper()
     ''',

@@ -1,6 +1,7 @@
 """Texts of attributes: values to store, values to show, conditions."""
 from . import literals
-from .expressions import TRIAL, Expressions
+from .expressions import Expressions
+from .trial import TRIAL
 from .yamls import Schema, access
 
 # Which kinds of names serve where a kind is asked for.
