@@ -14,6 +14,8 @@ struct Block {
     /// `xacro` or `urdf`.
     kind: String,
     bad: bool,
+    /// Saved in Latin-1, not in UTF-8.
+    latin_1: bool,
     /// Line of the page.
     line: usize,
     lines: Vec<String>,
@@ -33,11 +35,12 @@ fn blocks(rule: &Rule) -> Vec<Block> {
         match line.strip_prefix("```") {
             Some("") => inside = false,
             Some(info) => {
+                let (info, latin_1) = info.split_once(",latin-1").map_or((info, false), |(info, _)| (info, true));
                 let (kind, verdict) =
                     info.split_once(',').unwrap_or_else(|| panic!("{}: `{info}`", rule.name));
                 assert!(["bad", "good"].contains(&verdict), "{}: `{info}`", rule.name);
                 let block =
-                    Block { kind: kind.to_owned(), bad: verdict == "bad", line: i + 1, lines: Vec::new() };
+                    Block { kind: kind.to_owned(), bad: verdict == "bad", latin_1, line: i + 1, lines: Vec::new() };
                 found.push(block);
                 inside = true;
             }
@@ -80,7 +83,8 @@ fn check(rule: &Rule, number: usize, block: &Block) -> (Vec<(&'static str, Sever
     for (name, text) in &files {
         let path = folder.join(name);
         fs::create_dir_all(path.parent().unwrap()).unwrap();
-        fs::write(path, text).unwrap();
+        let latin_1 = || text.chars().map(|c| u8::try_from(c).unwrap()).collect();
+        fs::write(path, if block.latin_1 { latin_1() } else { text.clone().into_bytes() }).unwrap();
     }
     let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), folder.join("none").display().to_string())]);
     let env = Environment { vars, cwd: folder.clone() };

@@ -9,7 +9,7 @@ use super::origin::{FrameKind, Origin};
 use super::resolve::{BindingInfo, BindingKind};
 use super::scope::{Block, Place, State};
 use super::tree::{XAttr, XId, XKind};
-use crate::expr::display;
+use crate::expr::{Value, display};
 
 impl Expander<'_> {
     /// `xacro:if` (`wanted` true) and `xacro:unless`.
@@ -76,15 +76,18 @@ impl Expander<'_> {
     pub fn insert_block(&mut self, tag: Tag<'_>, out: XId, cx: Cx) {
         let Some((name, place)) = self.required_attr(tag, "name", cx) else { return };
         self.check_attrs(tag, &["name"], cx);
+        let mut unknown = false;
         let found = ["**", "*"].into_iter().find_map(|stars| {
             let key = format!("{stars}{name}");
             let (_, binding) = self.scopes.find(cx.scope, &key)?;
+            unknown |= matches!(binding.state, State::Ready(Value::Unknown));
             let State::Block(block) = binding.state else { return None };
             let origin = self.result.bindings.get(binding.info as usize).and_then(|info| info.origin);
             Some((block, stars == "**", origin))
         });
         let Some((block, content_only, definition)) = found else {
-            return self.undefined_block(&name, place, cx);
+            // a block that the call forgot was reported there
+            return if unknown { self.result.complete = false } else { self.undefined_block(&name, place, cx) };
         };
         let at = self.tag_origin(tag, cx);
         if self.block_depth >= Self::MAX_BLOCK_DEPTH {

@@ -297,6 +297,7 @@ impl Expander<'_> {
     /// A tag whose meaning could not be computed: look inside for further causes, keep nothing.
     pub fn skip_unknown(&mut self, tag: Tag<'_>, cx: Cx) {
         self.result.complete = false;
+        self.content_lost = true;
         let nowhere = self.result.tree.add(XKind::Container, EcoString::new(), Origin::NOWHERE);
         self.eval_children(tag.node, tag.src, nowhere, cx);
     }

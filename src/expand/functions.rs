@@ -75,7 +75,9 @@ impl Host for ExprHost<'_, '_, '_> {
     }
 
     fn deprecated(&mut self, name: &str, namespace: &str, range: TextRange) {
-        let at = self.machine.origin_of(self.at, range);
+        // the call begins with the name of what it calls
+        let name_range = TextRange::new(range.start, range.start + name.len() as u32);
+        let at = self.machine.origin_of(self.at, name_range);
         let message = format!("bare `{name}` is deprecated: xacro warns about it on each call");
         let reference = format!("Using {name}() directly is deprecated. Use {namespace}.{name}() instead.");
         let problem = self

@@ -294,6 +294,7 @@ impl Expander<'_> {
             return false;
         }
         self.result.complete = false;
+        self.content_lost = true;
         if undecided {
             // whether to go on cannot be known, so the recursion ends here
             return true;

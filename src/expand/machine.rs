@@ -173,8 +173,8 @@ pub(super) struct Expander<'w> {
     pub reads: Vec<u32>,
     /// An include is missing: undefined names are then no news.
     pub include_missing: bool,
-    /// A text holds a piece that could not be computed.
-    pub unknown_texts: bool,
+    /// The content of a condition or call is missing, because it could not be decided.
+    pub content_lost: bool,
     /// Files that are not well-formed.
     pub broken: FastSet<FileIdx>,
     /// Problems about undefined names, in case they turn out to be defined later.
@@ -234,7 +234,7 @@ impl<'w> Expander<'w> {
             lazy_uses: Vec::new(),
             reads: Vec::new(),
             include_missing: false,
-            unknown_texts: false,
+            content_lost: false,
             broken: FastSet::default(),
             undefined: Undefined::default(),
             calls: Vec::new(),
@@ -256,8 +256,8 @@ impl<'w> Expander<'w> {
         // what the recovered tree of a broken file seems to say is not trusted
         self.problems.list.retain(|p| p.code.starts_with("XML") || !broken.contains(&p.place.file));
         self.result.problems = std::mem::take(&mut self.problems.list);
-        self.result.whole = self.result.complete && !self.stopped;
-        self.result.complete &= !self.unknown_texts && !self.result.has_errors();
+        self.result.whole = !(self.content_lost || self.include_missing || self.stopped);
+        self.result.complete &= !self.result.has_errors();
         self.result
     }
 

@@ -169,14 +169,16 @@ impl Expander<'_> {
                     let state = State::Block(Block::Built(block));
                     self.bind(body.scope, param.name.clone(), state, info, origin);
                 }
-                None => missing.push(param.name.trim_start_matches('*')),
+                None => {
+                    missing.push(param.name.trim_start_matches('*'));
+                    self.bind_unknown(&param.name, self.tag_origin(tag, cx), body);
+                }
             }
         }
         if self.unwinding {
             return;
         }
         if !missing.is_empty() {
-            self.result.complete = false;
             let message = format!("macro `{}` needs a block for `{}`", def.name, missing.join("`, `"));
             let problem = self
                 .problem("XAC007", self.tag_origin(tag, cx), message)
@@ -360,6 +362,7 @@ impl Expander<'_> {
         if self.unknown_conditions > 0 {
             // whether to go on cannot be known, so the recursion ends here
             self.result.complete = false;
+            self.content_lost = true;
             return true;
         }
         if conditions == self.conditions {

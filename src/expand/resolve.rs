@@ -5,6 +5,7 @@ use ecow::EcoString;
 use super::late::NameKind;
 use super::machine::Expander;
 use super::origin::Origin;
+use super::problem::Step;
 use super::scope::State;
 use crate::expr::{ScopeId, Value, literal};
 use crate::workspace::nearest;
@@ -115,26 +116,36 @@ impl Expander<'_> {
     }
 
     fn circular(&mut self, holder: ScopeId, name: &EcoString, at: Origin) -> Value {
-        let mut names: Vec<&str> = self.scopes.get(holder).resolving.iter().map(EcoString::as_str).collect();
-        names.push(name);
-        let chain = names.join(" -> ");
-        let start = names.iter().position(|n| n == name).unwrap_or(0);
-        let cycle = names.get(start..).unwrap_or_default().join(" -> ");
+        let resolving = self.scopes.get(holder).resolving.clone();
+        let chain = resolving.iter().chain([name]).map(EcoString::as_str).collect::<Vec<_>>().join(" -> ");
+        let start = resolving.iter().position(|n| n == name).unwrap_or(0);
+        let mut cycle: Vec<(&EcoString, Origin)> = resolving
+            .iter()
+            .skip(start)
+            .map(|name| {
+                let binding = self.scopes.find(holder, name).map(|(_, binding)| binding.info as usize);
+                let info = binding.and_then(|info| self.result.bindings.get(info));
+                (name, info.and_then(|info| info.origin).unwrap_or(at))
+            })
+            .collect();
+        // the first property of the cycle is to blame, wherever the cycle was entered
+        let place = |origin: Origin| self.result.place(origin).map(|place| (place.file, place.range.start));
+        let first = (0..cycle.len()).min_by_key(|&i| cycle.get(i).and_then(|&(_, origin)| place(origin)));
+        cycle.rotate_left(first.unwrap_or(0));
+        let names: Vec<&str> = cycle.iter().chain(cycle.first()).map(|(name, _)| name.as_str()).collect();
         let reference = format!(
             "circular variable definition: {chain}\nConsider disabling lazy evaluation via lazy_eval=\"false\""
         );
-        // the first property of the cycle is to blame, wherever the cycle was entered
-        let origin = self
-            .scopes
-            .find(holder, name)
-            .and_then(|(_, b)| self.result.bindings.get(b.info as usize))
-            .and_then(|info| info.origin)
-            .unwrap_or(at);
-        let message = format!("properties refer to each other: {cycle}");
-        let problem = self
+        let message = format!("properties refer to each other: {}", names.join(" -> "));
+        let origin = cycle.first().map_or(at, |&(_, origin)| origin);
+        let mut problem = self
             .problem("XAC023", origin, message)
             .says(reference)
             .help("give one of them a value of its own, or evaluate it at once with lazy_eval=\"false\"");
+        let others = cycle.iter().skip(1).filter_map(|&(name, origin)| {
+            Some(Step { place: self.result.place(origin)?, message: format!("`{name}` is part of the circle") })
+        });
+        problem.trace.splice(0..0, others.collect::<Vec<_>>());
         self.push(problem);
         Value::Unknown
     }

@@ -75,7 +75,7 @@ impl Expander<'_> {
             let start = out.len() as u32;
             let shown = display::to_str(&value);
             let unknown = shown.is_none();
-            self.unknown_texts |= unknown;
+            self.result.complete &= !unknown;
             out.push_str(shown.as_deref().unwrap_or(UNKNOWN_TEXT));
             let reads: Box<[u32]> = self.reads.drain(mark..).collect();
             if let Token::Expr { range, .. } | Token::Subst { range, .. } = token {

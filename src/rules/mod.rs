@@ -7,6 +7,7 @@ mod catalogue;
 mod context;
 mod finding;
 mod package;
+mod place;
 mod registry;
 mod run;
 mod selection;

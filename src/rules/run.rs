@@ -4,9 +4,10 @@ use super::context::{DocumentCx, FileCx, PackageWorld, RobotCx, RootKind};
 use super::finding::{Edit, Finding, Fix, Related};
 use super::package::is_news;
 use super::registry::{Check, Rule, Safety, Severity, all, by_code};
+use super::place;
 use super::sink::{Sink, limit_calls, span};
 use super::xacro::is_unprefixed;
-use crate::base::FastSet;
+use crate::base::{FastSet, Span};
 use crate::expand::{Expansion, FileIdx, Problem, Step};
 use crate::model::{Kinematics, Robot};
 
@@ -59,7 +60,7 @@ pub fn check_files(expansion: &Expansion) -> Vec<Finding> {
         let cx = FileCx { expansion, file, source: &used.source, macros: &macros };
         let well_formed = used.source.document.errors().is_empty();
         run(&mut sink, |rule, sink| match rule.check {
-            Check::File(check) if well_formed || rule.code == "XML016" => check(&cx, sink),
+            Check::File(check) if well_formed => check(&cx, sink),
             _ => {}
         });
     }
@@ -131,13 +132,22 @@ fn excuse_packages(findings: &mut Vec<Finding>, packages: PackageWorld<'_>) {
 /// A problem of the expander as a finding.
 fn finding(expansion: &Expansion, problem: &Problem) -> Option<Finding> {
     let rule = by_code(problem.code)?;
-    let place = span(expansion, problem.place)?;
-    let related =
-        |step: &Step| Some(Related { span: span(expansion, step.place)?, message: step.message.clone() });
+    let Span { file, range } = span(expansion, problem.place)?;
+    let document = &expansion.files.get(problem.place.file.0 as usize)?.source.document;
+    let steps = problem.trace.iter().chain(&problem.more_calls);
+    let related = |step: &Step| {
+        Some(Related { span: span(expansion, step.place)?, message: step.message.clone() })
+    };
+    let mut calls: Vec<Related> = steps.filter_map(related).collect();
+    let mut place = Span { file, range: place::fit(rule.code, document, range) };
+    if let Some((range, opened)) = place::syntax(document, file).filter(|_| rule.code == "XML001") {
+        place.range = range;
+        calls = opened.into_iter().collect();
+    }
     let fix = problem.replacement.as_ref().map(|content| Fix {
         safety: rule.fix.unwrap_or(Safety::Unsafe),
         message: format!("replace by `{content}`"),
-        edits: vec![Edit { span: place, content: content.clone() }],
+        edits: vec![Edit { span: Span { file, range }, content: content.clone() }],
     });
     let mut finding = Finding {
         rule,
@@ -148,7 +158,6 @@ fn finding(expansion: &Expansion, problem: &Problem) -> Option<Finding> {
         help: problem.help.clone(),
         fix,
     };
-    let steps = problem.trace.iter().chain(&problem.more_calls);
-    limit_calls(&mut finding, steps.filter_map(related).collect());
+    limit_calls(&mut finding, calls);
     Some(finding)
 }

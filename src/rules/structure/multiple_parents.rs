@@ -3,6 +3,7 @@
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use crate::base::FastMap;
 
 pub(super) const RULE: Rule = Rule {
     code: "STR004",
@@ -17,7 +18,15 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    for (link, _) in cx.robot.links.iter().enumerate() {
+    let mut count: FastMap<&str, usize> = FastMap::default();
+    for name in cx.robot.links.iter().filter_map(|link| link.name.as_ref()) {
+        *count.entry(&name.value).or_default() += 1;
+    }
+    for (link, name) in cx.robot.links.iter().map(|link| link.name.as_ref()).enumerate() {
+        // of two links of one name, each may hang on its own joint
+        if name.is_none_or(|name| count.get(name.value.as_str()) != Some(&1)) {
+            continue;
+        }
         let joints = cx.kinematics.up(link).iter().filter_map(|&joint| cx.robot.joints.get(joint));
         // loops and doubled joints are said elsewhere
         let mut joints = joints.filter(|joint| joint.ends().is_some_and(|(parent, child)| parent != child));

@@ -40,7 +40,7 @@ pub(super) static RULES: &[Rule] = &[
     Rule::found("XAC035", "glob-include-no-match", Xacro, Warning, page!("glob-include-no-match")),
     Rule::found("XAC036", "conflicting-property-attributes", Xacro, Error, page!("conflicting-property-attributes")),
     Rule::found("XAC037", "use-before-definition", Xacro, Error, page!("use-before-definition")),
-    Rule::found("XAC039", "parent-scope-at-top", Xacro, Warning, page!("parent-scope-at-top")),
+    Rule::found("XAC039", "parent-scope-at-top", Xacro, Error, page!("parent-scope-at-top")),
     Rule::found("XAC040", "default-with-scope", Xacro, Warning, page!("default-with-scope")),
     Rule::found("XAC041", "invalid-macro-name", Xacro, Error, page!("invalid-macro-name")),
     Rule::found("XAC042", "inconsistent-namespace-redefinition", Xacro, Info, page!("inconsistent-namespace-redefinition")),

@@ -5,7 +5,6 @@ mod missing_robot_name;
 mod nonstandard_xacro_namespace;
 mod unknown_root_element;
 mod xacro_tags_in_urdf;
-mod xml_encoding_mismatch;
 
 use super::registry::{Category::Xml, Rule, Safety, Severity::Error, page};
 
@@ -18,7 +17,7 @@ pub(super) static RULES: &[Rule] = &[
     inconsistent_xacro_prefix::RULE,
     unknown_root_element::RULE,
     missing_robot_name::RULE,
-    xml_encoding_mismatch::RULE,
+    Rule::found("XML016", "xml-encoding-mismatch", Xml, Error, page!("xml-encoding-mismatch")),
     xacro_tags_in_urdf::RULE,
 ];
 
