@@ -86,7 +86,7 @@ fn edit_with_snapshot(bencher: Bencher<'_, '_>, size: usize) {
     let mut document = Document::parse(&text);
     let mut snapshot = document.clone();
     let mut typed = false;
-    bencher.bench_local(move || {
+    bencher.bench_local(|| {
         let (end, letter) = if typed { (middle + 1, "") } else { (middle, "7") };
         typed = !typed;
         document.edit(TextRange::new(middle, end), letter);
