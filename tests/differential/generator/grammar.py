@@ -193,8 +193,6 @@ GRAMMAR = {
         exp({flt:11} / 100)
         expm1({flt:11} / 100)
         exp2({idx})
-        erf({num})
-        erfc({flt})
         gamma(1 + {idx:11})
         gamma({flt:11} % 5 + 0.5)
         lgamma({flt})
