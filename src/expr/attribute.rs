@@ -117,8 +117,10 @@ fn date_method(value: &Value, name: &str) -> Option<Value> {
 
 fn missing(value: &Value, name: &str) -> Eval {
     Err(match value {
-        // Most methods of strings exist for bytes too, only not here.
-        Value::Bytes(_) if methods::of_type(Type::Str, name).is_some() => Stop::Unknown,
+        // Most methods of strings exist for bytes too, only not here: better an error than a guess.
+        Value::Bytes(_) if methods::of_type(Type::Str, name).is_some() => {
+            Stop::new(ErrorKind::Attribute, format!("the method '{name}' of bytes is not supported here"))
+        }
         Value::Dict(dict) if dict.is_yaml() => {
             Stop::new(ErrorKind::YamlKey, format!("The yaml dictionary has no key '{name}'"))
         }

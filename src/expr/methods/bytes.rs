@@ -26,6 +26,8 @@ pub(super) static METHODS: &[Function] = methods! { "bytes":
     "lower" Zero => |_, s, _| Ok(Value::Bytes(this(s)?.iter().map(u8::to_ascii_lowercase).collect())),
     "startswith" up_to(1, 1) => |_, s, a| Ok(Value::Bool(this(s)?.starts_with(part(a.at(0))?))),
     "strip" Zero => |_, s, _| Ok(Value::Bytes(this(s)?.trim_ascii().iter().copied().collect())),
+    "swapcase" Zero => |_, s, _| Ok(Value::Bytes(this(s)?.iter().map(swapcase).collect())),
+    "title" Zero => |_, s, _| Ok(Value::Bytes(title(this(s)?))),
     "upper" Zero => |_, s, _| Ok(Value::Bytes(this(s)?.iter().map(u8::to_ascii_uppercase).collect())),
 };
 
@@ -33,6 +35,21 @@ pub(super) static METHODS: &[Function] = methods! { "bytes":
 pub(super) static CLASS: &[Function] = methods! { "bytes":
     "fromhex" One => from_hex,
 };
+
+fn swapcase(byte: &u8) -> u8 {
+    if byte.is_ascii_lowercase() { byte.to_ascii_uppercase() } else { byte.to_ascii_lowercase() }
+}
+
+/// The first letter of each run of letters large, the others small.
+fn title(bytes: &[u8]) -> ecow::EcoVec<u8> {
+    let mut inside = false;
+    let letter = |byte: &u8| {
+        let cased = if inside { byte.to_ascii_lowercase() } else { byte.to_ascii_uppercase() };
+        inside = byte.is_ascii_alphabetic();
+        cased
+    };
+    bytes.iter().map(letter).collect()
+}
 
 fn this(value: &Value) -> Eval<&[u8]> {
     match value {
