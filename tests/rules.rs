@@ -177,7 +177,10 @@ fn index() -> String {
         "# Rules\n\nWritten by `UPDATE=1 cargo test --test rules`. A rule is named by its name (`orphan-link`), its code\n\
          (`STR008`) or the beginning of its code (`STR`). `xacro-lint explain NAME` prints its page.\n",
     );
-    for category in [Category::Xml, Category::Xacro, Category::Structure, Category::Package] {
+    for category in Category::ALL {
+        if !rules::all().any(|rule| rule.category == category) {
+            continue;
+        }
         text.push_str(&format!(
             "\n## {}\n\n| code | name | severity | default | fix |\n|---|---|---|---|---|\n",
             category.title()

@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::base::FastMap;
-use crate::rules::{Finding, Selection, SelectionOptions, Severity, find, nearest_selector};
+use crate::rules::{Finding, Selection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector};
 use crate::vfs::{LoadError, Vfs};
-use crate::workspace::config::{Config, ConfigWarning, Level, Loaded, Profile, find_config};
+use crate::workspace::config::{Config, ConfigWarning, Level, Loaded, Mention, Profile, find_config};
+use crate::workspace::nearest;
 
 /// What the command line says over every configuration file.
 #[derive(Clone, Debug, Default)]
@@ -137,19 +138,23 @@ impl State {
 
 /// Names in a configuration that mean no rule.
 fn unknown_names(config: &Config) -> Vec<ConfigWarning> {
-    let unknown = config
-        .mentions
-        .iter()
-        .filter(|m| m.is_threshold || m.text != "ALL" && find(&m.text).next().is_none());
-    let warning = |mention: &crate::workspace::config::Mention| {
-        let (kind, nearest) = match mention.is_threshold {
-            true => ("threshold of a rule", None),
-            false => ("rule", nearest_selector(&mention.text).map(str::to_owned)),
+    let unknown = config.mentions.iter().filter(|mention| !is_known(mention));
+    let warning = |mention: &Mention| {
+        let (kind, near) = match mention.is_threshold {
+            true => ("threshold of a rule", nearest(&mention.text, THRESHOLDS.iter().map(|t| t.name))),
+            false => ("rule", nearest_selector(&mention.text)),
         };
         let message = format!("`{}` is no {kind}", mention.text);
-        ConfigWarning { place: mention.place.clone(), message, nearest }
+        ConfigWarning { place: mention.place.clone(), message, nearest: near.map(str::to_owned) }
     };
     unknown.map(warning).collect()
+}
+
+fn is_known(mention: &Mention) -> bool {
+    match mention.is_threshold {
+        true => THRESHOLDS.iter().any(|threshold| threshold.name == mention.text),
+        false => mention.text == "ALL" || find(&mention.text).next().is_some(),
+    }
 }
 
 fn profile_name(profile: Profile) -> &'static str {

@@ -28,20 +28,21 @@ pub(super) struct Outcome {
 
 /// Expand a file and check the result.
 pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcome {
+    let settings = session.settings(&job.file);
+    let around = session.surroundings(&settings.config);
     let request = Request {
         // messages name files as the user would
         file: job.file.strip_prefix(&session.env.cwd).unwrap_or(&job.file).to_string_lossy().into_owned(),
         args: job.args.clone(),
         root_dir: None,
-        limits: limits(&session.settings(&job.file).config.limits),
+        limits: limits(&settings.config.limits),
         cancel: options.cancel.clone(),
     };
     let world = World { vfs: &session.vfs, packages: &session.packages, env: &session.env };
     let expansion = expand(world, &request);
     let kind = kind(&expansion, &job);
-    let mut findings =
-        check_expansion(&expansion, kind, job.reason != Reason::Walked, session.package_world());
-    findings.append(&mut check_files(&expansion));
+    let mut findings = check_expansion(&expansion, kind, job.reason != Reason::Walked, around);
+    findings.append(&mut check_files(&expansion, around));
     if let Some(error) = &expansion.root_error {
         findings.extend(unreadable(session.vfs.file_id(&job.file), error));
     }

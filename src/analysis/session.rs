@@ -4,8 +4,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::configs::{Configs, Overrides, Settings};
-use crate::rules::PackageWorld;
+use crate::model::Meshes;
+use crate::rules::Surroundings;
 use crate::vfs::{Environment, LoadError, Vfs};
+use crate::workspace::config::Config;
 use crate::workspace::config::ConfigWarning;
 use crate::workspace::{PackageOptions, Packages};
 
@@ -17,6 +19,7 @@ pub struct Session {
     pub packages: Packages,
     /// Variables and working directory.
     pub env: Environment,
+    meshes: Meshes,
     configs: Configs,
 }
 
@@ -52,7 +55,7 @@ impl Session {
             ..PackageOptions::default()
         };
         let packages = Packages::new(vfs.clone(), env, options);
-        Ok(Self { vfs, packages, env: env.clone(), configs })
+        Ok(Self { vfs, packages, env: env.clone(), meshes: Meshes::default(), configs })
     }
 
     /// The settings for a file.
@@ -70,11 +73,11 @@ impl Session {
         self.configs.warnings()
     }
 
-    /// Where rules look for packages.
-    pub(super) fn package_world(&self) -> PackageWorld<'_> {
+    /// What rules see around a file with these settings.
+    pub(super) fn surroundings<'a>(&'a self, config: &'a Config) -> Surroundings<'a> {
         let variables = ["AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "ROS_PACKAGE_PATH"];
         let sourced = variables.iter().any(|name| self.env.var(name).is_some_and(|value| !value.is_empty()));
         let has_ros = sourced || self.vfs.is_dir(Path::new("/opt/ros"));
-        PackageWorld { packages: &self.packages, has_ros }
+        Surroundings { packages: &self.packages, has_ros, vfs: &self.vfs, meshes: &self.meshes, config }
     }
 }

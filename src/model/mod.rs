@@ -1,11 +1,23 @@
-//! The robot: links and joints of an expanded document, each with the text it came from.
+//! The robot of an expanded document: links, joints and what belongs to them, each with the text it came from.
 
+mod blocks;
+mod joint;
 mod kinematics;
+mod link;
+mod mesh;
+mod pose;
 mod robot;
 mod source;
 #[cfg(test)]
 mod tests;
+mod text;
 
+pub use blocks::{ControlJoint, Gazebo, Interface, Ros2Control, Transmission};
+pub use joint::{Axis, Dynamics, Joint, JointType, Limit, Mimic, Safety};
 pub use kinematics::Kinematics;
-pub use robot::{Joint, Link, Robot, Text};
+pub use link::{Body, Geometry, Inertial, Link, Material, Shape, ShapeKind};
+pub use mesh::Meshes;
+pub use pose::{Pose, transform};
+pub use robot::Robot;
 pub use source::tag_start;
+pub use text::{Text, decimal};

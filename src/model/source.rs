@@ -1,7 +1,7 @@
 //! From expanded elements back to the words of the source.
 
 use crate::base::TextRange;
-use crate::expand::{Expansion, Origin, XId};
+use crate::expand::{Expansion, Origin, XId, XTree};
 use crate::xml::Node;
 
 /// The start of an element's tag: from `<` to the end of the name as the source spells it.
@@ -17,4 +17,14 @@ pub fn tag_start(expansion: &Expansion, element: XId) -> Origin {
 fn node(expansion: &Expansion, origin: Origin) -> Option<Node<'_>> {
     let item = &expansion.sources.get(origin.src.0 as usize)?.item;
     item.all_nodes().find(|node| node.start_tag_range() == origin.range)
+}
+
+/// The first child element of a name.
+pub(super) fn child(tree: &XTree, element: XId, name: &str) -> Option<XId> {
+    tree.elements(element).find(|&id| tree.get(id).text == name)
+}
+
+/// The child elements of a name.
+pub(super) fn children<'a>(tree: &'a XTree, element: XId, name: &'a str) -> impl Iterator<Item = XId> + 'a {
+    tree.elements(element).filter(move |&id| tree.get(id).text == name)
 }

@@ -2,9 +2,10 @@
 
 use crate::base::FastSet;
 use crate::expand::{Expansion, FileIdx};
-use crate::model::{Kinematics, Robot};
-use crate::vfs::SourceFile;
+use crate::model::{Kinematics, Meshes, Robot};
+use crate::vfs::{SourceFile, Vfs};
 use crate::workspace::Packages;
+use crate::workspace::config::Config;
 use crate::xml::{Attr, Node, NodeKind};
 
 /// What an expanded file is taken for.
@@ -26,6 +27,8 @@ pub struct FileCx<'a> {
     pub source: &'a SourceFile,
     /// The macros that the files of the expansion define.
     pub macros: &'a FastSet<String>,
+    /// What lies around it.
+    pub world: Surroundings<'a>,
 }
 
 impl FileCx<'_> {
@@ -59,17 +62,23 @@ pub struct DocumentCx<'a> {
     pub explicit: bool,
     /// The robot in it.
     pub robot: Option<&'a Robot>,
-    /// Where packages are looked for.
-    pub packages: PackageWorld<'a>,
+    /// What lies around it.
+    pub world: Surroundings<'a>,
 }
 
-/// Where packages are looked for.
+/// What lies around a description: packages, files, settings.
 #[derive(Clone, Copy)]
-pub struct PackageWorld<'a> {
-    /// The look-up.
+pub struct Surroundings<'a> {
+    /// Where packages are looked for.
     pub packages: &'a Packages,
     /// Whether any ROS is around: without one, that a package is not found says little.
     pub has_ros: bool,
+    /// Files.
+    pub vfs: &'a Vfs,
+    /// Meshes, read once.
+    pub meshes: &'a Meshes,
+    /// The configuration of the root file.
+    pub config: &'a Config,
 }
 
 /// An expanded robot.
@@ -80,6 +89,8 @@ pub struct RobotCx<'a> {
     pub robot: &'a Robot,
     /// How its links hang together.
     pub kinematics: &'a Kinematics,
+    /// What lies around it.
+    pub world: Surroundings<'a>,
     /// Whether all links and joints are there, with all their names known. When an include, a macro or a
     /// condition could not be resolved, nothing may be said about what is missing.
     pub whole: bool,

@@ -5,7 +5,14 @@
 
 mod catalogue;
 mod context;
+mod control;
+mod conventions;
 mod finding;
+mod frames;
+mod geometry;
+mod inertia;
+mod joint;
+mod linter;
 mod package;
 mod place;
 mod registry;
@@ -13,12 +20,14 @@ mod run;
 mod selection;
 mod sink;
 mod structure;
+mod style;
+mod thresholds;
 mod vocabulary;
 mod xacro;
 mod xml;
 
 pub use catalogue::catalogue;
-pub use context::{DocumentCx, FileCx, PackageWorld, RobotCx, RootKind};
+pub use context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings};
 pub use finding::{Edit, Finding, Fix, Related};
 pub use registry::{
     Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector,
@@ -27,3 +36,4 @@ pub use registry::{
 pub use run::{check_expansion, check_files};
 pub use selection::{Selection, SelectionOptions};
 pub use sink::Sink;
+pub use thresholds::{THRESHOLDS, Threshold};

@@ -4,7 +4,9 @@ use std::fmt;
 
 use super::context::{DocumentCx, FileCx, RobotCx};
 use super::sink::Sink;
-use super::{package, structure, xacro, xml};
+use super::{
+    control, conventions, frames, geometry, inertia, joint, linter, package, structure, style, xacro, xml,
+};
 use crate::workspace::nearest;
 
 /// A rule.
@@ -39,8 +41,24 @@ pub enum Category {
     Xacro,
     /// The kinematic tree.
     Structure,
+    /// Joints: axes, limits, mimic.
+    Joint,
+    /// Frames and orientations.
+    Frames,
+    /// Mass and inertia.
+    Inertia,
+    /// Geometry, meshes, materials.
+    Geometry,
+    /// Names.
+    Conventions,
     /// Packages and files of the workspace.
     Package,
+    /// ros2_control, transmissions, Gazebo.
+    Control,
+    /// Style.
+    Style,
+    /// Suppressions and configuration of the linter itself.
+    Linter,
 }
 
 /// How bad a finding is.
@@ -136,13 +154,37 @@ impl Rule {
 }
 
 impl Category {
+    /// All of them, in the order of the catalogue.
+    pub const ALL: [Category; 12] = [
+        Category::Xml,
+        Category::Xacro,
+        Category::Structure,
+        Category::Joint,
+        Category::Frames,
+        Category::Inertia,
+        Category::Geometry,
+        Category::Conventions,
+        Category::Package,
+        Category::Control,
+        Category::Style,
+        Category::Linter,
+    ];
+
     /// Its name in lists.
     pub fn name(self) -> &'static str {
         match self {
             Category::Xml => "xml",
             Category::Xacro => "xacro",
             Category::Structure => "structure",
+            Category::Joint => "joint",
+            Category::Frames => "frames",
+            Category::Inertia => "inertia",
+            Category::Geometry => "geometry",
+            Category::Conventions => "conventions",
             Category::Package => "package",
+            Category::Control => "control",
+            Category::Style => "style",
+            Category::Linter => "linter",
         }
     }
 
@@ -152,7 +194,15 @@ impl Category {
             Category::Xml => "Well-formedness and the URDF schema",
             Category::Xacro => "The xacro language",
             Category::Structure => "The kinematic tree",
+            Category::Joint => "Joints",
+            Category::Frames => "Frames and orientations",
+            Category::Inertia => "Mass and inertia",
+            Category::Geometry => "Geometry, meshes and materials",
+            Category::Conventions => "Names",
             Category::Package => "Packages and files",
+            Category::Control => "ros2_control, transmissions and Gazebo",
+            Category::Style => "Style",
+            Category::Linter => "The linter itself",
         }
     }
 }
@@ -205,7 +255,20 @@ impl fmt::Display for Severity {
 
 /// All rules, by category and code.
 pub fn all() -> impl Iterator<Item = &'static Rule> {
-    let categories: [&'static [Rule]; 4] = [xml::RULES, xacro::RULES, structure::RULES, package::RULES];
+    let categories: [&'static [Rule]; 12] = [
+        xml::RULES,
+        xacro::RULES,
+        structure::RULES,
+        joint::RULES,
+        frames::RULES,
+        inertia::RULES,
+        geometry::RULES,
+        conventions::RULES,
+        package::RULES,
+        control::RULES,
+        style::RULES,
+        linter::RULES,
+    ];
     categories.into_iter().flatten()
 }
 

@@ -1,6 +1,6 @@
 //! Running rules.
 
-use super::context::{DocumentCx, FileCx, PackageWorld, RobotCx, RootKind};
+use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings};
 use super::finding::{Edit, Finding, Fix, Related};
 use super::package::is_news;
 use super::place;
@@ -20,16 +20,16 @@ pub fn check_expansion(
     expansion: &Expansion,
     kind: RootKind,
     explicit: bool,
-    packages: PackageWorld<'_>,
+    world: Surroundings<'_>,
 ) -> Vec<Finding> {
     let unprefixed = Unprefixed::of(expansion);
     let problems = expansion.problems.iter().filter(|problem| !unprefixed.explains(expansion, problem));
     let mut findings: Vec<Finding> = problems.filter_map(|problem| finding(expansion, problem)).collect();
-    excuse_packages(&mut findings, packages);
+    excuse_packages(&mut findings, world);
     let robot = Robot::of(expansion);
     let Some(first) = all().next() else { return findings };
     let mut sink = Sink::new(expansion, first);
-    let document = DocumentCx { expansion, kind, explicit, robot: robot.as_ref(), packages };
+    let document = DocumentCx { expansion, kind, explicit, robot: robot.as_ref(), world };
     run(&mut sink, |rule, sink| {
         if let Check::Document(check) = rule.check {
             check(&document, sink);
@@ -39,7 +39,7 @@ pub fn check_expansion(
         let kinematics = Kinematics::of(robot);
         let lost = expansion.problems.iter().any(|problem| LOSES_CONTENT.contains(&problem.code));
         let whole = expansion.whole && !lost && !unprefixed.structure && robot.names_are_known();
-        let cx = RobotCx { expansion, robot, kinematics: &kinematics, whole };
+        let cx = RobotCx { expansion, robot, kinematics: &kinematics, world, whole };
         run(&mut sink, |rule, sink| {
             if let Check::Robot(check) = rule.check {
                 check(&cx, sink);
@@ -52,12 +52,12 @@ pub fn check_expansion(
 
 /// What the rules say about the source files of an expansion. Of a file that is not well-formed, only that
 /// is said.
-pub fn check_files(expansion: &Expansion) -> Vec<Finding> {
+pub fn check_files(expansion: &Expansion, world: Surroundings<'_>) -> Vec<Finding> {
     let Some(first) = all().next() else { return Vec::new() };
     let mut sink = Sink::new(expansion, first);
     let macros = defined_macros(expansion);
     for (file, used) in (0..).map(FileIdx).zip(&expansion.files) {
-        let cx = FileCx { expansion, file, source: &used.source, macros: &macros };
+        let cx = FileCx { expansion, file, source: &used.source, macros: &macros, world };
         let well_formed = used.source.document.errors().is_empty();
         run(&mut sink, |rule, sink| match rule.check {
             Check::File(check) if well_formed => check(&cx, sink),
@@ -116,12 +116,12 @@ impl Unprefixed {
 }
 
 /// Where no ROS is, a missing package is a note, once for each name and file.
-fn excuse_packages(findings: &mut Vec<Finding>, packages: PackageWorld<'_>) {
+fn excuse_packages(findings: &mut Vec<Finding>, world: Surroundings<'_>) {
     let mut said = FastSet::default();
     findings.retain_mut(|finding| {
         // the expander offers a replacement when a package has almost the same name
         let near = finding.fix.as_ref().map(|_| "");
-        if finding.rule.code != "PKG001" || is_news(packages, near) {
+        if finding.rule.code != "PKG001" || is_news(world, near) {
             return true;
         }
         finding.severity = Severity::Info;

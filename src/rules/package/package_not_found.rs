@@ -2,7 +2,7 @@
 
 use indexmap::IndexMap;
 
-use super::super::context::{DocumentCx, PackageWorld};
+use super::super::context::{DocumentCx, Surroundings};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use crate::base::TextRange;
@@ -26,7 +26,7 @@ pub(super) const RULE: Rule = Rule {
 const MOST_PLACES: usize = 10;
 
 /// Whether a missing package is a defect: without any ROS, packages of others are missing everywhere.
-pub(in super::super) fn is_news(world: PackageWorld<'_>, nearest: Option<&str>) -> bool {
+pub(in super::super) fn is_news(world: Surroundings<'_>, nearest: Option<&str>) -> bool {
     world.has_ros || nearest.is_some()
 }
 
@@ -61,7 +61,7 @@ fn look_up(cx: &DocumentCx<'_>, element: XId, missing: &mut IndexMap<(FileIdx, S
     let Some(place) = cx.expansion.place(attr.origin) else { return };
     let slot = missing.entry((place.file, name.to_owned())).or_insert_with(|| {
         let from = cx.expansion.files.get(place.file.0 as usize)?.source.path.clone();
-        let error = cx.packages.packages.find(name, &from).err()?;
+        let error = cx.world.packages.find(name, &from).err()?;
         Some(Missing { error, places: Vec::new() })
     });
     if let Some(missing) = slot {
@@ -71,7 +71,7 @@ fn look_up(cx: &DocumentCx<'_>, element: XId, missing: &mut IndexMap<(FileIdx, S
 
 fn report(cx: &DocumentCx<'_>, missing: &NotFound, places: &[Origin], out: &mut Sink<'_>) {
     let Some((&first, others)) = places.split_first() else { return };
-    let news = is_news(cx.packages, missing.nearest.as_deref());
+    let news = is_news(cx.world, missing.nearest.as_deref());
     let severity = if news { Severity::Warning } else { Severity::Info };
     let mut report = out.report(first, message(missing)).severity(severity);
     for &other in others.iter().take(MOST_PLACES) {

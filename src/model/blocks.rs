@@ -1,0 +1,117 @@
+//! Blocks beside links and joints: Gazebo, ros2_control, transmissions.
+
+use super::source::{child, children};
+use super::text::Text;
+use crate::expand::{XId, XTree};
+
+/// A `gazebo` element of the robot.
+#[derive(Clone, Debug)]
+pub struct Gazebo {
+    /// Its element.
+    pub element: XId,
+    /// The link or joint it speaks about; none: the robot.
+    pub reference: Option<Text>,
+}
+
+/// A `ros2_control` element.
+#[derive(Clone, Debug)]
+pub struct Ros2Control {
+    /// Its element.
+    pub element: XId,
+    /// Its `name`.
+    pub name: Option<Text>,
+    /// Its `type`: system, actuator or sensor.
+    pub kind: Option<Text>,
+    /// Its `hardware` elements.
+    pub hardware: Vec<XId>,
+    /// Its `joint`s.
+    pub joints: Vec<ControlJoint>,
+}
+
+/// A `joint` of a `ros2_control`.
+#[derive(Clone, Debug)]
+pub struct ControlJoint {
+    /// Its element.
+    pub element: XId,
+    /// The joint of the robot it stands for.
+    pub name: Option<Text>,
+    /// Its `mimic` attribute.
+    pub mimic: Option<Text>,
+    /// Its `command_interface`s.
+    pub commands: Vec<Interface>,
+    /// Its `state_interface`s.
+    pub states: Vec<Interface>,
+}
+
+/// A `command_interface` or `state_interface`.
+#[derive(Clone, Debug)]
+pub struct Interface {
+    /// Its element.
+    pub element: XId,
+    /// Its `name`.
+    pub name: Option<Text>,
+    /// Its `param`s: the element and its `name`.
+    pub params: Vec<(XId, Option<Text>)>,
+}
+
+/// A `transmission` of the robot.
+#[derive(Clone, Debug)]
+pub struct Transmission {
+    /// Its element.
+    pub element: XId,
+    /// Its `name`.
+    pub name: Option<Text>,
+    /// Its `joint`s: the element and its `name`.
+    pub joints: Vec<(XId, Option<Text>)>,
+}
+
+impl Gazebo {
+    pub(super) fn of(tree: &XTree, element: XId) -> Self {
+        Self { element, reference: Text::attr(tree, element, "reference") }
+    }
+}
+
+impl Ros2Control {
+    pub(super) fn of(tree: &XTree, element: XId) -> Self {
+        Self {
+            element,
+            name: Text::attr(tree, element, "name"),
+            kind: Text::attr(tree, element, "type"),
+            hardware: children(tree, element, "hardware").collect(),
+            joints: children(tree, element, "joint").map(|joint| ControlJoint::of(tree, joint)).collect(),
+        }
+    }
+
+    /// Its `hardware/plugin` element.
+    pub fn plugin(&self, tree: &XTree) -> Option<XId> {
+        child(tree, *self.hardware.first()?, "plugin")
+    }
+}
+
+impl ControlJoint {
+    fn of(tree: &XTree, element: XId) -> Self {
+        let interfaces =
+            |name| children(tree, element, name).map(|interface| Interface::of(tree, interface)).collect();
+        Self {
+            element,
+            name: Text::attr(tree, element, "name"),
+            mimic: Text::attr(tree, element, "mimic"),
+            commands: interfaces("command_interface"),
+            states: interfaces("state_interface"),
+        }
+    }
+}
+
+impl Interface {
+    fn of(tree: &XTree, element: XId) -> Self {
+        let params = children(tree, element, "param").map(|param| (param, Text::attr(tree, param, "name")));
+        Self { element, name: Text::attr(tree, element, "name"), params: params.collect() }
+    }
+}
+
+impl Transmission {
+    pub(super) fn of(tree: &XTree, element: XId) -> Self {
+        let joints = children(tree, element, "joint").map(|joint| (joint, Text::attr(tree, joint, "name")));
+        Self { element, name: Text::attr(tree, element, "name"), joints: joints.collect() }
+    }
+}

@@ -1,0 +1,228 @@
+//! What a link is made of: inertia, visuals and collisions, geometry, materials.
+
+use super::pose::Pose;
+use super::source::child;
+use super::text::Text;
+use crate::expand::{XId, XTree};
+
+/// A `link` of the robot.
+#[derive(Clone, Debug)]
+pub struct Link {
+    /// Its element.
+    pub element: XId,
+    /// Its `name`.
+    pub name: Option<Text>,
+    /// Its first `inertial`.
+    pub inertial: Option<Inertial>,
+    /// Its `visual`s in document order.
+    pub visuals: Vec<Body>,
+    /// Its `collision`s in document order.
+    pub collisions: Vec<Body>,
+}
+
+/// An `inertial`: mass in kg, inertia about the centre of mass in kg m^2.
+#[derive(Clone, Debug)]
+pub struct Inertial {
+    /// Its element.
+    pub element: XId,
+    /// The frame of the inertia; its translation is the centre of mass.
+    pub origin: Option<Pose>,
+    /// The element `mass`.
+    pub mass_element: Option<XId>,
+    /// The `value` of `mass`, kg.
+    pub mass: Option<Text>,
+    /// The element `inertia`.
+    pub inertia_element: Option<XId>,
+    /// `ixx ixy ixz iyy iyz izz`, kg m^2.
+    pub inertia: [Option<Text>; 6],
+}
+
+impl Inertial {
+    /// The names of the entries of [`Inertial::inertia`].
+    pub const ENTRIES: [&'static str; 6] = ["ixx", "ixy", "ixz", "iyy", "iyz", "izz"];
+
+    fn of(tree: &XTree, element: XId) -> Self {
+        let mass_element = child(tree, element, "mass");
+        let inertia_element = child(tree, element, "inertia");
+        Self {
+            element,
+            origin: child(tree, element, "origin").map(|origin| Pose::of(tree, origin)),
+            mass_element,
+            mass: mass_element.and_then(|mass| Text::attr(tree, mass, "value")),
+            inertia_element,
+            inertia: Self::ENTRIES.map(|name| Text::attr(tree, inertia_element?, name)),
+        }
+    }
+
+    /// The mass in kg, when it is known.
+    pub fn mass(&self) -> Option<f64> {
+        self.mass.as_ref()?.number()
+    }
+
+    /// `ixx ixy ixz iyy iyz izz` in kg m^2, when all are known.
+    pub fn entries(&self) -> Option<[f64; 6]> {
+        let mut numbers = [0.0; 6];
+        for (slot, text) in numbers.iter_mut().zip(&self.inertia) {
+            *slot = text.as_ref()?.number()?;
+        }
+        Some(numbers)
+    }
+}
+
+/// A `visual` or a `collision`.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Its element.
+    pub element: XId,
+    /// Its `name`.
+    pub name: Option<Text>,
+    /// Where its geometry stands in the link.
+    pub origin: Option<Pose>,
+    /// Its first `geometry`.
+    pub geometry: Option<Geometry>,
+    /// Its first `material`.
+    pub material: Option<Material>,
+}
+
+impl Body {
+    fn of(tree: &XTree, element: XId) -> Self {
+        Self {
+            element,
+            name: Text::attr(tree, element, "name"),
+            origin: child(tree, element, "origin").map(|origin| Pose::of(tree, origin)),
+            geometry: child(tree, element, "geometry").map(|geometry| Geometry::of(tree, geometry)),
+            material: child(tree, element, "material").map(|material| Material::of(tree, material)),
+        }
+    }
+
+    /// The shape that parsers take: the first one.
+    pub fn shape(&self) -> Option<&Shape> {
+        self.geometry.as_ref()?.shapes.first()
+    }
+}
+
+/// A `geometry`.
+#[derive(Clone, Debug)]
+pub struct Geometry {
+    /// Its element.
+    pub element: XId,
+    /// Its child elements in order; parsers take the first one.
+    pub shapes: Vec<Shape>,
+}
+
+impl Geometry {
+    fn of(tree: &XTree, element: XId) -> Self {
+        Self { element, shapes: tree.elements(element).map(|shape| Shape::of(tree, shape)).collect() }
+    }
+}
+
+/// A child of `geometry`.
+#[derive(Clone, Debug)]
+pub struct Shape {
+    /// Its element; the tag name is the element's text.
+    pub element: XId,
+    /// What it is.
+    pub kind: ShapeKind,
+}
+
+/// The kinds of shapes; lengths in metres.
+#[derive(Clone, Debug)]
+pub enum ShapeKind {
+    /// `box`: full lengths along x, y, z, centred.
+    Box {
+        /// Three lengths.
+        size: Option<Text>,
+    },
+    /// `cylinder` along z, centred.
+    Cylinder {
+        /// Radius.
+        radius: Option<Text>,
+        /// Length.
+        length: Option<Text>,
+    },
+    /// `sphere`, centred.
+    Sphere {
+        /// Radius.
+        radius: Option<Text>,
+    },
+    /// `mesh`
+    Mesh {
+        /// The URI or path of the file.
+        filename: Option<Text>,
+        /// Three factors, 1 when absent.
+        scale: Option<Text>,
+    },
+    /// An element that urdfdom does not know.
+    Other,
+}
+
+impl Shape {
+    fn of(tree: &XTree, element: XId) -> Self {
+        let text = |name| Text::attr(tree, element, name);
+        let kind = match tree.get(element).text.as_str() {
+            "box" => ShapeKind::Box { size: text("size") },
+            "cylinder" => ShapeKind::Cylinder { radius: text("radius"), length: text("length") },
+            "sphere" => ShapeKind::Sphere { radius: text("radius") },
+            "mesh" => ShapeKind::Mesh { filename: text("filename"), scale: text("scale") },
+            _ => ShapeKind::Other,
+        };
+        Self { element, kind }
+    }
+}
+
+/// A `material`, of the robot or inside a `visual`.
+#[derive(Clone, Debug)]
+pub struct Material {
+    /// Its element.
+    pub element: XId,
+    /// Its `name`.
+    pub name: Option<Text>,
+    /// The first `color` element.
+    pub color: Option<XId>,
+    /// The `rgba` of its `color`, each 0 to 1.
+    pub rgba: Option<Text>,
+    /// The first `texture` element.
+    pub texture: Option<XId>,
+    /// The `filename` of its `texture`.
+    pub texture_file: Option<Text>,
+}
+
+impl Material {
+    pub(super) fn of(tree: &XTree, element: XId) -> Self {
+        let (color, texture) = (child(tree, element, "color"), child(tree, element, "texture"));
+        Self {
+            element,
+            name: Text::attr(tree, element, "name"),
+            color,
+            rgba: color.and_then(|color| Text::attr(tree, color, "rgba")),
+            texture,
+            texture_file: texture.and_then(|texture| Text::attr(tree, texture, "filename")),
+        }
+    }
+}
+
+impl Link {
+    pub(super) fn of(tree: &XTree, element: XId) -> Self {
+        let bodies = |name: &'static str| {
+            let elements = tree.elements(element).filter(move |&id| tree.get(id).text == name);
+            elements.map(|body| Body::of(tree, body)).collect()
+        };
+        Self {
+            element,
+            name: Text::attr(tree, element, "name"),
+            inertial: child(tree, element, "inertial").map(|inertial| Inertial::of(tree, inertial)),
+            visuals: bodies("visual"),
+            collisions: bodies("collision"),
+        }
+    }
+
+    /// Its name for messages.
+    pub fn shown(&self) -> &str {
+        self.name.as_ref().map_or("", |name| name.value.as_str())
+    }
+
+    /// Whether it has a visual or a collision.
+    pub fn has_geometry(&self) -> bool {
+        !self.visuals.is_empty() || !self.collisions.is_empty()
+    }
+}

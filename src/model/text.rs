@@ -1,0 +1,133 @@
+//! Values of attributes with their source, and the numbers in them.
+
+use std::ops::Range;
+
+use ecow::EcoString;
+
+use crate::base::TextRange;
+use crate::expand::{Origin, Piece, XAttr, XId, XTree};
+
+/// The value of an attribute, and where it stands in the source.
+#[derive(Clone, Debug)]
+pub struct Text {
+    /// The value after evaluation.
+    pub value: EcoString,
+    /// The value's text in the source, without quotes.
+    pub origin: Origin,
+    /// False when a part of the value could not be computed: no rule may draw a conclusion from it.
+    pub known: bool,
+    /// Whether the source holds the value itself, not an expression.
+    pub literal: bool,
+    /// The parts of the value that expressions made.
+    pieces: Box<[Piece]>,
+}
+
+impl Text {
+    fn of(attr: &XAttr) -> Self {
+        let known = attr.pieces.iter().all(|piece| !piece.unknown);
+        let literal = attr.pieces.is_empty();
+        let (value, pieces) = (attr.value.clone(), attr.pieces.clone());
+        Self { value, origin: attr.origin, known, literal, pieces }
+    }
+
+    /// An attribute of an element.
+    pub fn attr(tree: &XTree, element: XId, name: &str) -> Option<Self> {
+        tree.attr(element, name).map(Text::of)
+    }
+
+    /// The value, when all of it is known and it is not empty.
+    pub fn name(&self) -> Option<&EcoString> {
+        (self.known && !self.value.is_empty()).then_some(&self.value)
+    }
+
+    /// The value as a finite decimal number; none when it is unknown or no such number.
+    pub fn number(&self) -> Option<f64> {
+        if self.known { decimal(self.value.trim_matches(is_blank)) } else { None }
+    }
+
+    /// The value as `N` finite decimal numbers; none when it is unknown or something else.
+    pub fn numbers<const N: usize>(&self) -> Option<[f64; N]> {
+        if !self.known {
+            return None;
+        }
+        let mut numbers = self.words().map(|range| decimal(self.value.get(range)?));
+        let mut found = [0.0; N];
+        for slot in &mut found {
+            *slot = numbers.next()??;
+        }
+        numbers.next().is_none().then_some(found)
+    }
+
+    /// Byte ranges of the words of the value.
+    pub fn words(&self) -> impl Iterator<Item = Range<usize>> + '_ {
+        let text = self.value.as_str();
+        let word = move |word: &str| {
+            let start = word.as_ptr() as usize - text.as_ptr() as usize;
+            start..start + word.len()
+        };
+        text.split(is_blank).filter(|word| !word.is_empty()).map(word)
+    }
+
+    /// Where the part `range` of the value stands in the source: that text itself when it is written there,
+    /// the expression that made it, or the whole value when it comes from several places.
+    pub fn part(&self, range: Range<usize>) -> Origin {
+        let at = |start: u32, end: u32| {
+            let base = self.origin.range.start;
+            Origin { range: TextRange::new(base + start, base + end), ..self.origin }
+        };
+        let (start, end) = (range.start as u32, range.end as u32);
+        let same_length = self.origin.range.len() as usize == self.value.len();
+        if self.literal {
+            // entities make the text in the source longer than the value
+            return if same_length { at(start, end) } else { self.origin };
+        }
+        let touches = |piece: &&Piece| piece.out.start < end && start < piece.out.end;
+        let mut touching = self.pieces.iter().filter(touches);
+        match (touching.next(), touching.next()) {
+            (Some(piece), None) if piece.out.start <= start && end <= piece.out.end => piece.source,
+            (None, _) => self
+                .written(start, end)
+                .map_or(self.origin, |start| at(start, start + (end - range.start as u32))),
+            _ => self.origin,
+        }
+    }
+
+    /// The offset in the source of a part that no expression made.
+    fn written(&self, start: u32, end: u32) -> Option<u32> {
+        let next = self.pieces.iter().find(|piece| end <= piece.out.start);
+        match next {
+            Some(next) => {
+                let ahead = next.out.start - start;
+                next.source.range.start.checked_sub(self.origin.range.start)?.checked_sub(ahead)
+            }
+            None => {
+                let behind = self.value.len() as u32 - start;
+                self.origin.range.len().checked_sub(behind)
+            }
+        }
+    }
+}
+
+/// What separates the numbers of a vector.
+fn is_blank(c: char) -> bool {
+    matches!(c, ' ' | '\t' | '\n' | '\r')
+}
+
+/// A finite decimal number: digits with an optional point, sign and exponent.
+pub fn decimal(text: &str) -> Option<f64> {
+    let admitted = |byte: u8| byte.is_ascii_digit() || matches!(byte, b'+' | b'-' | b'.' | b'e' | b'E');
+    let number: f64 = text.bytes().all(admitted).then(|| text.parse().ok())??;
+    number.is_finite().then_some(number)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::decimal;
+
+    #[test]
+    fn only_plain_finite_decimals_are_numbers() {
+        assert_eq!(["1", "-.5", "+2.", "1e-3"].map(decimal), [Some(1.0), Some(-0.5), Some(2.0), Some(0.001)]);
+        let others = ["", "1,5", "0.1 m", "0x1", "nan", "inf", "1e999", "1_0", "e", "--1"];
+        assert!(others.iter().all(|text| decimal(text).is_none()));
+    }
+}

@@ -1,0 +1,6 @@
+//! Names.
+
+use super::registry::Rule;
+
+/// The rules.
+pub(super) static RULES: &[Rule] = &[];

@@ -1,0 +1,6 @@
+//! Mass and inertia.
+
+use super::registry::Rule;
+
+/// The rules.
+pub(super) static RULES: &[Rule] = &[];
