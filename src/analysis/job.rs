@@ -35,6 +35,7 @@ pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcom
         file: job.file.strip_prefix(&session.env.cwd).unwrap_or(&job.file).to_string_lossy().into_owned(),
         args: job.args.clone(),
         root_dir: None,
+        probe: true,
         limits: limits(&settings.config.limits),
         cancel: options.cancel.clone(),
     };

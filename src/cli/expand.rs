@@ -68,6 +68,7 @@ fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
         file,
         args: options.args.clone(),
         root_dir: options.root_dir.clone(),
+        probe: false,
         limits,
         ..Request::default()
     };

@@ -8,6 +8,7 @@ use super::machine::{Cx, Expander};
 use super::origin::{FrameKind, Origin};
 use super::resolve::{BindingInfo, BindingKind};
 use super::scope::{Block, Place, State};
+use super::symbols::{SymbolKind, UseKind};
 use super::tree::{XAttr, XId, XKind};
 use crate::expr::{Value, display};
 
@@ -54,7 +55,12 @@ impl Expander<'_> {
         if let Some((name, place)) = name {
             let name = EcoString::from(name.as_ref());
             self.defined(NameKind::Arg, &name, place.origin);
-            if !self.args.contains_key(&name) {
+            let definition = self.define(SymbolKind::Argument, &name, place.origin);
+            let given = self.args.get(&name).map(|(_, info)| *info as usize);
+            if let Some(info) = given.and_then(|info| self.result.bindings.get_mut(info)) {
+                // given from outside: the first declaration is the one that counts
+                info.definition.get_or_insert(definition);
+            } else {
                 let mark = self.reads.len();
                 let value = default.as_ref().and_then(|(text, place)| {
                     let value = self.eval_text(text, *place, cx.scope);
@@ -62,8 +68,10 @@ impl Expander<'_> {
                 });
                 let reads = self.reads.drain(mark..).collect();
                 let origin = default.map_or(place.origin, |(_, place)| place.origin);
-                let info =
-                    BindingInfo { reads, ..BindingInfo::new(name.clone(), BindingKind::Argument, origin) };
+                let info = BindingInfo {
+                    reads,
+                    ..BindingInfo::new(name.clone(), BindingKind::Argument, origin).of(definition)
+                };
                 let info = self.add_binding(info);
                 self.result.record.add(super::Read::Arg(name.to_string(), None));
                 self.args.insert(name, (value, info));
@@ -82,10 +90,11 @@ impl Expander<'_> {
             let (_, binding) = self.scopes.find(cx.scope, &key)?;
             unknown |= matches!(binding.state, State::Ready(Value::Unknown));
             let State::Block(block) = binding.state else { return None };
-            let origin = self.result.bindings.get(binding.info as usize).and_then(|info| info.origin);
-            Some((block, stars == "**", origin))
+            let info = binding.info;
+            let origin = self.result.bindings.get(info as usize).and_then(|info| info.origin);
+            Some((block, stars == "**", origin, info))
         });
-        let Some((block, content_only, definition)) = found else {
+        let Some((block, content_only, definition, info)) = found else {
             // a block that the call forgot was reported there
             return if unknown {
                 self.result.complete = false
@@ -93,6 +102,7 @@ impl Expander<'_> {
                 self.undefined_block(&name, place, cx)
             };
         };
+        self.note_read(place.origin, info, UseKind::Insert);
         let at = self.tag_origin(tag, cx);
         if self.block_depth >= Self::MAX_BLOCK_DEPTH {
             let message = format!("block `{name}` inserts itself");

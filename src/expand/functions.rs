@@ -6,6 +6,7 @@ use ecow::EcoString;
 
 use super::machine::{Expander, OpenFile};
 use super::record::Read;
+use super::symbols::UseKind;
 use super::text::CodeSite;
 use super::yaml_value::file_value;
 use crate::base::TextRange;
@@ -113,6 +114,8 @@ impl ExprHost<'_, '_, '_> {
             Some((Some(value), info)) => {
                 let (value, info) = (value.clone(), *info);
                 self.machine.reads.push(info);
+                let at = self.machine.origin_of(self.at, range);
+                self.machine.note_read(at, info, UseKind::Read);
                 Ok(Value::Str(value))
             }
             Some((None, _)) => Ok(Value::Unknown),

@@ -11,6 +11,7 @@ use super::origin::{FileIdx, FrameKind, Origin, Source, SrcId};
 use super::record::Read;
 use super::resolve::{BindingInfo, BindingKind};
 use super::scope::State;
+use super::symbols::SymbolKind;
 use super::tree::XId;
 use crate::base::TextRange;
 use crate::expr::{Value, display, literal};
@@ -103,7 +104,8 @@ impl Expander<'_> {
         let macros = self.macros.push(None);
         let scope = self.scopes.push(cx.scope, true);
         self.macros.define_namespace(cx.macros, name.clone(), macros);
-        let info = BindingInfo::new(name.clone(), BindingKind::Namespace, place.origin);
+        let definition = self.define(SymbolKind::Namespace, &name, place.origin);
+        let info = BindingInfo::new(name.clone(), BindingKind::Namespace, place.origin).of(definition);
         self.bind(cx.scope, name, State::Ready(Value::Scope(scope)), info, place.origin);
         Cx { scope, macros, ..cx }
     }

@@ -8,10 +8,12 @@ use ecow::EcoString;
 
 use super::late::Undefined;
 use super::origin::{FileIdx, Frame, FrameId, FrameKind, Origin, Source, SrcId};
+use super::probe::Probe;
 use super::problem::{Place as ProblemPlace, Problem, Problems, Step, step_message};
 use super::record::{Read, Record};
 use super::resolve::{BindingInfo, LazyUse};
-use super::scope::{Macros, MacrosId, Scopes};
+use super::scope::{MacroDef, Macros, MacrosId, Scopes};
+use super::symbols::Symbols;
 use super::text::CachedText;
 use super::tree::{XId, XKind, XTree};
 use crate::base::{CancelFlag, FastMap, FastSet, TextRange};
@@ -71,6 +73,8 @@ pub struct Request {
     pub root_dir: Option<String>,
     /// Budgets.
     pub limits: Limits,
+    /// Whether macros that nothing calls are looked into as well, with parameters whose values are unknown.
+    pub probe: bool,
     /// Set to stop early; the result is then incomplete.
     pub cancel: CancelFlag,
 }
@@ -99,6 +103,8 @@ pub struct Expansion {
     pub frames: Vec<Frame>,
     /// Properties, parameters and arguments that pieces refer to.
     pub bindings: Vec<BindingInfo>,
+    /// Which definition each name of the source refers to.
+    pub symbols: Symbols,
     /// All problems in the order they were met.
     pub problems: Vec<Problem>,
     /// Lines for the user, in order: what `xacro.message` and its kin print.
@@ -112,6 +118,8 @@ pub struct Expansion {
     /// False when parts of the document may be missing: an include, macro or condition could not be resolved.
     /// Unlike [`complete`](Self::complete), a value that could not be computed leaves this as it is.
     pub whole: bool,
+    /// What macros give that nothing calls, with parameters whose values are unknown; beside the document.
+    pub probes: Vec<Probe>,
     /// Why the root file could not be read; there is no document then.
     pub root_error: Option<LoadError>,
 }
@@ -195,6 +203,8 @@ pub(super) struct Expander<'w> {
     pub nesting: u32,
     /// A limit was reached or the request was cancelled: wind up.
     pub stopped: bool,
+    /// Macros that may be looked into although nothing calls them.
+    pub idle_macros: Vec<(Arc<MacroDef>, Cx)>,
     ticks: u32,
 }
 
@@ -245,6 +255,7 @@ impl<'w> Expander<'w> {
             unknown_conditions: 0,
             nesting: 0,
             stopped: false,
+            idle_macros: Vec::new(),
             ticks: 0,
         }
     }
@@ -252,6 +263,7 @@ impl<'w> Expander<'w> {
     fn run(mut self) -> Expansion {
         self.bind_arguments();
         self.expand_root();
+        self.probe_macros();
         let broken = std::mem::take(&mut self.broken);
         // what the recovered tree of a broken file seems to say is not trusted
         self.problems.list.retain(|p| p.code.starts_with("XML") || !broken.contains(&p.place.file));

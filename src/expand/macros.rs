@@ -12,6 +12,7 @@ use super::params;
 use super::property::literal_of;
 use super::resolve::{BindingInfo, BindingKind};
 use super::scope::{Block, MacroDef, MacrosId, Param, Place, SrcRef, State};
+use super::symbols::{DefinitionId, SymbolKind, UseKind};
 use super::tree::{XId, XKind};
 use crate::base::TextRange;
 use crate::expr::{ScopeId, Value, display};
@@ -52,10 +53,37 @@ impl Expander<'_> {
             let message = format!("the parameter list of macro `{name}` holds only blanks");
             self.error("XAC025", place.origin, message, "list index out of range");
         }
-        let params = params.and_then(|(list, _)| list).unwrap_or_default();
         self.defined(NameKind::Macro, &name, place.origin);
+        let definition = self.define(SymbolKind::Macro, &name, place.origin);
+        let params = params.and_then(|(list, place)| Some((list?, place)));
+        let params =
+            params.map_or(Vec::new(), |(list, place)| self.define_params(tag, list, place, definition, cx));
         let body = SrcRef { src: tag.src, node: tag.node.id() };
-        self.macros.define(cx.macros, MacroDef { name, body, origin: place.origin, params });
+        let def = MacroDef { name, body, origin: place.origin, definition, params };
+        let def = self.macros.define(cx.macros, def);
+        if self.request.probe && self.calls.is_empty() {
+            self.idle_macros.push((def, cx));
+        }
+    }
+
+    /// Note where the parameters of a macro stand.
+    fn define_params(
+        &mut self,
+        tag: Tag<'_>,
+        mut params: Vec<Param>,
+        place: Place,
+        of: DefinitionId,
+        cx: Cx,
+    ) -> Vec<Param> {
+        let Some((text, _)) = self.attr(tag, "params", cx) else { return params };
+        for param in &mut params {
+            let name = param.name.trim_start_matches('*');
+            let kind = if param.is_block() { SymbolKind::BlockParameter } else { SymbolKind::Parameter };
+            let start = param.range.end - name.len() as u32;
+            let at = self.part_of(&text, place, TextRange::new(start, param.range.end));
+            param.definition = Some((at, self.define_part(kind, &name.into(), at, Some(of))));
+        }
+        params
     }
 
     /// `xacro:call`: the macro's name is computed.
@@ -86,6 +114,7 @@ impl Expander<'_> {
         let Some(Resolved { def, macros, scope }) = self.find_macro(name, cx, at) else {
             return self.unknown_macro(tag, name, cx);
         };
+        self.note_use(self.called_name(tag, &def, cx), Some(def.definition), UseKind::Call);
         if self.is_endless(&def, at) {
             return;
         }
@@ -110,7 +139,19 @@ impl Expander<'_> {
         self.splice(body, out);
     }
 
-    fn eval_body(&mut self, def: &MacroDef, body: XId, cx: Cx) {
+    /// The text that names the macro of a call.
+    fn called_name(&self, tag: Tag<'_>, def: &MacroDef, cx: Cx) -> Origin {
+        let range = match tag.used {
+            // `xacro:call`, and a macro called through `xacro:element`
+            Some(name) => tag.node.attr(name).map(|attr| attr.value_range()),
+            None => None,
+        };
+        let name = tag.node.name_range();
+        let own = TextRange::new(name.end.saturating_sub(def.name.len() as u32).max(name.start), name.end);
+        Origin { src: tag.src, range: range.unwrap_or(own), frame: cx.frame }
+    }
+
+    pub(super) fn eval_body(&mut self, def: &MacroDef, body: XId, cx: Cx) {
         let Some(item) = self.item(def.body.src) else { return };
         let node = item.node(def.body.node);
         // the reference evaluates the attributes of the macro tag as well
@@ -132,20 +173,22 @@ impl Expander<'_> {
                 continue;
             };
             let param = open.remove(i);
+            if param.name == attr.name() {
+                self.note_use(at, param.definition.map(|(_, definition)| definition), UseKind::Given);
+            }
             let origin = Origin { range: attr.value_range(), ..at };
             let text = attr.value(self.entities(tag.src)).into_owned();
-            self.bind_param(&param.name, &text, Place { origin, is_attr: true }, cx, body);
+            self.bind_param(param, &text, Place { origin, is_attr: true }, cx, body);
         }
     }
 
     /// Evaluate a text in the caller's scope and bind it in the body's.
-    fn bind_param(&mut self, name: &EcoString, text: &str, place: Place, cx: Cx, body: Cx) {
+    fn bind_param(&mut self, param: &Param, text: &str, place: Place, cx: Cx, body: Cx) {
         let mark = self.reads.len();
         let value = literal_of(self.eval_text(text, place, cx.scope));
         let reads = self.reads.drain(mark..).collect();
-        let info =
-            BindingInfo { reads, ..BindingInfo::new(name.clone(), BindingKind::Parameter, place.origin) };
-        self.bind(body.scope, name.clone(), State::Ready(value), info, place.origin);
+        let info = BindingInfo { reads, ..param_info(param, place.origin) };
+        self.bind(body.scope, param.name.clone(), State::Ready(value), info, place.origin);
     }
 
     fn bind_blocks(
@@ -165,13 +208,13 @@ impl Expander<'_> {
             match blocks.next() {
                 Some(block) => {
                     let origin = self.result.tree.get(block).origin;
-                    let info = BindingInfo::new(param.name.clone(), BindingKind::Parameter, origin);
+                    let info = param_info(param, origin);
                     let state = State::Block(Block::Built(block));
                     self.bind(body.scope, param.name.clone(), state, info, origin);
                 }
                 None => {
                     missing.push(param.name.trim_start_matches('*'));
-                    self.bind_unknown(&param.name, self.tag_origin(tag, cx), body);
+                    self.bind_unknown(param, self.tag_origin(tag, cx), body);
                 }
             }
         }
@@ -204,24 +247,29 @@ impl Expander<'_> {
                 left.push(param);
                 continue;
             };
-            if spec.forward && self.forward(&param.name, at, cx, body) {
+            if spec.forward && self.forward(param, at, cx, body) {
                 continue;
             }
             match &spec.default {
                 Some((text, range)) => {
                     let place = self.default_place(def, *range, body);
-                    self.bind_param(&param.name, text, place, cx, body);
+                    self.bind_param(param, text, place, cx, body);
                 }
-                None => self.nothing_to_forward(def, &param.name, at, body),
+                None => self.nothing_to_forward(def, param, at, body),
             }
         }
         *open = left;
     }
 
     /// `^`: the value the caller sees under the same name.
-    fn forward(&mut self, name: &EcoString, at: Origin, cx: Cx, body: Cx) -> bool {
+    fn forward(&mut self, param: &Param, at: Origin, cx: Cx, body: Cx) -> bool {
+        let name = &param.name;
         let mark = self.reads.len();
-        let value = match self.resolve(cx.scope, name, at) {
+        let outer = self.scopes.find(cx.scope, name).map(|(_, binding)| binding.info);
+        if let (Some((place, _)), Some(outer)) = (param.definition, outer) {
+            self.note_read(place, outer, UseKind::Read);
+        }
+        let value = match self.value_of(cx.scope, name, at) {
             Some(value) => value,
             None => match crate::expr::global_symbol(name) {
                 Some(value) => value,
@@ -229,12 +277,13 @@ impl Expander<'_> {
             },
         };
         let reads = self.reads.drain(mark..).collect();
-        let info = BindingInfo { reads, ..BindingInfo::new(name.clone(), BindingKind::Parameter, at) };
+        let info = BindingInfo { reads, ..param_info(param, at) };
         self.bind(body.scope, name.clone(), State::Ready(literal_of(value)), info, at);
         true
     }
 
-    fn nothing_to_forward(&mut self, def: &MacroDef, name: &EcoString, at: Origin, body: Cx) {
+    fn nothing_to_forward(&mut self, def: &MacroDef, param: &Param, at: Origin, body: Cx) {
+        let name = &param.name;
         let message = format!(
             "parameter `{name}` of macro `{}` takes the caller's `{name}`, which is not defined",
             def.name
@@ -244,13 +293,12 @@ impl Expander<'_> {
             .says(format!("Undefined property to forward: {name}"))
             .help(format!("pass it: {name}=\"...\""));
         self.push_with_definition(problem, def);
-        self.bind_unknown(name, at, body);
+        self.bind_unknown(param, at, body);
     }
 
-    fn bind_unknown(&mut self, name: &EcoString, at: Origin, body: Cx) {
+    pub(super) fn bind_unknown(&mut self, param: &Param, at: Origin, body: Cx) {
         self.result.complete = false;
-        let info = BindingInfo::new(name.clone(), BindingKind::Parameter, at);
-        self.bind(body.scope, name.clone(), State::Ready(Value::Unknown), info, at);
+        self.bind(body.scope, param.name.clone(), State::Ready(Value::Unknown), param_info(param, at), at);
     }
 
     fn missing_params(&mut self, def: &MacroDef, open: &[&Param], at: Origin, body: Cx) {
@@ -267,7 +315,7 @@ impl Expander<'_> {
             .help(format!("add {}", add.join(" ")));
         self.push_with_definition(problem, def);
         for param in open {
-            self.bind_unknown(&param.name, at, body);
+            self.bind_unknown(param, at, body);
         }
     }
 
@@ -318,15 +366,23 @@ impl Expander<'_> {
         }
         let (path, name) = name.rsplit_once('.')?;
         let (mut macros, mut scope) = (cx.macros, cx.scope);
+        let mut start = at.range.start + self.text_of(at).find(path).unwrap_or(0) as u32;
         for step in path.split('.') {
             macros = self.macros.namespace(macros, step)?;
-            scope = match self.resolve(scope, step, at) {
+            let range = TextRange::new(start, start + step.len() as u32);
+            start = range.end + 1;
+            scope = match self.resolve(scope, step, Origin { range, ..at }) {
                 Some(Value::Scope(id)) => id,
                 _ => return None,
             };
         }
         let def = self.macros.find(macros, name)?;
         Some(Resolved { def, macros, scope })
+    }
+
+    /// The text at an origin.
+    fn text_of(&self, at: Origin) -> &str {
+        self.result.sources.get(at.src.0 as usize).map_or("", |source| at.range.slice(source.item.text()))
     }
 
     fn unknown_macro(&mut self, tag: Tag<'_>, name: &str, cx: Cx) {
@@ -411,4 +467,10 @@ impl Expander<'_> {
             }
         }
     }
+}
+
+/// A parameter of a call, with its value at `at`.
+fn param_info(param: &Param, at: Origin) -> BindingInfo {
+    let info = BindingInfo::new(param.name.clone(), BindingKind::Parameter, at);
+    BindingInfo { definition: param.definition.map(|(_, definition)| definition), ..info }
 }

@@ -86,6 +86,7 @@ fn param(text: &str, start: usize, end: usize, forward: bool, default: Option<(u
     Param {
         name: slice(start, end),
         range: range(start, end),
+        definition: None,
         forward,
         default: default.map(|(start, end)| (slice(start, end), range(start, end))),
     }

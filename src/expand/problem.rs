@@ -46,6 +46,8 @@ pub struct Problem {
     pub help: Option<String>,
     /// Text that would mend it, in place of the text of `place`.
     pub replacement: Option<String>,
+    /// Found in a macro that nothing calls: the document does not suffer from it.
+    pub probed: bool,
     /// The text that is wrong.
     pub place: Place,
     /// How expansion came there, innermost step first.
@@ -64,6 +66,7 @@ impl Problem {
             reference: String::new(),
             help: None,
             replacement: None,
+            probed: false,
             place,
             trace: Vec::new(),
             more_calls: Vec::new(),

@@ -9,6 +9,7 @@ use super::machine::{Cx, Expander};
 use super::origin::Origin;
 use super::resolve::{BindingInfo, BindingKind};
 use super::scope::{Binding, Block, Place, Scopes, SrcRef, State};
+use super::symbols::SymbolKind;
 use super::tree::XId;
 use crate::base::TextRange;
 use crate::expr::{ScopeId, Value, display, is_global_symbol, is_identifier, literal};
@@ -68,6 +69,8 @@ impl Expander<'_> {
             Some("parent") => (target, at_once) = (self.parent_scope(cx.scope), true),
             _ => {}
         }
+        let kind = if value.is_some() { SymbolKind::Property } else { SymbolKind::BlockProperty };
+        let definition = self.define(kind, name, name_place.origin);
         let (key, state, origin) = match value {
             None => {
                 let at = self.tag_origin(tag, cx);
@@ -80,13 +83,13 @@ impl Expander<'_> {
                 let reads = self.reads.drain(mark..).collect();
                 let info = BindingInfo {
                     reads,
-                    ..BindingInfo::new(name.clone(), BindingKind::Property, place.origin)
+                    ..BindingInfo::new(name.clone(), BindingKind::Property, place.origin).of(definition)
                 };
                 return self.put(target, name.clone(), State::Ready(value), info, name_place.origin, scope);
             }
             Some((text, place)) => (name.clone(), lazy_state(&text, place), place.origin),
         };
-        let info = BindingInfo::new(name.clone(), BindingKind::Property, origin);
+        let info = BindingInfo::new(name.clone(), BindingKind::Property, origin).of(definition);
         self.put(target, key, state, info, name_place.origin, scope);
     }
 

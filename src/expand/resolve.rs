@@ -7,6 +7,7 @@ use super::machine::Expander;
 use super::origin::Origin;
 use super::problem::Step;
 use super::scope::State;
+use super::symbols::{DefinitionId, UseKind};
 use crate::expr::{ScopeId, Value, literal};
 use crate::workspace::nearest;
 
@@ -19,6 +20,8 @@ pub struct BindingInfo {
     pub kind: BindingKind,
     /// The text that gives the value; none for arguments from outside.
     pub origin: Option<Origin>,
+    /// The definition it is an instance of.
+    pub definition: Option<DefinitionId>,
     /// Bindings that were read to compute it.
     pub reads: Box<[u32]>,
 }
@@ -39,12 +42,19 @@ pub enum BindingKind {
 impl BindingInfo {
     /// An argument given from outside.
     pub fn given(name: &str) -> Self {
-        Self { name: name.into(), kind: BindingKind::Argument, origin: None, reads: Box::default() }
+        let (origin, definition, reads) = (None, None, Box::default());
+        Self { name: name.into(), kind: BindingKind::Argument, origin, definition, reads }
     }
 
     /// Something given by source text.
     pub fn new(name: EcoString, kind: BindingKind, origin: Origin) -> Self {
-        Self { name, kind, origin: Some(origin), reads: Box::default() }
+        Self { name, kind, origin: Some(origin), definition: None, reads: Box::default() }
+    }
+
+    /// As an instance of a definition.
+    pub fn of(mut self, definition: DefinitionId) -> Self {
+        self.definition = Some(definition);
+        self
     }
 }
 
@@ -61,6 +71,13 @@ impl Expander<'_> {
 
     /// The value of `name` seen from `scope`; `at` is the text that asks. `None`: no such property.
     pub fn resolve(&mut self, scope: ScopeId, name: &str, at: Origin) -> Option<Value> {
+        let info = self.scopes.find(scope, name)?.1.info;
+        self.note_read(at, info, UseKind::Read);
+        self.value_of(scope, name, at)
+    }
+
+    /// The same without noting that `at` refers to it.
+    pub fn value_of(&mut self, scope: ScopeId, name: &str, at: Origin) -> Option<Value> {
         let (holder, binding) = self.scopes.find(scope, name)?;
         let info = binding.info;
         match &binding.state {

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::origin::{Origin, SrcId};
+use super::symbols::DefinitionId;
 use super::tree::XId;
 use crate::base::{FastMap, TextRange};
 use crate::expr::{ScopeId, Value};
@@ -164,6 +165,7 @@ pub(super) struct MacroDef {
     pub body: SrcRef,
     /// Where it stands: range of its `name` value.
     pub origin: Origin,
+    pub definition: DefinitionId,
     pub params: Vec<Param>,
 }
 
@@ -173,6 +175,8 @@ pub(super) struct Param {
     pub name: EcoString,
     /// Where it stands in the (decoded) `params` text.
     pub range: TextRange,
+    /// Where it stands in the source, and its definition; none when the list was not read from a tag.
+    pub definition: Option<(Origin, DefinitionId)>,
     /// `^`: take the caller's property of the same name.
     pub forward: bool,
     /// The default, where there is one.
@@ -204,8 +208,10 @@ impl Macros {
         id
     }
 
-    pub fn define(&mut self, at: MacrosId, def: MacroDef) {
-        self.list[at.0 as usize].entries.insert(def.name.clone(), MacroEntry::Macro(Arc::new(def)));
+    pub fn define(&mut self, at: MacrosId, def: MacroDef) -> Arc<MacroDef> {
+        let def = Arc::new(def);
+        self.list[at.0 as usize].entries.insert(def.name.clone(), MacroEntry::Macro(def.clone()));
+        def
     }
 
     pub fn define_namespace(&mut self, at: MacrosId, name: EcoString, table: MacrosId) {

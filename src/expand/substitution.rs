@@ -5,6 +5,7 @@ use ecow::EcoString;
 use super::machine::Expander;
 use super::origin::Origin;
 use super::record::Read;
+use super::symbols::UseKind;
 use super::text::TextSite;
 use crate::base::TextRange;
 use crate::expr::{
@@ -86,6 +87,7 @@ impl Expander<'_> {
             Some((Some(value), info)) => {
                 let (value, info) = (value.clone(), *info);
                 self.reads.push(info);
+                self.note_read(self.word_origin(name, here), info, UseKind::Read);
                 Ok(value)
             }
             Some((None, _)) => Err(Failure::Reported),

@@ -1,7 +1,7 @@
 //! What rules see.
 
 use crate::base::FastSet;
-use crate::expand::{Expansion, FileIdx};
+use crate::expand::{Expansion, FileIdx, XId};
 use crate::model::{Kinematics, Meshes, Robot};
 use crate::vfs::{SourceFile, Vfs};
 use crate::workspace::Packages;
@@ -56,6 +56,8 @@ impl FileCx<'_> {
 pub struct DocumentCx<'a> {
     /// The expansion.
     pub expansion: &'a Expansion,
+    /// The element to look at: the root of the document, or what a macro gives that nothing calls.
+    pub element: XId,
     /// What the root file is taken for.
     pub kind: RootKind,
     /// Whether the user named the root file.

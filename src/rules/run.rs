@@ -29,15 +29,24 @@ pub fn check_expansion(
     let robot = Robot::of(expansion);
     let Some(first) = all().next() else { return findings };
     let mut sink = Sink::new(expansion, first);
-    let document = DocumentCx { expansion, kind, explicit, robot: robot.as_ref(), world };
-    run(&mut sink, |rule, sink| {
-        if let Check::Document(check) = rule.check {
-            check(&document, sink);
-        }
-    });
+    let whole = expansion.tree.root().map(|root| (root, kind, robot.clone()));
+    // what a macro gives that nothing calls is looked at like a library
+    let probes = expansion
+        .probes
+        .iter()
+        .map(|probe| (probe.content, RootKind::Library, Some(Robot::below(&expansion.tree, probe.content))));
+    for (element, kind, robot) in whole.into_iter().chain(probes) {
+        let document = DocumentCx { expansion, element, kind, explicit, robot: robot.as_ref(), world };
+        run(&mut sink, |rule, sink| {
+            if let Check::Document(check) = rule.check {
+                check(&document, sink);
+            }
+        });
+    }
     if let Some(robot) = robot.as_ref().filter(|_| kind == RootKind::Robot) {
         let kinematics = Kinematics::of(robot);
-        let lost = expansion.problems.iter().any(|problem| LOSES_CONTENT.contains(&problem.code));
+        let loses = |problem: &Problem| !problem.probed && LOSES_CONTENT.contains(&problem.code);
+        let lost = expansion.problems.iter().any(loses);
         let whole = expansion.whole && !lost && !unprefixed.structure && robot.names_are_known();
         let cx = RobotCx { expansion, robot, kinematics: &kinematics, world, whole };
         run(&mut sink, |rule, sink| {

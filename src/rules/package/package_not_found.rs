@@ -37,9 +37,8 @@ struct Missing {
 }
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let Some(root) = cx.expansion.tree.root() else { return };
     let mut missing: IndexMap<(FileIdx, String), Option<Missing>> = IndexMap::new();
-    let mut open = vec![root];
+    let mut open = vec![cx.element];
     while let Some(element) = open.pop() {
         let node = cx.expansion.tree.get(element);
         if matches!(node.text.as_str(), "mesh" | "texture") {

@@ -1,0 +1,170 @@
+//! Which definition each name of the source refers to: what editors jump to, and what is never used.
+
+use ecow::EcoString;
+
+use super::machine::Expander;
+use super::origin::{Origin, SrcId};
+use super::text::TextSite;
+use crate::base::{FastMap, FastSet, TextRange};
+
+/// A definition: index of [`Symbols::definitions`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct DefinitionId(pub u32);
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum SymbolKind {
+    /// `xacro:property` with a value.
+    Property,
+    /// `xacro:property` with content: a block.
+    BlockProperty,
+    /// A parameter of a macro.
+    Parameter,
+    /// A `*block` parameter of a macro.
+    BlockParameter,
+    /// `xacro:arg`
+    Argument,
+    /// `xacro:macro`
+    Macro,
+    /// `ns=` of an include.
+    Namespace,
+}
+
+/// A text of the source: a range relative to its item, whatever way leads there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct SourceRange {
+    /// The item.
+    pub src: SrcId,
+    /// Bytes relative to the item.
+    pub range: TextRange,
+}
+
+impl From<Origin> for SourceRange {
+    fn from(origin: Origin) -> Self {
+        Self { src: origin.src, range: origin.range }
+    }
+}
+
+/// A name given by text of the source, however often expansion came by.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// What it stands for.
+    pub kind: SymbolKind,
+    /// The name; a computed name has one definition for each result.
+    pub name: EcoString,
+    /// Its text.
+    pub place: SourceRange,
+    /// Of a parameter: its macro.
+    pub of: Option<DefinitionId>,
+    /// Whether a condition stands around it.
+    pub conditional: bool,
+    /// Whether it stands inside a macro.
+    pub in_macro: bool,
+}
+
+/// How a name is used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum UseKind {
+    /// Its value is read.
+    Read,
+    /// The macro is called.
+    Call,
+    /// A call gives the parameter a value.
+    Given,
+    /// The block is inserted.
+    Insert,
+}
+
+/// A text that refers to a definition.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Use {
+    /// The name's text.
+    pub place: SourceRange,
+    /// What it refers to.
+    pub definition: DefinitionId,
+    /// How.
+    pub kind: UseKind,
+}
+
+/// All definitions and uses of an expansion, each once, in the order in which they were met.
+#[derive(Clone, Debug, Default)]
+pub struct Symbols {
+    /// Definitions.
+    pub definitions: Vec<Definition>,
+    /// Uses.
+    pub uses: Vec<Use>,
+    known: FastMap<(SourceRange, EcoString), DefinitionId>,
+    seen: FastSet<Use>,
+}
+
+impl Symbols {
+    /// The definition of an id.
+    pub fn get(&self, id: DefinitionId) -> Option<&Definition> {
+        self.definitions.get(id.0 as usize)
+    }
+
+    /// All definitions with their ids.
+    pub fn iter(&self) -> impl Iterator<Item = (DefinitionId, &Definition)> {
+        (0..).map(DefinitionId).zip(&self.definitions)
+    }
+
+    /// The uses of a definition.
+    pub fn uses_of(&self, definition: DefinitionId) -> impl Iterator<Item = &Use> {
+        self.uses.iter().filter(move |used| used.definition == definition)
+    }
+
+    fn add(&mut self, definition: Definition) -> DefinitionId {
+        let next = DefinitionId(self.definitions.len() as u32);
+        let id = *self.known.entry((definition.place, definition.name.clone())).or_insert(next);
+        if id == next {
+            self.definitions.push(definition);
+        } else if let Some(known) = self.definitions.get_mut(id.0 as usize) {
+            known.conditional |= definition.conditional;
+        }
+        id
+    }
+
+    fn add_use(&mut self, used: Use) {
+        if self.seen.insert(used) {
+            self.uses.push(used);
+        }
+    }
+}
+
+impl Expander<'_> {
+    /// Note that the text at `at` gives a name.
+    pub fn define(&mut self, kind: SymbolKind, name: &EcoString, at: Origin) -> DefinitionId {
+        self.define_part(kind, name, at, None)
+    }
+
+    /// Note a parameter of `of`.
+    pub fn define_part(
+        &mut self,
+        kind: SymbolKind,
+        name: &EcoString,
+        at: Origin,
+        of: Option<DefinitionId>,
+    ) -> DefinitionId {
+        let (conditional, in_macro) = (self.conditions > 0, !self.calls.is_empty());
+        let definition = Definition { kind, name: name.clone(), place: at.into(), of, conditional, in_macro };
+        self.result.symbols.add(definition)
+    }
+
+    /// Note that the text at `at` refers to a definition.
+    pub fn note_use(&mut self, at: Origin, definition: Option<DefinitionId>, kind: UseKind) {
+        if let Some(definition) = definition {
+            self.result.symbols.add_use(Use { place: at.into(), definition, kind });
+        }
+    }
+
+    /// Note that the text at `at` reads a binding.
+    pub fn note_read(&mut self, at: Origin, binding: u32, kind: UseKind) {
+        let definition = self.result.bindings.get(binding as usize).and_then(|info| info.definition);
+        self.note_use(at, definition, kind);
+    }
+
+    /// Where a part of an attribute's decoded text stands.
+    pub fn part_of(&self, text: &str, place: super::scope::Place, range: TextRange) -> Origin {
+        self.origin_in(TextSite { text, place }, range)
+    }
+}
