@@ -119,14 +119,15 @@ impl Expander<'_> {
                     let tag = Tag { node, src: at.src, name: node.name(), used: None };
                     self.eval_attributes(tag, content, cx);
                     self.eval_children(node, at.src, content, cx);
-                    self.splice(content, out);
+                    // no comments vanish in front of this tag, so the marker stays in front of the block
+                    self.result.tree.move_children(content, out);
                 }
             }
             Block::Built(block) if content_only => {
                 let content = self.container(at);
                 self.rebuild_attrs(block, content, cx);
                 self.rebuild_children(block, content, cx);
-                self.splice(content, out);
+                self.result.tree.move_children(content, out);
             }
             Block::Built(block) => self.rebuild(block, out, cx),
         }

@@ -142,9 +142,10 @@ impl Expander<'_> {
         if name.starts_with('/') || Path::new(name).is_absolute() {
             return name.to_owned();
         }
-        match self.current_file().rsplit_once('/') {
-            Some(("", _)) => format!("/{name}"),
-            Some((folder, _)) => format!("{folder}/{name}"),
+        match self.current_file().rsplit_once('/').map(|(folder, _)| (folder, folder.trim_end_matches('/'))) {
+            // as Python's `dirname`: slashes at the end go, except when there is nothing else
+            Some((folder, "")) => format!("{folder}/{name}"),
+            Some((_, folder)) => format!("{folder}/{name}"),
             None => name.to_owned(),
         }
     }

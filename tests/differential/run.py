@@ -280,7 +280,7 @@ def run_in(pool):
         report_failures(pool, failures)
     skipped = sum(outcome[1] is None for outcome in outcomes)
     refused = sum(outcome[4] == 2 for outcome in outcomes)
-    print('%d programs, %d refused by the reference, %d left out because it crashed; %.0f programs/s'
+    print('%d programs, %d refused by the reference, %d left out (it crashed, or a listed limit); %.0f programs/s'
           % (len(outcomes), refused, skipped, len(outcomes) / spent))
     print('%d passed, %d failed' % (len(outcomes) - skipped - len(failures), len(failures)))
     return 1 if failures else 0
