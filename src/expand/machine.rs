@@ -9,7 +9,7 @@ use ecow::EcoString;
 use super::late::Undefined;
 use super::origin::{FileIdx, Frame, FrameId, FrameKind, Origin, Source, SrcId};
 use super::probe::Probe;
-use super::problem::{Place as ProblemPlace, Problem, Problems, Step, step_message};
+use super::problem::{Place as ProblemPlace, Problem, Problems, Severity, Step, step_message};
 use super::record::{Read, Record};
 use super::resolve::{BindingInfo, LazyUse};
 use super::scope::{MacroDef, Macros, MacrosId, Scopes};
@@ -263,6 +263,7 @@ impl<'w> Expander<'w> {
     fn run(mut self) -> Expansion {
         self.bind_arguments();
         self.expand_root();
+        self.admit_unknown();
         self.probe_macros();
         let broken = std::mem::take(&mut self.broken);
         // what the recovered tree of a broken file seems to say is not trusted
@@ -271,6 +272,24 @@ impl<'w> Expander<'w> {
         self.result.whole = !(self.content_lost || self.include_missing || self.stopped);
         self.result.complete &= !self.result.has_errors();
         self.result
+    }
+
+    /// What could not be computed has a cause that was reported. Should one be missing, that is said here: a
+    /// document with a hole never passes for a good one.
+    fn admit_unknown(&mut self) {
+        let reported = self.problems.list.iter().any(|problem| problem.severity == Severity::Error);
+        if self.result.complete || reported || self.stopped || self.result.root_error.is_some() {
+            return;
+        }
+        let tree = &self.result.tree;
+        let pieces = tree.below(XId::DOCUMENT).flat_map(|id| &tree.get(id).attrs).flat_map(|a| &a.pieces);
+        let hole = pieces.filter(|piece| piece.unknown).map(|piece| piece.source).next();
+        let root = tree.root().map_or(Origin::NOWHERE, |root| tree.get(root).origin);
+        let message = match hole {
+            Some(_) => "this cannot be computed here: it uses something of Python that is not supported",
+            None => "some value cannot be computed: it uses something of Python that is not supported",
+        };
+        self.error("XAC025", hole.unwrap_or(root), message, message);
     }
 
     fn bind_arguments(&mut self) {

@@ -65,6 +65,13 @@ pub struct XNode {
     next: XId,
 }
 
+impl XNode {
+    /// Whether it has no children.
+    pub fn is_leaf(&self) -> bool {
+        self.first == XId::NIL
+    }
+}
+
 /// An attribute of an expanded element.
 #[derive(Clone, Debug)]
 pub struct XAttr {
@@ -178,6 +185,20 @@ impl XTree {
     /// The child elements in order.
     pub fn elements(&self, id: XId) -> impl Iterator<Item = XId> + '_ {
         self.children(id).filter(|&c| self.get(c).kind == XKind::Element)
+    }
+
+    /// All nodes below a node, in document order.
+    pub fn below(&self, id: XId) -> impl Iterator<Item = XId> + '_ {
+        let behind = move |mut node: XId| {
+            while node != id {
+                if let Some(next) = self.next_sibling(node) {
+                    return Some(next);
+                }
+                node = self.parent(node)?;
+            }
+            None
+        };
+        std::iter::successors(self.first_child(id), move |&node| self.first_child(node).or_else(|| behind(node)))
     }
 
     /// The root element.

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::params::is_space;
+use super::source_map::{MapEntry, MapKind, Recorder};
 use super::tree::{XId, XKind, XTree};
 
 /// The text, and which node made which line.
@@ -12,6 +13,8 @@ pub struct Written {
     pub text: String,
     /// For each line (from 0) the innermost node that starts on it; the declaration and the banner have none.
     pub lines: Vec<Option<XId>>,
+    /// What came from where, outer entries in front of those inside; empty unless asked for.
+    pub map: Vec<MapEntry>,
 }
 
 /// The four comments in front of everything; `input` is the name of the root file.
@@ -35,13 +38,22 @@ pub fn banner(input: &str) -> String {
 
 /// Print a document; `input` is the name of the root file.
 pub fn write(tree: &XTree, input: &str) -> Written {
+    written(tree, input, None)
+}
+
+/// The same with [`Written::map`].
+pub fn write_mapped(tree: &XTree, input: &str) -> Written {
+    written(tree, input, Some(Recorder::default()))
+}
+
+fn written(tree: &XTree, input: &str, map: Option<Recorder>) -> Written {
     let mut text = String::with_capacity(tree.len() * 32);
     text.push_str("<?xml version=\"1.0\" ?>\n");
     text.push_str(&banner(input));
-    let mut writer = Writer { tree, text, lines: vec![None; 5], line: 5, seen: 0 };
+    let mut writer = Writer { tree, text, lines: vec![None; 5], line: 5, seen: 0, map };
     writer.seen = writer.text.len();
     writer.nodes(XId::DOCUMENT, 0);
-    Written { text: writer.text, lines: writer.lines }
+    Written { text: writer.text, lines: writer.lines, map: writer.map.map_or(Vec::new(), Recorder::finish) }
 }
 
 struct Writer<'t> {
@@ -51,6 +63,7 @@ struct Writer<'t> {
     /// Line feeds in `text[..seen]`.
     line: usize,
     seen: usize,
+    map: Option<Recorder>,
 }
 
 impl Writer<'_> {
@@ -87,6 +100,7 @@ impl Writer<'_> {
         }
         self.indent(depth);
         self.mark(id);
+        let start = self.text.len();
         match node.kind {
             XKind::Element => return self.element(id),
             XKind::Text => escape(&mut self.text, &node.text),
@@ -103,26 +117,41 @@ impl Writer<'_> {
             XKind::Doctype => self.text.push_str(&node.text),
             XKind::CData | XKind::Container => {}
         }
+        self.record(start, id, if node.kind == XKind::Comment { MapKind::Comment } else { MapKind::Text });
         self.text.push('\n');
         None
     }
 
     fn element(&mut self, id: XId) -> Option<XId> {
         let node = self.tree.get(id);
+        let start = self.text.len();
+        if let Some(map) = &mut self.map {
+            map.open(start, id, node.origin);
+        }
         self.text.push('<');
         self.text.push_str(&node.text);
         self.attributes(id);
+        let tag_end = self.text.len() + if node.is_leaf() { 2 } else { 1 };
+        if let Some(map) = &mut self.map {
+            map.start_tag(tag_end);
+        }
         let first = self.tree.first_child(id);
         let only_text = first
             .is_some_and(|c| self.tree.get(c).kind == XKind::Text && self.tree.next_sibling(c).is_none());
         match first {
-            None => self.text.push_str("/>\n"),
+            None => {
+                self.text.push_str("/>");
+                self.end_element();
+            }
             Some(child) if only_text => {
                 self.text.push('>');
+                let start = self.text.len();
                 escape(&mut self.text, &self.tree.get(child).text);
+                self.record(start, child, MapKind::Text);
                 self.text.push_str("</");
                 self.text.push_str(&node.text);
-                self.text.push_str(">\n");
+                self.text.push('>');
+                self.end_element();
             }
             Some(child) => {
                 self.text.push_str(">\n");
@@ -140,9 +169,16 @@ impl Writer<'_> {
             order.sort_by(|a, b| a.name.cmp(&b.name));
         }
         for attr in order {
+            let start = self.text.len() + 1;
             let _ = write!(self.text, " {}=\"", attr.name);
-            escape(&mut self.text, &attr.value);
+            match &mut self.map {
+                None => escape(&mut self.text, &attr.value),
+                Some(map) => map.attribute(start, id, attr, &mut self.text),
+            }
             self.text.push('"');
+            if let Some(map) = &mut self.map {
+                map.close_attribute(self.text.len());
+            }
         }
     }
 
@@ -150,7 +186,24 @@ impl Writer<'_> {
         self.indent(depth);
         self.text.push_str("</");
         self.text.push_str(&self.tree.get(id).text);
-        self.text.push_str(">\n");
+        self.text.push('>');
+        self.end_element();
+    }
+
+    /// The text of the innermost open element ends here.
+    fn end_element(&mut self) {
+        if let Some(map) = &mut self.map {
+            map.close(self.text.len());
+        }
+        self.text.push('\n');
+    }
+
+    /// Note what was written since `start`.
+    fn record(&mut self, start: usize, id: XId, kind: MapKind) {
+        let (end, origin) = (self.text.len(), self.tree.get(id).origin);
+        if let Some(map) = &mut self.map {
+            map.add(start, end, id, kind, origin);
+        }
     }
 
     fn indent(&mut self, depth: usize) {
@@ -178,7 +231,7 @@ impl Writer<'_> {
 }
 
 /// `& < > "` as references, the rest as it is.
-fn escape(out: &mut String, text: &str) {
+pub(super) fn escape(out: &mut String, text: &str) {
     let mut from = 0;
     for (i, byte) in text.bytes().enumerate() {
         let reference = match byte {
