@@ -9,6 +9,7 @@ pub mod base;
 pub mod cli;
 pub mod expand;
 pub mod expr;
+pub mod facts;
 pub mod model;
 pub mod rules;
 pub mod vfs;

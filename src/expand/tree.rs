@@ -198,7 +198,9 @@ impl XTree {
             }
             None
         };
-        std::iter::successors(self.first_child(id), move |&node| self.first_child(node).or_else(|| behind(node)))
+        std::iter::successors(self.first_child(id), move |&node| {
+            self.first_child(node).or_else(|| behind(node))
+        })
     }
 
     /// The root element.

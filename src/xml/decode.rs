@@ -119,7 +119,7 @@ fn special(raw: &str, at: usize, place: Place) -> Option<(Piece<'_>, usize)> {
 
 /// The value of raw text or of a raw attribute value. A reference without a value stays as written, apart
 /// from those to external entities, which are empty.
-pub(super) fn decode<'t>(raw: &'t str, entities: &Entities, is_attr: bool) -> Cow<'t, str> {
+pub fn decode<'t>(raw: &'t str, entities: &Entities, is_attr: bool) -> Cow<'t, str> {
     let mut out = String::with_capacity(raw.len());
     for (piece, range) in pieces(raw, Place::new(is_attr)) {
         push(&mut out, &piece, raw, range, entities, is_attr);

@@ -15,7 +15,7 @@ mod parse;
 mod positions;
 mod verdict;
 
-pub use decode::source_offset;
+pub use decode::{decode as decode_text, source_offset};
 pub use document::{Document, Part, Place};
 pub use entities::Entities;
 pub use error::{SyntaxError, SyntaxErrorKind};

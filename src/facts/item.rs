@@ -1,0 +1,79 @@
+//! Reading facts off the tree of an item.
+
+use std::sync::Arc;
+
+use super::mentions::site;
+use super::{Fact, FactKind, Facts};
+use crate::base::TextRange;
+use crate::xml::{Attr, CacheSlot, Entities, Item, Node, NodeKind};
+
+/// xacro's own tags, which call no macro.
+const KEYWORDS: &[&str] = &[
+    "arg",
+    "attribute",
+    "call",
+    "element",
+    "eval-comments",
+    "if",
+    "include",
+    "insert_block",
+    "macro",
+    "property",
+    "unless",
+];
+
+/// The facts of an item; read once, kept with it.
+pub fn facts_of(item: &Arc<Item>) -> Arc<Facts> {
+    item.cached(CacheSlot::Facts, read)
+}
+
+fn read(item: &Item) -> Facts {
+    let mut facts = Facts::default();
+    // the end of the macro around the current node; macros nest, so the outermost one counts
+    let mut macro_end = 0;
+    for node in item.all_nodes() {
+        match node.kind() {
+            NodeKind::Element => {
+                let in_macro = node.range().start < macro_end;
+                facts.named.extend(fact(node, in_macro));
+                if node.name() == "xacro:macro" {
+                    macro_end = macro_end.max(node.range().end);
+                }
+                facts.sites.extend(node.attrs().filter(|attr| attr.has_dollar()).filter_map(attribute_site));
+            }
+            NodeKind::Text if node.has_dollar() => {
+                facts.sites.extend(site(node.raw(), node.raw_range(), false));
+            }
+            _ => {}
+        }
+    }
+    facts
+}
+
+fn attribute_site(attr: Attr<'_>) -> Option<super::Site> {
+    site(attr.raw(), attr.value_range(), true)
+}
+
+fn fact(node: Node<'_>, in_macro: bool) -> Option<Fact> {
+    let (kind, attr) = match node.name() {
+        "xacro:property" => (FactKind::Property, "name"),
+        "xacro:macro" => (FactKind::Macro, "name"),
+        "xacro:arg" => (FactKind::Argument, "name"),
+        "xacro:include" => (FactKind::Include, "filename"),
+        "link" => (FactKind::Link, "name"),
+        "joint" if node.attr("type").is_some() => (FactKind::Joint, "name"),
+        "material" => (FactKind::Material, "name"),
+        "mesh" => (FactKind::Mesh, "filename"),
+        name => return call(node, name, in_macro),
+    };
+    let attr = node.attr(attr)?;
+    let name = attr.value(&Entities::default()).as_ref().into();
+    Some(Fact { kind, name, range: attr.value_range(), node: node.id(), in_macro })
+}
+
+fn call(node: Node<'_>, name: &str, in_macro: bool) -> Option<Fact> {
+    let called = name.strip_prefix("xacro:").filter(|called| !KEYWORDS.contains(called))?;
+    let end = node.name_range().end;
+    let range = TextRange::new(end - called.len() as u32, end);
+    Some(Fact { kind: FactKind::Call, name: called.into(), range, node: node.id(), in_macro })
+}

@@ -1,0 +1,103 @@
+//! The names that expressions mention.
+
+use ecow::EcoString;
+
+use crate::base::TextRange;
+use crate::expr::{self, Code, Subst, Template, Token};
+use crate::xml::{Entities, decode_text, source_offset};
+
+/// A text that holds expressions.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Site {
+    /// The text, relative to the item; without quotes.
+    pub range: TextRange,
+    /// Whether it is the value of an attribute.
+    pub is_attr: bool,
+    /// The names in it, in reading order.
+    pub mentions: Vec<Mention>,
+}
+
+/// A name in an expression.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mention {
+    /// What the name is looked up as.
+    pub kind: MentionKind,
+    /// The name.
+    pub name: EcoString,
+    /// Its text, relative to the item.
+    pub range: TextRange,
+}
+
+/// What a mentioned name is looked up as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum MentionKind {
+    /// A property, a parameter, a namespace or a symbol of Python.
+    Name,
+    /// `$(arg name)`
+    Argument,
+    /// `$(find package)`
+    Package,
+}
+
+/// The expressions of a text; none when it holds none. `raw` stands at `range` of its item.
+pub(super) fn site(raw: &str, range: TextRange, is_attr: bool) -> Option<Site> {
+    let entities = Entities::default();
+    let text = decode_text(raw, &entities, is_attr);
+    let template = expr::split(&text);
+    if template.is_verbatim() {
+        return None;
+    }
+    let mut found = Vec::new();
+    collect(&template, &text, &mut found);
+    let same = text == raw;
+    let at = |offset: u32| match same {
+        true => offset,
+        false => source_offset(raw, &entities, is_attr, offset as usize) as u32,
+    };
+    for mention in &mut found {
+        let own = mention.range;
+        mention.range = TextRange::new(at(own.start), at(own.end)).shift(range.start);
+    }
+    Some(Site { range, is_attr, mentions: found })
+}
+
+fn collect(template: &Template, text: &str, found: &mut Vec<Mention>) {
+    for token in &template.tokens {
+        match token {
+            Token::Expr { inner, code: Code::Dynamic(nested), .. } => {
+                collect(nested, text, found);
+                // what is replaced first mostly stands in quotes, and the rest is an expression as it is
+                let parsed = expr::parse(inner.slice(text));
+                if parsed.errors.is_empty() {
+                    names(&parsed.expr, inner.start, MentionKind::Name, found);
+                }
+            }
+            Token::Subst { nested: Some(nested), .. } => collect(nested, text, found),
+            Token::Expr { inner, code: Code::Static(parsed), .. } => {
+                names(&parsed.expr, inner.start, MentionKind::Name, found);
+            }
+            Token::Subst { inner, nested: None, .. } => substitution(inner.slice(text), inner.start, found),
+            _ => {}
+        }
+    }
+}
+
+/// The free names of an expression that begins at `start`.
+fn names(expr: &expr::ast::Expr, start: u32, kind: MentionKind, found: &mut Vec<Mention>) {
+    let names = expr::names(expr).into_iter();
+    found.extend(names.map(|used| Mention { kind, name: used.name.into(), range: used.range.shift(start) }));
+}
+
+fn substitution(inner: &str, start: u32, found: &mut Vec<Mention>) {
+    let (kind, word) = match expr::parse_substitution(inner) {
+        Subst::Arg(word) => (MentionKind::Argument, word),
+        Subst::Find(word) => (MentionKind::Package, word),
+        Subst::Eval { code } => {
+            // arguments are the variables of `$(eval)`
+            let parsed = expr::parse(code.slice(inner));
+            return names(&parsed.expr, start + code.start, MentionKind::Argument, found);
+        }
+        _ => return,
+    };
+    found.push(Mention { kind, name: word.text, range: word.range.shift(start) });
+}

@@ -1,0 +1,78 @@
+//! What one file says by itself, item by item: names it gives, names it mentions, files it includes.
+//!
+//! Facts are read off the tree of an item once and stay with it, so after an edit only the edited item is
+//! looked at again. They know nothing of other files: what a name refers to is the expander's business.
+
+mod item;
+mod mentions;
+#[cfg(test)]
+mod tests;
+
+use std::sync::Arc;
+
+use ecow::EcoString;
+
+pub use item::facts_of;
+pub use mentions::{Mention, MentionKind, Site};
+
+use crate::base::TextRange;
+use crate::xml::{Document, NodeId};
+
+/// The kinds of named things.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum FactKind {
+    /// `xacro:property`
+    Property,
+    /// `xacro:macro`
+    Macro,
+    /// `xacro:arg`
+    Argument,
+    /// `xacro:include`; its name is the file name.
+    Include,
+    /// A macro call; its name is that of the macro, with its namespaces.
+    Call,
+    /// `link`
+    Link,
+    /// `joint` with a `type`: a definition.
+    Joint,
+    /// `material`
+    Material,
+    /// `mesh`; its name is the file name.
+    Mesh,
+}
+
+/// Something with a name; the name may hold expressions.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fact {
+    /// What it is.
+    pub kind: FactKind,
+    /// The name as it is written, entities decoded.
+    pub name: EcoString,
+    /// The name's text, relative to the item.
+    pub range: TextRange,
+    /// The element.
+    pub node: NodeId,
+    /// Whether it stands inside a macro.
+    pub in_macro: bool,
+}
+
+/// The facts of an item.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Facts {
+    /// Named things in document order.
+    pub named: Vec<Fact>,
+    /// Texts with expressions in document order.
+    pub sites: Vec<Site>,
+}
+
+impl Facts {
+    /// The named things of one kind.
+    pub fn of(&self, kind: FactKind) -> impl Iterator<Item = &Fact> {
+        self.named.iter().filter(move |fact| fact.kind == kind)
+    }
+}
+
+/// The facts of all parts of a document: header, items, footer; each with the offset its ranges count from.
+pub fn facts(document: &Document) -> impl Iterator<Item = (u32, Arc<Facts>)> + '_ {
+    document.parts().map(|(base, item)| (base, facts_of(item)))
+}

@@ -1,0 +1,57 @@
+//! Facts of small documents, printed.
+
+use super::facts;
+use crate::xml::Document;
+
+#[track_caller]
+fn check(text: &str, expected: &[&str]) {
+    let document = Document::parse(text);
+    let mut found = Vec::new();
+    for (base, facts) in facts(&document) {
+        for fact in &facts.named {
+            let inside = if fact.in_macro { " in a macro" } else { "" };
+            assert_eq!(document.slice(fact.range.shift(base)), fact.name.as_str());
+            found.push(format!("{:?} {}{inside}", fact.kind, fact.name));
+        }
+        for mention in facts.sites.iter().flat_map(|site| &site.mentions) {
+            assert_eq!(document.slice(mention.range.shift(base)), mention.name.as_str());
+            found.push(format!("  {:?} {}", mention.kind, mention.name));
+        }
+    }
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn names_given_and_names_mentioned() {
+    check(
+        r#"<robot><xacro:arg name="side" default="left"/>
+  <xacro:include filename="$(find pkg)/a.xacro"/>
+  <xacro:macro name="leg" params="p"><link name="${p}_link"/></xacro:macro>
+  <xacro:leg p="${len(side) &gt; 0 and $(arg side)}"/><xacro:ns.leg/>
+  <joint name="j" type="fixed"/><joint name="of a transmission"/>
+  text ${a + [b for b in c][0]} $(eval x + 1)</robot>"#,
+        &[
+            "Argument side",
+            "Include $(find pkg)/a.xacro",
+            "  Package pkg",
+            "Macro leg",
+            "Link ${p}_link in a macro",
+            "  Name p",
+            "Call leg",
+            "  Argument side",
+            "Call ns.leg",
+            "Joint j",
+            "  Name a",
+            "  Name c",
+            "  Argument x",
+        ],
+    );
+}
+
+#[test]
+fn half_typed_text_loses_nothing_in_front_of_it() {
+    check(
+        r#"<robot><xacro:property name="a" value="${b"/><link name="l" <xacro:macro name="m">${x + "#,
+        &["Property a", "Link l", "Macro m"],
+    );
+}
