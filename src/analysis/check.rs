@@ -35,6 +35,12 @@ impl Session {
         let jobs = self.jobs(options, &mut report);
         let outcomes: Vec<Outcome> = jobs.into_par_iter().map(|job| job::run(self, options, job)).collect();
         let kept = self.keep(outcomes);
+        Report { unreadable: report.unreadable, ..self.conclude(options, kept) }
+    }
+
+    /// One report of many outcomes: merged, as configured, in order.
+    pub(super) fn conclude(&self, options: &CheckOptions, kept: Vec<Outcome>) -> Report {
+        let mut report = Report::default();
         for outcome in &kept {
             report.roots.push(outcome.job.file.clone());
             report.robots += usize::from(outcome.is_robot);

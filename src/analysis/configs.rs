@@ -89,6 +89,11 @@ impl Configs {
         Ok(configs)
     }
 
+    /// Configurations under overrides that name no file.
+    pub(super) fn without_file(overrides: Overrides) -> Self {
+        Self { overrides, state: Mutex::default() }
+    }
+
     fn lock(&self) -> std::sync::MutexGuard<'_, State> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }

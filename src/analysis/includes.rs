@@ -38,6 +38,11 @@ fn pattern(name: &str, from: &Path, packages: &Packages) -> Option<Pattern> {
     says_something.then(|| Pattern::new(&tidy(&format!("./{pattern}"), pattern.starts_with('/')), folder))
 }
 
+/// An absolute path without `folder/..`, by its text alone.
+pub(super) fn tidy_path(path: &Path) -> std::path::PathBuf {
+    tidy(&path.to_string_lossy(), true).into()
+}
+
 /// The path without `folder/..`, by its text alone.
 fn tidy(path: &str, absolute: bool) -> String {
     let mut parts: Vec<&str> = Vec::new();

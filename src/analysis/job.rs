@@ -15,6 +15,7 @@ use crate::vfs::{LoadError, SourceFile};
 use crate::workspace::config;
 
 /// What a job gave.
+#[derive(Clone)]
 pub(super) struct Outcome {
     pub(super) job: Job,
     /// Whether the file is a robot on its own.
@@ -28,8 +29,13 @@ pub(super) struct Outcome {
 
 /// Expand a file and check the result.
 pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcome {
+    let expansion = expansion(session, options, &job);
+    judge(session, job, &expansion)
+}
+
+/// Expand a file.
+pub(super) fn expansion(session: &Session, options: &CheckOptions, job: &Job) -> Expansion {
     let settings = session.settings(&job.file);
-    let around = session.surroundings(&settings.config);
     let request = Request {
         // messages name files as the user would
         file: job.file.strip_prefix(&session.env.cwd).unwrap_or(&job.file).to_string_lossy().into_owned(),
@@ -40,16 +46,22 @@ pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcom
         cancel: options.cancel.clone(),
     };
     let world = World { vfs: &session.vfs, packages: &session.packages, env: &session.env };
-    let expansion = expand(world, &request);
-    let kind = kind(&expansion, &job);
-    let mut findings = check_expansion(&expansion, kind, job.reason != Reason::Walked, around);
-    findings.append(&mut check_files(&expansion, around));
+    expand(world, &request)
+}
+
+/// Check an expansion.
+pub(super) fn judge(session: &Session, job: Job, expansion: &Expansion) -> Outcome {
+    let settings = session.settings(&job.file);
+    let around = session.surroundings(&settings.config);
+    let kind = kind(expansion, &job);
+    let mut findings = check_expansion(expansion, kind, job.reason != Reason::Walked, around);
+    findings.append(&mut check_files(expansion, around));
     if let Some(error) = &expansion.root_error {
         findings.extend(unreadable(session.vfs.file_id(&job.file), error));
     }
     Outcome {
         is_robot: kind == RootKind::Robot,
-        reads: reads(&expansion),
+        reads: reads(expansion),
         files: expansion.files.iter().map(|file| file.source.clone()).collect(),
         findings,
         job,

@@ -4,6 +4,8 @@
 
 mod check;
 mod configs;
+mod context;
+mod graph;
 mod includes;
 mod job;
 mod merge;
@@ -11,8 +13,11 @@ mod report;
 mod roots;
 mod session;
 mod walk;
+mod world;
 
 pub use check::CheckOptions;
 pub use configs::{Overrides, Settings};
+pub use context::{Context, Reason, RootChoice};
 pub use report::{Position, Report, Unreadable};
 pub use session::{Session, Setup};
+pub use world::{Analyzed, World};

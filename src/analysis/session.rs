@@ -28,6 +28,8 @@ pub struct Session {
 pub struct Setup {
     /// What the session is about: the configuration nearest to it says where packages are.
     pub about: PathBuf,
+    /// Folders whose packages are known wherever the asking file lies.
+    pub folders: Vec<PathBuf>,
     /// Folders searched for packages before those of the configuration.
     pub package_path: Vec<PathBuf>,
     /// Settings over those of the configuration.
@@ -41,7 +43,20 @@ impl Session {
     /// When the configuration file that `setup` names cannot be read.
     pub fn new(env: &Environment, setup: Setup) -> Result<Self, LoadError> {
         let vfs = Arc::new(Vfs::with_cwd(u64::MAX, env.cwd.clone()));
-        let configs = Configs::new(&vfs, setup.overrides)?;
+        let configs = Configs::new(&vfs, setup.overrides.clone())?;
+        Ok(Self::with(vfs, env, setup, configs))
+    }
+
+    /// A session over files that others use too. A configuration file that `setup` names and that cannot be read
+    /// counts as empty.
+    pub fn over(vfs: Arc<Vfs>, env: &Environment, setup: Setup) -> Self {
+        let overrides = Overrides { config: None, ..setup.overrides.clone() };
+        let configs = Configs::new(&vfs, setup.overrides.clone());
+        let configs = configs.unwrap_or_else(|_| Configs::without_file(overrides));
+        Self::with(vfs, env, setup, configs)
+    }
+
+    fn with(vfs: Arc<Vfs>, env: &Environment, setup: Setup, configs: Configs) -> Self {
         let about = vfs.absolute(&setup.about);
         let folder = if vfs.is_dir(&about) { Some(about.as_path()) } else { about.parent() };
         let settings = configs.of_folder(&vfs, folder.unwrap_or(&about));
@@ -49,13 +64,14 @@ impl Session {
         vfs.set_max_file_bytes(config.limits.file_bytes());
         let explicit = setup.package_path.iter().map(|path| env.cwd.join(path));
         let options = PackageOptions {
+            workspace_folders: setup.folders,
             explicit: explicit.chain(config.package_path.iter().cloned()).collect(),
             use_environment: config.use_environment,
             target: config.target,
             ..PackageOptions::default()
         };
         let packages = Packages::new(vfs.clone(), env, options);
-        Ok(Self { vfs, packages, env: env.clone(), meshes: Meshes::default(), configs })
+        Self { vfs, packages, env: env.clone(), meshes: Meshes::default(), configs }
     }
 
     /// The settings for a file.

@@ -24,6 +24,7 @@ pub(super) fn run(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
         about: options.paths.iter().chain(&options.entries).next().cloned().unwrap_or_default(),
         package_path: args.package_path.iter().map(PathBuf::from).collect(),
         overrides: overrides(args),
+        ..Setup::default()
     };
     let session = match Session::new(env, setup) {
         Ok(session) => session,

@@ -77,6 +77,15 @@ impl Buffer {
         self.text.get_or_init(make).clone()
     }
 
+    /// The hash of the text, without making text or tree.
+    pub(super) fn hash(&self) -> u64 {
+        match (self.source.get(), self.text.get()) {
+            (Some(source), _) => source.hash,
+            (None, Some(text)) => text.hash,
+            (None, None) => self.text().hash,
+        }
+    }
+
     /// The tree.
     pub(super) fn source(&self) -> Arc<SourceFile> {
         self.source.get_or_init(|| SourceFile::parse(&self.text())).clone()

@@ -254,6 +254,16 @@ impl Vfs {
         }
     }
 
+    /// The hash of the text of a file, as [`TextFile::hash`] and [`SourceFile::hash`] have it; none when it
+    /// cannot be read.
+    pub fn document_hash(&self, path: &Path) -> Option<u64> {
+        let id = self.file_id(path);
+        match self.state(id, &self.path(id)).ok()? {
+            State::Buffer(buffer) => Some(buffer.hash()),
+            State::Disk(_) => Some(self.text(path).ok()?.hash),
+        }
+    }
+
     /// A YAML file, loaded; not again while its text stays the same. `name` is its name in messages.
     ///
     /// # Errors

@@ -1,0 +1,141 @@
+//! Under which root a file is shown, and with which arguments.
+//!
+//! A macro file has no meaning alone. The root is chosen by what the user picked, a comment in the file, the
+//! configuration, and else by the includes of the workspace.
+
+use std::path::{Path, PathBuf};
+
+use super::world::World;
+use crate::vfs::SourceFile;
+
+/// A root and the arguments it is expanded with.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct RootChoice {
+    /// The file, absolute.
+    pub file: PathBuf,
+    /// Arguments over the defaults of the file.
+    pub args: Vec<(String, String)>,
+    /// The preset of the configuration they come from.
+    pub preset: Option<String>,
+}
+
+impl RootChoice {
+    /// A file with the defaults of its arguments.
+    pub fn plain(file: &Path) -> Self {
+        Self { file: file.to_path_buf(), args: Vec::new(), preset: None }
+    }
+}
+
+/// Why a root was chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// The user picked it.
+    Picked,
+    /// A comment `xacro-root:` at the top of the file names it.
+    Comment,
+    /// The configuration lists it.
+    Configured,
+    /// The file is a robot itself.
+    Itself,
+    /// It includes the file.
+    Includes,
+    /// No robot includes the file.
+    None,
+}
+
+impl Reason {
+    /// For a status line.
+    pub fn text(self) -> &'static str {
+        match self {
+            Reason::Picked => "picked in this session",
+            Reason::Comment => "named by the xacro-root comment",
+            Reason::Configured => "listed in the configuration",
+            Reason::Itself => "the file is a robot",
+            Reason::Includes => "it includes the file",
+            Reason::None => "no root includes this file",
+        }
+    }
+}
+
+/// The context of a file.
+#[derive(Clone, Debug)]
+pub struct Context {
+    /// The active root; none for a file that no robot includes.
+    pub root: Option<RootChoice>,
+    /// Why it is active.
+    pub reason: Reason,
+    /// All roots that reach the file, with their distance in includes.
+    pub candidates: Vec<(RootChoice, u32)>,
+}
+
+impl World {
+    /// The context of a file.
+    pub fn context(&mut self, path: &Path) -> Context {
+        self.refresh(path);
+        let mut candidates = self.candidates(path);
+        let edited = |choice: &RootChoice| std::cmp::Reverse(self.last_edit(&choice.file));
+        let package = |choice: &RootChoice| !self.same_package(&choice.file, path);
+        candidates
+            .sort_by_cached_key(|(choice, near)| (edited(choice), *near, package(choice), choice.clone()));
+        let picked = self.picked(path).map(|root| (root, Reason::Picked));
+        let commented = || self.commented_root(path).map(|root| (root, Reason::Comment));
+        let listed =
+            || candidates.iter().find(|(root, _)| self.is_configured(root)).map(|(root, _)| root.clone());
+        let itself = || candidates.iter().find(|(root, near)| *near == 0 && root.file == path);
+        let includes = || candidates.first();
+        let chosen = picked
+            .or_else(commented)
+            .or_else(|| listed().map(|root| (root, Reason::Configured)))
+            .or_else(|| itself().map(|(root, _)| (root.clone(), Reason::Itself)))
+            .or_else(|| includes().map(|(root, _)| (root.clone(), Reason::Includes)));
+        let (root, reason) = chosen.map_or((None, Reason::None), |(root, reason)| (Some(root), reason));
+        let root = root.map(|root| self.with_session_args(root));
+        Context { root, reason, candidates }
+    }
+
+    /// The roots that reach a file: configured ones with all their presets, then all others.
+    fn candidates(&self, path: &Path) -> Vec<(RootChoice, u32)> {
+        let mut reached: Vec<(PathBuf, u32)> = self.graph.roots_of(path);
+        if self.graph.is_root(path) {
+            reached.insert(0, (path.to_path_buf(), 0));
+        }
+        let mut candidates = Vec::new();
+        for (file, near) in reached {
+            let variants = self.configured_variants(&file);
+            match variants.is_empty() {
+                true => candidates.push((RootChoice::plain(&file), near)),
+                false => candidates.extend(variants.into_iter().map(|choice| (choice, near))),
+            }
+        }
+        for choice in self.configured_variants(path) {
+            if candidates.iter().all(|(known, _)| *known != choice) {
+                candidates.push((choice, 0));
+            }
+        }
+        candidates
+    }
+
+    /// `<!-- xacro-root: ../robot.urdf.xacro side:=right -->` in the first ten lines.
+    fn commented_root(&self, path: &Path) -> Option<RootChoice> {
+        let source = self.session().vfs.document(path).ok()?;
+        let (name, args) = root_comment(&source)?;
+        let file = self.session().vfs.absolute(&path.parent()?.join(name));
+        let file = super::includes::tidy_path(&file);
+        self.session().vfs.is_file(&file).then_some(RootChoice { file, args, preset: None })
+    }
+}
+
+/// The file and the arguments that a comment at the top of a file names.
+fn root_comment(source: &SourceFile) -> Option<(String, Vec<(String, String)>)> {
+    const LINES: u32 = 10;
+    let lines = (0..LINES.min(source.document.line_count())).map(|line| source.document.line_text(line));
+    let comment = lines.filter_map(|line| {
+        let (_, rest) = line.split_once("<!-- xacro-root:")?;
+        Some(rest.split_once("-->")?.0.trim().to_owned())
+    });
+    let comment = comment.into_iter().next()?;
+    let mut words = comment.split_whitespace();
+    let name = words.next()?.to_owned();
+    let args = words.filter_map(|word| word.split_once(":=")).map(|(n, v)| (n.to_owned(), v.to_owned()));
+    Some((name, args.collect()))
+}

@@ -1,0 +1,353 @@
+//! The state of a language server: open files, roots, and expansions that are made again only when something
+//! they read has changed.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
+
+use super::check::CheckOptions;
+use super::configs::Overrides;
+use super::context::RootChoice;
+use super::graph::Graph;
+use super::job::{self, Outcome};
+use super::report::Report;
+use super::roots::{Job, Reason};
+use super::session::{Session, Setup};
+use super::walk;
+use crate::base::{CancelFlag, FastMap, TextRange};
+use crate::expand::{Expansion, Read, Written, write_mapped};
+use crate::model::{Kinematics, Robot};
+use crate::vfs::{Environment, SourceFile, Vfs};
+
+/// A root expanded and judged.
+pub struct Analyzed {
+    /// What was expanded.
+    pub root: RootChoice,
+    /// The result.
+    pub expansion: Expansion,
+    /// The robot in it.
+    pub robot: Option<Robot>,
+    /// How its links hang together.
+    pub kinematics: Option<Kinematics>,
+    /// The outcome for reports.
+    pub(super) outcome: Outcome,
+    written: OnceLock<Written>,
+    epoch: u64,
+}
+
+impl Analyzed {
+    /// The expanded document as text, with its map.
+    pub fn written(&self) -> &Written {
+        let name = self.expansion.files.first().map_or("", |file| file.name.as_str());
+        self.written.get_or_init(|| write_mapped(&self.expansion.tree, name))
+    }
+
+    /// Whether a file took part.
+    pub fn includes(&self, path: &Path) -> bool {
+        self.expansion.files.iter().any(|file| *file.source.path == *path)
+    }
+}
+
+/// The state of a language server.
+pub struct World {
+    session: Session,
+    env: Environment,
+    folders: Vec<PathBuf>,
+    /// Open files with the number of their last edit.
+    open: BTreeMap<PathBuf, u64>,
+    edits: u64,
+    pub(super) graph: Graph,
+    /// Files below the folders that were not looked at yet.
+    unscanned: Vec<PathBuf>,
+    scanned: bool,
+    /// Roots picked by the user, by the file they were picked for.
+    picks: FastMap<PathBuf, RootChoice>,
+    cache: FastMap<RootChoice, Arc<Analyzed>>,
+    /// The last expansions without errors.
+    good: FastMap<RootChoice, Arc<Analyzed>>,
+    /// Counts what no record tells of: packages, meshes, configuration.
+    epoch: u64,
+}
+
+impl World {
+    /// Most files that are looked at for roots.
+    const MOST_FILES: usize = 20_000;
+    /// Most expansions kept.
+    const MOST_CACHED: usize = 64;
+
+    /// A world that sees `folders`; without any, single files are shown by themselves.
+    pub fn new(env: Environment, folders: Vec<PathBuf>) -> Self {
+        let vfs = Arc::new(Vfs::with_cwd(u64::MAX, env.cwd.clone()));
+        let session = session(&vfs, &env, &folders);
+        Self {
+            session,
+            env,
+            folders,
+            open: BTreeMap::new(),
+            edits: 0,
+            graph: Graph::default(),
+            unscanned: Vec::new(),
+            scanned: false,
+            picks: FastMap::default(),
+            cache: FastMap::default(),
+            good: FastMap::default(),
+            epoch: 0,
+        }
+    }
+
+    /// Files, packages and configuration.
+    pub fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// The workspace folders.
+    pub fn folders(&self) -> &[PathBuf] {
+        &self.folders
+    }
+
+    /// Show other folders.
+    pub fn set_folders(&mut self, folders: Vec<PathBuf>) {
+        self.folders = folders;
+        self.scanned = false;
+        self.reload();
+    }
+
+    /// Forget what no record tells of: packages, configuration, meshes.
+    pub fn reload(&mut self) {
+        self.epoch += 1;
+        self.session = session(&self.session.vfs, &self.env, &self.folders);
+    }
+
+    /// The files that are open.
+    pub fn open_files(&self) -> impl Iterator<Item = &PathBuf> {
+        self.open.keys()
+    }
+
+    /// A file was opened, or its whole text replaced.
+    pub fn set_text(&mut self, path: &Path, text: String) {
+        self.session.vfs.set_buffer(path, Some(text));
+        self.touch(path);
+    }
+
+    /// A range of bytes of an open file was replaced.
+    pub fn edit(&mut self, path: &Path, range: TextRange, text: &str) {
+        self.session.vfs.edit_buffer(path, range, text);
+        self.touch(path);
+    }
+
+    /// A file was closed: the disk counts again.
+    pub fn close(&mut self, path: &Path) {
+        self.session.vfs.set_buffer(path, None);
+        self.open.remove(path);
+        self.refresh(path);
+    }
+
+    fn touch(&mut self, path: &Path) {
+        self.edits += 1;
+        self.open.insert(path.to_path_buf(), self.edits);
+    }
+
+    /// An open or readable file.
+    pub fn document(&self, path: &Path) -> Option<Arc<SourceFile>> {
+        self.session.vfs.document(path).ok()
+    }
+
+    /// The number of the last edit of a file; zero when it was never edited.
+    pub(super) fn last_edit(&self, path: &Path) -> u64 {
+        self.open.get(path).copied().unwrap_or(0)
+    }
+
+    /// Bring the include graph up to date: the file, and all open files.
+    pub(super) fn refresh(&mut self, path: &Path) {
+        let open: Vec<PathBuf> = self.open.keys().cloned().collect();
+        for file in open.iter().map(PathBuf::as_path).chain([path]) {
+            if walk::is_description(file) || self.open.contains_key(file) {
+                self.graph.update(&self.session.vfs, &self.session.packages, file);
+            }
+        }
+        if !self.scanned {
+            self.scan_beside(path);
+        }
+    }
+
+    /// While the workspace is not known, the files in the folder of an open file stand for it.
+    fn scan_beside(&mut self, path: &Path) {
+        let Some(folder) = path.parent() else { return };
+        let names = self.session.vfs.list_dir(folder);
+        let files = names.iter().filter(|entry| !entry.is_dir).map(|entry| folder.join(&entry.name));
+        for file in files.filter(|file| walk::is_description(file)).take(200) {
+            if !self.graph.knows(&file) {
+                self.graph.update(&self.session.vfs, &self.session.packages, &file);
+            }
+        }
+    }
+
+    /// Look at more files of the workspace, until `stop` says so; returns how many are done and how many there
+    /// are. When all are done: none.
+    pub fn scan(&mut self, stop: impl Fn() -> bool) -> Option<(usize, usize)> {
+        if !self.scanned {
+            self.scanned = true;
+            let found = self.folders.iter().flat_map(|folder| walk::descriptions(folder, &self.session));
+            self.unscanned = found.take(Self::MOST_FILES).collect();
+            self.unscanned.reverse();
+        }
+        let total = self.unscanned.len();
+        let mut done = 0;
+        while let Some(path) = self.unscanned.pop() {
+            self.graph.update(&self.session.vfs, &self.session.packages, &path);
+            done += 1;
+            if stop() {
+                break;
+            }
+        }
+        (!self.unscanned.is_empty()).then_some((done, total))
+    }
+
+    /// Whether all files of the workspace were looked at.
+    pub fn is_scanned(&self) -> bool {
+        self.scanned && self.unscanned.is_empty()
+    }
+
+    /// Files changed on the disk.
+    pub fn changed_on_disk(&mut self, paths: &[PathBuf]) {
+        self.epoch += 1;
+        let about_packages = |path: &PathBuf| {
+            let name = path.file_name().and_then(|name| name.to_str()).unwrap_or("");
+            ["package.xml", "COLCON_IGNORE", "xacro-lint.toml", ".xacro-lint.toml"].contains(&name)
+        };
+        if paths.iter().any(about_packages) {
+            self.reload();
+        }
+        for path in paths.iter().filter(|path| walk::is_description(path)) {
+            self.graph.update(&self.session.vfs, &self.session.packages, path);
+        }
+    }
+
+    /// Pick the root that a file is shown under; none: back to automatic.
+    pub fn pick(&mut self, path: &Path, root: Option<RootChoice>) {
+        match root {
+            Some(root) => self.picks.insert(path.to_path_buf(), root),
+            None => self.picks.remove(path),
+        };
+    }
+
+    /// Pick for all files; none: back to automatic.
+    pub fn pick_all(&mut self, root: Option<RootChoice>) {
+        self.picks.clear();
+        if let Some(root) = root {
+            self.picks.insert(PathBuf::new(), root);
+        }
+    }
+
+    pub(super) fn picked(&self, path: &Path) -> Option<RootChoice> {
+        let reaches = |root: &&RootChoice| {
+            root.file == path || self.graph.roots_of(path).iter().any(|(file, _)| *file == root.file)
+        };
+        let anywhere = || self.picks.get(Path::new("")).filter(reaches);
+        self.picks.get(path).or_else(anywhere).cloned()
+    }
+
+    pub(super) fn with_session_args(&self, root: RootChoice) -> RootChoice {
+        root
+    }
+
+    pub(super) fn same_package(&self, a: &Path, b: &Path) -> bool {
+        let package = |path: &Path| self.session.packages.containing(path).map(|package| package.folder);
+        package(a).is_some_and(|folder| Some(folder) == package(b))
+    }
+
+    /// The runs of a file that the configuration lists.
+    pub(super) fn configured_variants(&self, file: &Path) -> Vec<RootChoice> {
+        let settings = self.session.settings(file);
+        let roots = settings.config.roots.iter().filter(|root| {
+            root.files(&self.session.vfs).iter().any(|listed| self.session.vfs.absolute(listed) == file)
+        });
+        let variant = |variant: crate::workspace::config::Variant| RootChoice {
+            file: file.to_path_buf(),
+            args: variant.args,
+            preset: variant.preset,
+        };
+        roots.flat_map(|root| root.variants()).map(variant).collect()
+    }
+
+    pub(super) fn is_configured(&self, root: &RootChoice) -> bool {
+        self.configured_variants(&root.file).contains(root)
+    }
+
+    /// A root expanded and judged; from the cache when nothing it read has changed. `None` when cancelled.
+    pub fn analyzed(&mut self, root: &RootChoice, cancel: &CancelFlag) -> Option<Arc<Analyzed>> {
+        if let Some(known) = self.cache.get(root)
+            && known.epoch == self.epoch
+            && self.is_current(known)
+        {
+            return Some(known.clone());
+        }
+        let (session, options) =
+            (&self.session, CheckOptions { cancel: cancel.clone(), ..CheckOptions::default() });
+        let job = Job {
+            file: root.file.clone(),
+            reason: Reason::Named,
+            args: root.args.clone(),
+            preset: root.preset.clone(),
+        };
+        let expansion = job::expansion(session, &options, &job);
+        if cancel.is_cancelled() {
+            return None;
+        }
+        let outcome = job::judge(session, job, &expansion);
+        let robot = Robot::of(&expansion);
+        let kinematics = robot.as_ref().map(Kinematics::of);
+        let (root, epoch, written) = (root.clone(), self.epoch, OnceLock::new());
+        let made =
+            Arc::new(Analyzed { root: root.clone(), expansion, robot, kinematics, outcome, written, epoch });
+        if self.cache.len() >= Self::MOST_CACHED {
+            self.cache.clear();
+        }
+        if made.expansion.complete && !made.expansion.has_errors() {
+            self.good.insert(root.clone(), made.clone());
+        }
+        self.cache.insert(root, made.clone());
+        Some(made)
+    }
+
+    /// The last expansion of a root that had no errors.
+    pub fn last_good(&self, root: &RootChoice) -> Option<Arc<Analyzed>> {
+        self.good.get(root).cloned()
+    }
+
+    /// Whether everything that an expansion read is as it was.
+    fn is_current(&self, known: &Analyzed) -> bool {
+        let vfs = &self.session.vfs;
+        known.expansion.record.iter().all(|read| match read {
+            Read::File(path, hash) => vfs.document_hash(path) == Some(*hash),
+            Read::Missing(path) => !vfs.is_file(path),
+            Read::Glob(pattern, found) => vfs.glob(pattern, &self.env.cwd) == *found,
+            Read::Package(..) | Read::Env(..) | Read::Arg(..) => true,
+        })
+    }
+
+    /// What there is to say about files, each under its active root. `None` when cancelled.
+    pub fn report(&mut self, paths: &[PathBuf], cancel: &CancelFlag) -> Option<Report> {
+        let mut roots: Vec<RootChoice> = Vec::new();
+        for path in paths {
+            let root = self.context(path).root.unwrap_or_else(|| RootChoice::plain(path));
+            if !roots.contains(&root) {
+                roots.push(root);
+            }
+        }
+        let mut outcomes = Vec::new();
+        for root in &roots {
+            outcomes.push(self.analyzed(root, cancel)?.outcome.clone());
+        }
+        let options =
+            CheckOptions { paths: self.folders.clone(), entries: paths.to_vec(), ..CheckOptions::default() };
+        Some(self.session.conclude(&options, outcomes))
+    }
+}
+
+fn session(vfs: &Arc<Vfs>, env: &Environment, folders: &[PathBuf]) -> Session {
+    let about = folders.first().cloned().unwrap_or_else(|| env.cwd.clone());
+    let setup =
+        Setup { about, folders: folders.to_vec(), overrides: Overrides::default(), ..Setup::default() };
+    Session::over(vfs.clone(), env, setup)
+}
