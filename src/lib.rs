@@ -12,6 +12,8 @@ pub mod expr;
 pub mod facts;
 pub mod model;
 pub mod rules;
+#[cfg(feature = "lsp")]
+pub mod server;
 pub mod vfs;
 pub mod workspace;
 pub mod xml;

@@ -22,6 +22,8 @@ pub struct Overrides {
     pub ignore: Option<Vec<String>>,
     /// `--profile`
     pub profiles: Option<Vec<String>>,
+    /// The settings of an editor (what stands below `xacro.`), and the folder its relative paths start at.
+    pub editor: Option<(serde_json::Value, PathBuf)>,
 }
 
 /// The settings that hold for a file.
@@ -127,7 +129,11 @@ impl Configs {
 
 impl State {
     fn add(&mut self, path: Option<PathBuf>, loaded: Loaded, overrides: &Overrides) -> Arc<Settings> {
-        let Loaded { config, mut warnings } = loaded;
+        let Loaded { mut config, mut warnings } = loaded;
+        if let Some((settings, folder)) = &overrides.editor {
+            // what is wrong in them is said once, when they come in
+            config.apply_settings(settings, folder);
+        }
         warnings.extend(unknown_names(&config));
         for warning in warnings {
             // several files may extend the same one

@@ -18,6 +18,7 @@ use crate::base::{CancelFlag, FastMap, TextRange};
 use crate::expand::{Expansion, Read, Written, write_mapped};
 use crate::model::{Kinematics, Robot};
 use crate::vfs::{Environment, SourceFile, Vfs};
+use crate::workspace::config::Config;
 
 /// A root expanded and judged.
 pub struct Analyzed {
@@ -67,6 +68,8 @@ pub struct World {
     good: FastMap<RootChoice, Arc<Analyzed>>,
     /// Counts what no record tells of: packages, meshes, configuration.
     epoch: u64,
+    /// Settings of the editor, and the folder they belong to.
+    editor: Option<(serde_json::Value, PathBuf)>,
 }
 
 impl World {
@@ -78,7 +81,7 @@ impl World {
     /// A world that sees `folders`; without any, single files are shown by themselves.
     pub fn new(env: Environment, folders: Vec<PathBuf>) -> Self {
         let vfs = Arc::new(Vfs::with_cwd(u64::MAX, env.cwd.clone()));
-        let session = session(&vfs, &env, &folders);
+        let session = session(&vfs, &env, &folders, None);
         Self {
             session,
             env,
@@ -92,6 +95,7 @@ impl World {
             cache: FastMap::default(),
             good: FastMap::default(),
             epoch: 0,
+            editor: None,
         }
     }
 
@@ -115,7 +119,17 @@ impl World {
     /// Forget what no record tells of: packages, configuration, meshes.
     pub fn reload(&mut self) {
         self.epoch += 1;
-        self.session = session(&self.session.vfs, &self.env, &self.folders);
+        self.session = session(&self.session.vfs, &self.env, &self.folders, self.editor.clone());
+    }
+
+    /// Lay the settings of an editor (what stands below `xacro.`) over every configuration; returns what in
+    /// them has no effect.
+    pub fn set_editor_settings(&mut self, settings: serde_json::Value) -> Vec<String> {
+        let folder = self.folders.first().unwrap_or(&self.env.cwd).clone();
+        let warnings = Config::default().apply_settings(&settings, &folder);
+        self.editor = Some((settings, folder));
+        self.reload();
+        warnings.iter().map(ToString::to_string).collect()
     }
 
     /// The files that are open.
@@ -345,9 +359,18 @@ impl World {
     }
 }
 
-fn session(vfs: &Arc<Vfs>, env: &Environment, folders: &[PathBuf]) -> Session {
+fn session(
+    vfs: &Arc<Vfs>,
+    env: &Environment,
+    folders: &[PathBuf],
+    editor: Option<(serde_json::Value, PathBuf)>,
+) -> Session {
     let about = folders.first().cloned().unwrap_or_else(|| env.cwd.clone());
-    let setup =
-        Setup { about, folders: folders.to_vec(), overrides: Overrides::default(), ..Setup::default() };
+    let setup = Setup {
+        about,
+        folders: folders.to_vec(),
+        overrides: Overrides { editor, ..Overrides::default() },
+        ..Setup::default()
+    };
     Session::over(vfs.clone(), env, setup)
 }

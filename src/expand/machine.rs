@@ -120,6 +120,8 @@ pub struct Expansion {
     pub whole: bool,
     /// What macros give that nothing calls, with parameters whose values are unknown; beside the document.
     pub probes: Vec<Probe>,
+    /// All arguments with their values, sorted by name; those whose values are unknown are left out.
+    pub arguments: Vec<(EcoString, EcoString)>,
     /// Why the root file could not be read; there is no document then.
     pub root_error: Option<LoadError>,
 }
@@ -265,6 +267,7 @@ impl<'w> Expander<'w> {
         self.expand_root();
         self.admit_unknown();
         self.probe_macros();
+        self.result.arguments = self.argument_values();
         let broken = std::mem::take(&mut self.broken);
         // what the recovered tree of a broken file seems to say is not trusted
         self.problems.list.retain(|p| p.code.starts_with("XML") || !broken.contains(&p.place.file));
@@ -272,6 +275,15 @@ impl<'w> Expander<'w> {
         self.result.whole = !(self.content_lost || self.include_missing || self.stopped);
         self.result.complete &= !self.result.has_errors();
         self.result
+    }
+
+    fn argument_values(&self) -> Vec<(EcoString, EcoString)> {
+        let known = |(name, (value, _)): (&EcoString, &(Option<EcoString>, u32))| {
+            Some((name.clone(), value.clone()?))
+        };
+        let mut values: Vec<_> = self.args.iter().filter_map(known).collect();
+        values.sort_unstable();
+        values
     }
 
     /// What could not be computed has a cause that was reported. Should one be missing, that is said here: a

@@ -50,8 +50,8 @@ impl Expander<'_> {
                 let mut known = true;
                 for token in tokens {
                     match display::to_str(&self.eval_token(token, site, scope)) {
-                        Some(text) => out.push_str(&text),
-                        None => known = false,
+                        Some(text) if self.affords(text.len(), site) => out.push_str(&text),
+                        _ => known = false,
                     }
                 }
                 if known { Value::Str(out) } else { Value::Unknown }
@@ -73,7 +73,7 @@ impl Expander<'_> {
             let mark = self.reads.len();
             let value = self.eval_token(token, site, cx.scope);
             let start = out.len() as u32;
-            let shown = display::to_str(&value);
+            let shown = display::to_str(&value).filter(|text| self.affords(text.len(), site));
             let unknown = shown.is_none();
             self.result.complete &= !unknown;
             out.push_str(shown.as_deref().unwrap_or(UNKNOWN_TEXT));
@@ -84,6 +84,19 @@ impl Expander<'_> {
             }
         }
         (out, pieces.into())
+    }
+
+    /// Whether the budget admits so many more bytes of text; expansion winds up when it does not.
+    fn affords(&mut self, bytes: usize, site: TextSite<'_>) -> bool {
+        if self.stopped || bytes == 0 {
+            return !self.stopped;
+        }
+        let admitted = self.budget.charge(bytes);
+        if !admitted {
+            let most = self.request.limits.output_bytes >> 20;
+            self.stop(site.place.origin, format!("the texts of this file grow beyond {most} MB"), None);
+        }
+        admitted
     }
 
     /// The split form of a text, from the cache where the text is the one of its place.

@@ -64,6 +64,11 @@ impl Budget {
         self.spend(len, len, "characters")
     }
 
+    /// Spend the memory of a text that is put together outside of an expression; whether there was enough.
+    pub fn charge(&mut self, bytes: usize) -> bool {
+        self.text(bytes as u128).is_ok()
+    }
+
     /// Spend the memory of a container with `len` items, before it is built.
     pub(crate) fn items(&mut self, len: u128) -> Eval<()> {
         self.spend(len.saturating_mul(u128::from(ITEM_BYTES)), len, "items")

@@ -14,6 +14,7 @@ mod error;
 mod glob;
 mod ids;
 mod output;
+mod process;
 mod read;
 #[cfg(test)]
 pub(crate) mod testing;
@@ -28,6 +29,7 @@ pub use environment::Environment;
 pub use error::{LoadError, LoadErrorKind};
 pub use glob::{Wildcard, covers, has_magic};
 pub use output::write_atomically;
+pub use process::is_process_alive;
 
 use crate::base::{FastMap, FileId, TextRange};
 use crate::xml::Document;

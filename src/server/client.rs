@@ -1,0 +1,59 @@
+//! What the client can do.
+
+use lsp_types::ClientCapabilities;
+
+/// What the client can do.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct ClientFacts {
+    /// It asks for diagnostics; they are not pushed then.
+    pub pulls_diagnostics: bool,
+    /// It can be told to ask for diagnostics again.
+    pub refreshes_diagnostics: bool,
+    pub refreshes_tokens: bool,
+    pub refreshes_hints: bool,
+    pub refreshes_lenses: bool,
+    /// It answers `workspace/configuration`.
+    pub configuration: bool,
+    /// It watches files when asked to.
+    pub watches_files: bool,
+    /// It tells of settings when asked to.
+    pub registers_settings: bool,
+    /// It shows progress.
+    pub progress: bool,
+    /// It inserts snippets.
+    pub snippets: bool,
+    /// It takes links with the range they start from.
+    pub links: bool,
+    /// It takes edits with versions, and files made and renamed.
+    pub document_changes: bool,
+}
+
+impl ClientFacts {
+    pub fn of(capabilities: &ClientCapabilities) -> Self {
+        let workspace = capabilities.workspace.clone().unwrap_or_default();
+        let text = capabilities.text_document.clone().unwrap_or_default();
+        let item = text.completion.as_ref().and_then(|c| c.completion_item.as_ref());
+        let yes = |flag: Option<Option<bool>>| flag.flatten().unwrap_or(false);
+        Self {
+            pulls_diagnostics: text.diagnostic.is_some(),
+            refreshes_diagnostics: yes(workspace.diagnostic.as_ref().map(|d| d.refresh_support)),
+            refreshes_tokens: yes(workspace.semantic_tokens.as_ref().map(|d| d.refresh_support)),
+            refreshes_hints: yes(workspace.inlay_hint.as_ref().map(|d| d.refresh_support)),
+            refreshes_lenses: yes(workspace.code_lens.as_ref().map(|d| d.refresh_support)),
+            configuration: workspace.configuration.unwrap_or(false),
+            watches_files: yes(workspace.did_change_watched_files.as_ref().map(|w| w.dynamic_registration)),
+            registers_settings: yes(workspace
+                .did_change_configuration
+                .as_ref()
+                .map(|w| w.dynamic_registration)),
+            progress: capabilities.window.as_ref().and_then(|w| w.work_done_progress).unwrap_or(false),
+            snippets: item.and_then(|item| item.snippet_support).unwrap_or(false),
+            links: text.definition.as_ref().and_then(|d| d.link_support).unwrap_or(false),
+            document_changes: workspace
+                .workspace_edit
+                .as_ref()
+                .and_then(|e| e.document_changes)
+                .unwrap_or(false),
+        }
+    }
+}

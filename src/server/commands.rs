@@ -1,0 +1,36 @@
+//! The operations of our own protocol as commands, for clients without custom requests.
+
+use lsp_types::ExecuteCommandParams;
+use serde_json::Value;
+
+use super::engine::Engine;
+use super::failure::Failure;
+use crate::base::CancelFlag;
+
+/// The commands.
+pub(super) const NAMES: &[&str] = &["xacro.expand", "xacro.restartAnalysis"];
+
+impl Engine {
+    pub fn command(
+        &mut self,
+        params: ExecuteCommandParams,
+        cancel: &CancelFlag,
+    ) -> Result<Option<Value>, Failure> {
+        let argument = params.arguments.into_iter().next().unwrap_or(Value::Null);
+        match params.command.as_str() {
+            "xacro.expand" => {
+                self.expand(parsed(argument)?, cancel).map(|answer| serde_json::to_value(answer).ok())
+            }
+            "xacro.restartAnalysis" => {
+                self.world.reload();
+                self.schedule();
+                Ok(None)
+            }
+            other => Err(Failure::Invalid(format!("there is no command `{other}`"))),
+        }
+    }
+}
+
+fn parsed<T: serde::de::DeserializeOwned>(argument: Value) -> Result<T, Failure> {
+    serde_json::from_value(argument).map_err(|error| Failure::Invalid(error.to_string()))
+}

@@ -1,0 +1,49 @@
+//! Between our terms and those of the protocol.
+
+use std::path::{Path, PathBuf};
+
+use lsp_types::{Location, Position, Range, Url};
+
+use super::engine::Engine;
+use crate::base::{Encoding, LineCol, Span, TextRange};
+use crate::xml::Document;
+
+/// The path a document is kept under. What is no file keeps its whole name, below no folder.
+pub(super) fn path(uri: &Url) -> PathBuf {
+    let file = (uri.scheme() == "file").then(|| uri.to_file_path().ok()).flatten();
+    file.filter(|path| !path.to_string_lossy().contains('\0'))
+        .unwrap_or_else(|| Path::new("/").join(uri.as_str().replace(['/', '\0'], "_")))
+}
+
+/// A position in the encoding agreed with the client.
+pub(super) fn position(document: &Document, offset: u32, encoding: Encoding) -> Position {
+    let LineCol { line, col } = document.line_col(offset, encoding);
+    Position::new(line, col)
+}
+
+/// A range.
+pub(super) fn range(document: &Document, range: TextRange, encoding: Encoding) -> Range {
+    Range::new(position(document, range.start, encoding), position(document, range.end, encoding))
+}
+
+/// The byte offset of a position.
+pub(super) fn offset(document: &Document, position: Position, encoding: Encoding) -> u32 {
+    document.offset(LineCol { line: position.line, col: position.character }, encoding)
+}
+
+/// The bytes of a range; the right way round.
+pub(super) fn text_range(document: &Document, range: Range, encoding: Encoding) -> TextRange {
+    let (a, b) = (offset(document, range.start, encoding), offset(document, range.end, encoding));
+    TextRange::new(a.min(b), a.max(b))
+}
+
+impl Engine {
+    /// A place in a file.
+    pub fn location(&self, span: Span) -> Option<Location> {
+        let path = self.world.session().vfs.path(span.file);
+        let source = self.world.document(&path);
+        let range =
+            source.map_or(Range::default(), |source| range(&source.document, span.range, self.encoding));
+        Some(Location::new(self.uri(&path)?, range))
+    }
+}

@@ -1,0 +1,198 @@
+//! Findings as diagnostics: pushed when there is a pause, or asked for.
+
+use std::collections::BTreeMap;
+use std::hash::{Hash, Hasher};
+use std::path::{Path, PathBuf};
+
+use lsp_types::{
+    CodeDescription, Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag,
+    DocumentDiagnosticParams, DocumentDiagnosticReport, DocumentDiagnosticReportResult,
+    FullDocumentDiagnosticReport, NumberOrString, RelatedFullDocumentDiagnosticReport,
+    RelatedUnchangedDocumentDiagnosticReport, UnchangedDocumentDiagnosticReport, Url,
+    WorkspaceDiagnosticParams, WorkspaceDiagnosticReport, WorkspaceDiagnosticReportResult,
+    WorkspaceDocumentDiagnosticReport, WorkspaceFullDocumentDiagnosticReport,
+};
+
+use super::engine::Engine;
+use super::failure::Failure;
+use super::outbox::Message;
+use crate::base::CancelFlag;
+use crate::rules::{Finding, Severity};
+
+/// Diagnostics of one file, at most.
+const MOST: usize = 1000;
+/// Related places of one diagnostic, at most.
+const MOST_RELATED: usize = 100;
+
+impl Engine {
+    /// Make and publish diagnostics; given up when a job comes in meanwhile, and tried again later.
+    pub fn make_diagnostics(&mut self) {
+        let cancel = self.pressure.background();
+        if self.client.pulls_diagnostics {
+            self.due = None;
+            return;
+        }
+        if let Some(found) = self.found(&cancel) {
+            self.due = None;
+            self.publish(found);
+        }
+    }
+
+    /// The diagnostics of all open files and the files they depend on. `None` when cancelled.
+    fn found(&mut self, cancel: &CancelFlag) -> Option<BTreeMap<PathBuf, Vec<Diagnostic>>> {
+        let open: Vec<PathBuf> = self.documents.keys().cloned().collect();
+        let report = self.world.report(&open, cancel)?;
+        let mut found: BTreeMap<PathBuf, Vec<Diagnostic>> =
+            open.into_iter().map(|path| (path, Vec::new())).collect();
+        for finding in &report.findings {
+            let path = report.path(finding.span.file);
+            let list = found.entry(path.to_path_buf()).or_default();
+            if list.len() < MOST {
+                list.extend(self.diagnostic(finding));
+            }
+        }
+        Some(found)
+    }
+
+    /// Send what differs from what was sent before.
+    fn publish(&mut self, mut found: BTreeMap<PathBuf, Vec<Diagnostic>>) {
+        for path in self.published.keys() {
+            found.entry(path.clone()).or_default();
+        }
+        for (path, diagnostics) in found {
+            let version = self.documents.get(&path).map(|open| open.version);
+            let hash = fingerprint(&diagnostics, version);
+            if self.published.get(&path) == Some(&hash) {
+                continue;
+            }
+            let Some(uri) = self.uri(&path) else { continue };
+            match diagnostics.is_empty() && version.is_none() {
+                true => self.published.remove(&path),
+                false => self.published.insert(path, hash),
+            };
+            self.outbox.send(Message::Diagnostics(uri, diagnostics, version));
+        }
+    }
+
+    pub fn pull_diagnostics(
+        &mut self,
+        params: DocumentDiagnosticParams,
+        cancel: &CancelFlag,
+    ) -> Result<DocumentDiagnosticReportResult, Failure> {
+        let (path, _) = self.source(&params.text_document.uri)?;
+        let items = self.of_file(&path, cancel)?;
+        let id = format!("{:x}", fingerprint(&items, None));
+        let report = if params.previous_result_id.as_deref() == Some(&id) {
+            let unchanged = UnchangedDocumentDiagnosticReport { result_id: id };
+            DocumentDiagnosticReport::Unchanged(RelatedUnchangedDocumentDiagnosticReport {
+                related_documents: None,
+                unchanged_document_diagnostic_report: unchanged,
+            })
+        } else {
+            let full = FullDocumentDiagnosticReport { result_id: Some(id), items };
+            DocumentDiagnosticReport::Full(RelatedFullDocumentDiagnosticReport {
+                related_documents: None,
+                full_document_diagnostic_report: full,
+            })
+        };
+        Ok(DocumentDiagnosticReportResult::Report(report))
+    }
+
+    pub fn pull_workspace(
+        &mut self,
+        _: WorkspaceDiagnosticParams,
+        cancel: &CancelFlag,
+    ) -> Result<WorkspaceDiagnosticReportResult, Failure> {
+        let found = self.found(cancel).ok_or(Failure::Cancelled)?;
+        let items = found.into_iter().filter_map(|(path, items)| {
+            let version = self.documents.get(&path).map(|open| i64::from(open.version));
+            let report = FullDocumentDiagnosticReport { result_id: None, items };
+            Some(WorkspaceDocumentDiagnosticReport::Full(WorkspaceFullDocumentDiagnosticReport {
+                uri: self.uri(&path)?,
+                version,
+                full_document_diagnostic_report: report,
+            }))
+        });
+        let report = WorkspaceDiagnosticReport { items: items.collect() };
+        Ok(WorkspaceDiagnosticReportResult::Report(report))
+    }
+
+    fn of_file(&mut self, path: &Path, cancel: &CancelFlag) -> Result<Vec<Diagnostic>, Failure> {
+        let report = self.world.report(&[path.to_path_buf()], cancel).ok_or(Failure::Cancelled)?;
+        let own = report.findings.iter().filter(|finding| report.path(finding.span.file) == path);
+        Ok(own.take(MOST).filter_map(|finding| self.diagnostic(finding)).collect())
+    }
+
+    fn diagnostic(&self, finding: &Finding) -> Option<Diagnostic> {
+        let place = self.location(finding.span)?;
+        let related = finding.related.iter().take(MOST_RELATED).filter_map(|related| {
+            let location = self.location(related.span)?;
+            Some(DiagnosticRelatedInformation { location, message: related.message.clone() })
+        });
+        let related: Vec<_> = related.collect();
+        let message = match &finding.help {
+            Some(help) => format!("{}\n{help}", finding.message),
+            None => finding.message.clone(),
+        };
+        Some(Diagnostic {
+            range: place.range,
+            severity: Some(severity(finding.severity)),
+            code: Some(NumberOrString::String(finding.rule.name.to_owned())),
+            code_description: page(finding.rule.name).map(|href| CodeDescription { href }),
+            source: Some("xacro".to_owned()),
+            message,
+            related_information: (!related.is_empty()).then_some(related),
+            tags: tags(finding.rule.name),
+            data: self.fix_data(finding),
+        })
+    }
+
+    /// The edits of a fix, so that a code action needs no new analysis.
+    fn fix_data(&self, finding: &Finding) -> Option<serde_json::Value> {
+        let fix = finding.fix.as_ref()?;
+        let edits: Option<Vec<_>> = fix
+            .edits
+            .iter()
+            .map(|edit| {
+                let place = self.location(edit.span)?;
+                Some(serde_json::json!({ "uri": place.uri, "range": place.range, "newText": edit.content }))
+            })
+            .collect();
+        Some(serde_json::json!({ "title": fix.message, "safety": fix.safety.name(), "edits": edits? }))
+    }
+}
+
+fn severity(severity: Severity) -> DiagnosticSeverity {
+    match severity {
+        Severity::Error => DiagnosticSeverity::ERROR,
+        Severity::Warning => DiagnosticSeverity::WARNING,
+        Severity::Info => DiagnosticSeverity::INFORMATION,
+        Severity::Hint => DiagnosticSeverity::HINT,
+    }
+}
+
+fn tags(rule: &str) -> Option<Vec<DiagnosticTag>> {
+    if rule.starts_with("unused-") {
+        return Some(vec![DiagnosticTag::UNNECESSARY]);
+    }
+    let deprecated = [
+        "unprefixed-xacro-tag",
+        "unprefixed-macro-call",
+        "deprecated-builtin-call",
+        "nonstandard-xacro-namespace",
+    ];
+    deprecated.contains(&rule).then(|| vec![DiagnosticTag::DEPRECATED])
+}
+
+/// The page of a rule.
+fn page(rule: &str) -> Option<Url> {
+    let base = concat!(env!("CARGO_PKG_REPOSITORY"), "/blob/main/docs/rules/");
+    Url::parse(&format!("{base}{rule}.md")).ok()
+}
+
+fn fingerprint(diagnostics: &[Diagnostic], version: Option<i32>) -> u64 {
+    let mut state = rustc_hash::FxHasher::default();
+    version.hash(&mut state);
+    serde_json::to_string(diagnostics).unwrap_or_default().hash(&mut state);
+    state.finish()
+}

@@ -1,0 +1,156 @@
+//! The analysis thread: it alone owns the state, and works off one job after the other.
+
+use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, RecvTimeoutError};
+use std::time::{Duration, Instant};
+
+use lsp_types::{MessageType, Url};
+
+use super::client::ClientFacts;
+use super::convert;
+use super::failure::Failure;
+use super::letterbox::{Job, Pressure};
+use super::outbox::{Message, Outbox};
+use crate::analysis::World;
+use crate::base::Encoding;
+use crate::vfs::{Environment, SourceFile};
+
+/// An open document.
+#[derive(Clone, Debug)]
+pub(super) struct OpenDocument {
+    /// Its name as the client spells it.
+    pub uri: Url,
+    /// Its version.
+    pub version: i32,
+}
+
+/// The state of the server.
+pub(super) struct Engine {
+    pub world: World,
+    pub env: Environment,
+    pub client: ClientFacts,
+    pub encoding: Encoding,
+    pub outbox: Outbox,
+    pub pressure: Pressure,
+    /// Open documents by path.
+    pub documents: BTreeMap<PathBuf, OpenDocument>,
+    /// What was published last: by path, a hash of it.
+    pub published: BTreeMap<PathBuf, u64>,
+    /// When diagnostics are to be made.
+    pub due: Option<Instant>,
+    /// The pause after the last edit before diagnostics are made.
+    pub delay: Duration,
+    /// The client is ready for requests.
+    pub initialized: bool,
+    /// The token of the progress that is shown.
+    pub progress: Option<String>,
+    /// Whether the user was told of an internal fault.
+    fault_shown: bool,
+}
+
+impl Engine {
+    /// The pause after the last edit unless configured.
+    const DELAY: Duration = Duration::from_millis(100);
+
+    pub fn new(env: Environment, outbox: Outbox, pressure: Pressure) -> Self {
+        Self {
+            world: World::new(env.clone(), Vec::new()),
+            env,
+            client: ClientFacts::default(),
+            encoding: Encoding::Utf16,
+            outbox,
+            pressure,
+            documents: BTreeMap::new(),
+            published: BTreeMap::new(),
+            due: None,
+            delay: Self::DELAY,
+            initialized: false,
+            progress: None,
+            fault_shown: false,
+        }
+    }
+
+    /// Work off jobs until nobody can post one any more.
+    pub fn run(mut self, jobs: &Receiver<Job>) {
+        loop {
+            let job = match self.pause() {
+                None => jobs.recv().map_err(|_| RecvTimeoutError::Disconnected),
+                Some(pause) => jobs.recv_timeout(pause),
+            };
+            match job {
+                Ok(job) => {
+                    self.pressure.taken();
+                    self.guarded(job);
+                }
+                Err(RecvTimeoutError::Timeout) => self.guarded(Box::new(Self::idle)),
+                Err(RecvTimeoutError::Disconnected) => return,
+            }
+        }
+    }
+
+    /// How long to wait for a job before idle work; none: for ever.
+    fn pause(&self) -> Option<Duration> {
+        if let Some(due) = self.due {
+            return Some(due.saturating_duration_since(Instant::now()));
+        }
+        (self.initialized && !self.world.is_scanned()).then_some(Duration::ZERO)
+    }
+
+    /// What is done when nobody waits for anything.
+    fn idle(&mut self) {
+        if self.due.is_some_and(|due| due <= Instant::now()) {
+            return self.make_diagnostics();
+        }
+        if self.due.is_none() && self.initialized && !self.world.is_scanned() {
+            self.scan();
+        }
+    }
+
+    /// Run a job; a panic in it is logged and ends that job only.
+    fn guarded(&mut self, job: Job) {
+        let Err(panic) = catch_unwind(AssertUnwindSafe(|| job(self))) else { return };
+        let text = panic.downcast_ref::<String>().map(String::as_str);
+        let text = text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("unknown fault");
+        let message = format!("internal fault: {text}; please report it with the file that caused it");
+        self.outbox.send(Message::Log(MessageType::ERROR, message.clone()));
+        if !std::mem::replace(&mut self.fault_shown, true) {
+            self.outbox.send(Message::Show(MessageType::ERROR, message));
+        }
+    }
+
+    /// Diagnostics are wanted after the pause.
+    pub fn schedule(&mut self) {
+        self.due = Some(Instant::now() + self.delay);
+    }
+
+    /// The path of a document.
+    pub fn path(&self, uri: &Url) -> PathBuf {
+        convert::path(uri)
+    }
+
+    /// How a file is called towards the client: as the client called it, if it did.
+    pub fn uri(&self, path: &Path) -> Option<Url> {
+        let open = self.documents.get(path).map(|document| document.uri.clone());
+        open.or_else(|| Url::from_file_path(path).ok())
+    }
+
+    /// A document that the client may ask about.
+    pub fn source(&self, uri: &Url) -> Result<(PathBuf, Arc<SourceFile>), Failure> {
+        let path = self.path(uri);
+        let known = self.documents.contains_key(&path);
+        let source = if known || self.may_read(&path) { self.world.document(&path) } else { None };
+        let source =
+            source.ok_or_else(|| Failure::Invalid(format!("`{uri}` is not open and cannot be read")))?;
+        Ok((path, source))
+    }
+
+    /// Files may be read that lie in a workspace folder or take part in something open.
+    pub fn may_read(&self, path: &Path) -> bool {
+        self.documents.contains_key(path)
+            || self.world.folders().iter().any(|folder| path.starts_with(folder))
+            || self.world.session().packages.containing(path).is_some()
+    }
+}

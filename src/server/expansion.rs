@@ -1,0 +1,112 @@
+//! `xacro/expand`: the expanded document of a root.
+
+use std::collections::BTreeMap;
+use std::time::Instant;
+
+use lsp_types::{Location, TextDocumentIdentifier, Url};
+use serde::{Deserialize, Serialize};
+
+use super::engine::Engine;
+use super::failure::Failure;
+use crate::analysis::RootChoice;
+use crate::base::{CancelFlag, Span};
+use crate::expand::{Expansion, Place, Severity};
+
+/// A root as the protocol names it.
+#[derive(Clone, Debug, Serialize, Deserialize, PartialEq, Eq)]
+pub(super) struct Root {
+    pub uri: Url,
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub args: BTreeMap<String, String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub preset: Option<String>,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct ExpandParams {
+    pub text_document: TextDocumentIdentifier,
+    pub root: Option<Root>,
+    #[serde(default)]
+    pub args: BTreeMap<String, String>,
+}
+
+/// The expanded document, and what kept it from being complete.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Expanded {
+    pub ok: bool,
+    pub urdf: String,
+    pub root: Root,
+    /// All arguments with the values they had.
+    pub args: BTreeMap<String, String>,
+    pub errors: Vec<ExpandError>,
+    /// How long it took, in milliseconds.
+    pub ms: f64,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct ExpandError {
+    pub message: String,
+    pub code: String,
+    pub location: Location,
+    pub stack: Vec<StackEntry>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct StackEntry {
+    pub name: String,
+    pub location: Location,
+}
+
+impl Engine {
+    pub fn expand(&mut self, params: ExpandParams, cancel: &CancelFlag) -> Result<Expanded, Failure> {
+        let begin = Instant::now();
+        let (path, _) = self.source(&params.text_document.uri)?;
+        let mut root = match params.root {
+            Some(root) => self.chosen(root)?,
+            None => self.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path)),
+        };
+        for (name, value) in params.args {
+            root.args.retain(|(known, _)| *known != name);
+            root.args.push((name, value));
+        }
+        let analyzed = self.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+        let expansion = &analyzed.expansion;
+        let uri = self.uri(&root.file).ok_or_else(|| Failure::Invalid("the root has no name".to_owned()))?;
+        Ok(Expanded {
+            ok: !expansion.has_errors() && expansion.root_error.is_none(),
+            urdf: analyzed.written().text.clone(),
+            root: Root { uri, args: root.args.iter().cloned().collect(), preset: root.preset.clone() },
+            args: expansion.arguments.iter().map(|(n, v)| (n.to_string(), v.to_string())).collect(),
+            errors: self.errors(expansion),
+            ms: begin.elapsed().as_secs_f64() * 1e3,
+        })
+    }
+
+    /// A root that the client names.
+    pub fn chosen(&self, root: Root) -> Result<RootChoice, Failure> {
+        let (file, _) = self.source(&root.uri)?;
+        Ok(RootChoice { file, args: root.args.into_iter().collect(), preset: root.preset })
+    }
+
+    pub fn errors(&self, expansion: &Expansion) -> Vec<ExpandError> {
+        let place = |place: Place| {
+            let file = expansion.files.get(place.file.0 as usize)?.source.id;
+            self.location(Span { file, range: place.range })
+        };
+        let problems = expansion.problems.iter().filter(|p| p.severity == Severity::Error && !p.probed);
+        let error = problems.filter_map(|problem| {
+            let stack = problem.trace.iter().filter_map(|step| {
+                Some(StackEntry { name: step.message.clone(), location: place(step.place)? })
+            });
+            let code = crate::rules::by_code(problem.code).map_or(problem.code, |rule| rule.name);
+            Some(ExpandError {
+                message: problem.message.clone(),
+                code: code.to_owned(),
+                location: place(problem.place)?,
+                stack: stack.collect(),
+            })
+        });
+        error.collect()
+    }
+}

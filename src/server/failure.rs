@@ -1,0 +1,28 @@
+//! Why a request has no answer.
+
+use std::borrow::Cow;
+
+use tower_lsp::jsonrpc::{Error, ErrorCode};
+
+/// Why a request has no answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Failure {
+    /// The client no longer wants it.
+    Cancelled,
+    /// The request makes no sense; the text says why.
+    Invalid(String),
+    /// What was asked for is refused; the text says why.
+    Refused(String),
+}
+
+impl Failure {
+    pub fn into_error(self) -> Error {
+        let (code, message) = match self {
+            Failure::Cancelled => (ErrorCode::RequestCancelled, "cancelled".to_owned()),
+            Failure::Invalid(message) => (ErrorCode::InvalidParams, message),
+            // RequestFailed of LSP 3.17
+            Failure::Refused(message) => (ErrorCode::ServerError(-32803), message),
+        };
+        Error { code, message: Cow::Owned(message), data: None }
+    }
+}

@@ -1,0 +1,85 @@
+//! The messages of the protocol. Each handler posts one job; nothing else happens here.
+
+use lsp_types::*;
+use serde_json::Value;
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::{LanguageServer, async_trait};
+
+use super::engine::Engine;
+use super::exit::Shutdown;
+use super::expansion::{ExpandParams, Expanded};
+use super::letterbox::Letterbox;
+
+/// The protocol side of the server.
+pub(super) struct Handlers {
+    pub letterbox: Letterbox,
+    pub shutdown: Shutdown,
+}
+
+impl Handlers {
+    pub async fn bad_message(&self, params: Value) {
+        self.letterbox.tell(params, Engine::bad_message);
+    }
+
+    pub async fn expand(&self, params: ExpandParams) -> Result<Expanded> {
+        self.letterbox.ask(params, Engine::expand).await
+    }
+}
+
+#[async_trait]
+impl LanguageServer for Handlers {
+    async fn initialize(&self, params: InitializeParams) -> Result<InitializeResult> {
+        self.letterbox.ask((params, self.shutdown.clone()), Engine::initialize).await
+    }
+
+    async fn initialized(&self, _: InitializedParams) {
+        self.letterbox.tell((), Engine::client_ready);
+    }
+
+    async fn shutdown(&self) -> Result<()> {
+        Ok(())
+    }
+
+    async fn did_open(&self, params: DidOpenTextDocumentParams) {
+        self.letterbox.tell(params, Engine::opened);
+    }
+
+    async fn did_change(&self, params: DidChangeTextDocumentParams) {
+        self.letterbox.tell(params, Engine::changed);
+    }
+
+    async fn did_save(&self, params: DidSaveTextDocumentParams) {
+        self.letterbox.tell(params, Engine::saved);
+    }
+
+    async fn did_close(&self, params: DidCloseTextDocumentParams) {
+        self.letterbox.tell(params, Engine::closed);
+    }
+
+    async fn did_change_watched_files(&self, params: DidChangeWatchedFilesParams) {
+        self.letterbox.tell(params, Engine::watched);
+    }
+
+    async fn did_change_workspace_folders(&self, params: DidChangeWorkspaceFoldersParams) {
+        self.letterbox.tell(params, Engine::folders_changed);
+    }
+
+    async fn did_change_configuration(&self, params: DidChangeConfigurationParams) {
+        self.letterbox.tell(params, Engine::settings_changed);
+    }
+
+    async fn diagnostic(&self, params: DocumentDiagnosticParams) -> Result<DocumentDiagnosticReportResult> {
+        self.letterbox.ask(params, Engine::pull_diagnostics).await
+    }
+
+    async fn workspace_diagnostic(
+        &self,
+        params: WorkspaceDiagnosticParams,
+    ) -> Result<WorkspaceDiagnosticReportResult> {
+        self.letterbox.ask(params, Engine::pull_workspace).await
+    }
+
+    async fn execute_command(&self, params: ExecuteCommandParams) -> Result<Option<Value>> {
+        self.letterbox.ask(params, Engine::command).await
+    }
+}

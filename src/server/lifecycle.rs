@@ -1,0 +1,186 @@
+//! From `initialize` to the first scan: capabilities, settings, folders, progress.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use lsp_types::{
+    DidChangeConfigurationParams, InitializeParams, InitializeResult, PositionEncodingKind, Registration,
+    ServerInfo, Url,
+};
+use serde_json::{Value, json};
+
+use super::capabilities;
+use super::client::ClientFacts;
+use super::engine::Engine;
+use super::exit::{Shutdown, watch_process};
+use super::failure::Failure;
+use super::outbox::Message;
+use crate::base::{CancelFlag, Encoding};
+
+impl Engine {
+    pub fn initialize(
+        &mut self,
+        (params, shutdown): (InitializeParams, Shutdown),
+        _: &CancelFlag,
+    ) -> Result<InitializeResult, Failure> {
+        self.client = ClientFacts::of(&params.capabilities);
+        if let Some(process) = params.process_id {
+            watch_process(process, shutdown);
+        }
+        self.encoding = encoding(&params);
+        self.world.set_folders(folders(&params));
+        if let Some(options) = &params.initialization_options {
+            self.settings(options);
+        }
+        let encoding = match self.encoding {
+            Encoding::Utf8 => PositionEncodingKind::UTF8,
+            _ => PositionEncodingKind::UTF16,
+        };
+        Ok(InitializeResult {
+            capabilities: capabilities::offered(encoding, &self.client),
+            server_info: Some(ServerInfo {
+                name: "xacro-lsp".to_owned(),
+                version: Some(env!("CARGO_PKG_VERSION").to_owned()),
+            }),
+            ..InitializeResult::default()
+        })
+    }
+
+    pub fn client_ready(&mut self, (): ()) {
+        self.initialized = true;
+        let mut registrations = Vec::new();
+        if self.client.watches_files {
+            registrations
+                .push(registration("workspace/didChangeWatchedFiles", json!({ "watchers": watchers() })));
+        }
+        if self.client.registers_settings {
+            registrations
+                .push(registration("workspace/didChangeConfiguration", json!({ "section": "xacro" })));
+        }
+        if !registrations.is_empty() {
+            self.outbox.send(Message::Register(registrations));
+        }
+        self.ask_for_settings();
+        if self.client.progress && !self.world.folders().is_empty() {
+            self.outbox.send(Message::CreateProgress("xacro/scan".to_owned()));
+        }
+    }
+
+    fn ask_for_settings(&self) {
+        if self.client.configuration {
+            let folders = self.world.folders().iter().map(|folder| Url::from_file_path(folder).ok());
+            let mut scopes: Vec<_> = folders.collect();
+            if scopes.is_empty() {
+                scopes.push(None);
+            }
+            self.outbox.send(Message::Configuration(scopes));
+        }
+    }
+
+    pub fn settings_changed(&mut self, params: DidChangeConfigurationParams) {
+        match self.client.configuration {
+            // the settings sent along are those of no folder in particular
+            true => self.ask_for_settings(),
+            false => self.settings(&params.settings),
+        }
+        self.schedule();
+    }
+
+    /// The client's answer about settings.
+    pub fn configured(&mut self, (_, values): (Vec<Option<Url>>, Vec<Value>)) {
+        for value in &values {
+            self.settings(value);
+        }
+        self.schedule();
+    }
+
+    /// Take settings over, with or without the section around them.
+    fn settings(&mut self, settings: &Value) {
+        let settings = settings.get("xacro").unwrap_or(settings);
+        if !settings.is_object() {
+            return;
+        }
+        if let Some(delay) = settings.pointer("/diagnostics/delay") {
+            match delay.as_u64() {
+                Some(delay) => self.delay = Duration::from_millis(delay.min(60_000)),
+                None => self
+                    .outbox
+                    .log("`xacro.diagnostics.delay` is no number of milliseconds; the default holds"),
+            }
+        }
+        let warnings = self.world.set_editor_settings(settings.clone());
+        for warning in warnings {
+            self.outbox.log(warning);
+        }
+    }
+
+    /// The client made the token for the scan, or will not show it.
+    pub fn progress_created(&mut self, made: bool) {
+        if made && !self.world.is_scanned() {
+            self.progress = Some("xacro/scan".to_owned());
+            self.report_progress(json!({ "kind": "begin", "title": "Indexing robot descriptions" }));
+        }
+    }
+
+    /// Look at more files of the workspace, until a job comes in.
+    pub fn scan(&mut self) {
+        let pressure = self.pressure.clone();
+        let left = self.world.scan(|| pressure.is_high());
+        match left {
+            Some((done, total)) => {
+                let message = format!("{done} of {total} files");
+                self.report_progress(json!({ "kind": "report", "message": message }));
+            }
+            None => {
+                self.report_progress(json!({ "kind": "end" }));
+                self.progress = None;
+                // other roots may be known now
+                if !self.documents.is_empty() {
+                    self.schedule();
+                    self.refresh();
+                }
+            }
+        }
+    }
+
+    fn report_progress(&self, value: Value) {
+        if let Some(token) = &self.progress {
+            self.outbox.send(Message::Custom("$/progress", json!({ "token": token, "value": value })));
+        }
+    }
+}
+
+/// UTF-8 when the client prefers it, else UTF-16.
+fn encoding(params: &InitializeParams) -> Encoding {
+    let general = params.capabilities.general.as_ref();
+    let offered = general.and_then(|general| general.position_encodings.as_ref());
+    match offered.and_then(|offered| offered.first()) {
+        Some(first) if *first == PositionEncodingKind::UTF8 => Encoding::Utf8,
+        _ => Encoding::Utf16,
+    }
+}
+
+#[allow(deprecated)] // old clients send `rootUri`
+fn folders(params: &InitializeParams) -> Vec<PathBuf> {
+    let listed = params.workspace_folders.iter().flatten().map(|folder| &folder.uri);
+    let mut uris: Vec<&Url> = listed.collect();
+    if uris.is_empty() {
+        uris.extend(&params.root_uri);
+    }
+    uris.into_iter().filter(|uri| uri.scheme() == "file").filter_map(|uri| uri.to_file_path().ok()).collect()
+}
+
+fn registration(method: &str, options: Value) -> Registration {
+    Registration { id: method.to_owned(), method: method.to_owned(), register_options: Some(options) }
+}
+
+fn watchers() -> Value {
+    let patterns = [
+        "**/*.{xacro,urdf,srdf,sdf,yaml,yml}",
+        "**/package.xml",
+        "**/*.{stl,STL,dae,DAE,obj,OBJ,glb,GLB,ply}",
+        "**/{xacro-lint.toml,.xacro-lint.toml}",
+        "**/COLCON_IGNORE",
+    ];
+    patterns.iter().map(|pattern| json!({ "globPattern": pattern })).collect()
+}

@@ -1,0 +1,66 @@
+//! The language server: the protocol around the analysis.
+//!
+//! Nothing outside of this folder names the protocol's types. Handlers only post jobs (`letterbox`); one thread
+//! owns all state and works them off (`engine`); what goes out unasked leaves through one task (`outbox`).
+
+mod capabilities;
+mod client;
+mod commands;
+mod convert;
+mod diagnostics;
+mod engine;
+mod exit;
+mod expansion;
+mod failure;
+mod framing;
+mod handlers;
+mod letterbox;
+mod lifecycle;
+mod outbox;
+mod sync;
+
+use tokio::runtime::Builder;
+use tower_lsp::{LspService, Server};
+
+use crate::vfs::Environment;
+use engine::Engine;
+use exit::{Quiet, Shutdown, Watched};
+use handlers::Handlers;
+use outbox::Outbox;
+
+/// Handlers only wait, so there may be many of them: a slow answer never holds back an edit.
+const HANDLERS_AT_ONCE: usize = 1024;
+
+/// Bytes between the framing and the service.
+const PIPE: usize = 1 << 16;
+
+/// Serve one client on standard input and output until it is gone; the exit code.
+pub fn run(env: Environment) -> u8 {
+    let Ok(runtime) = Builder::new_current_thread().enable_all().build() else { return 1 };
+    runtime.block_on(serve(env))
+}
+
+async fn serve(env: Environment) -> u8 {
+    let shutdown = Shutdown::default();
+    let (letterbox, jobs, pressure) = letterbox::letterbox();
+    let (outbox, messages) = Outbox::new();
+    let engine = Engine::new(env, outbox, pressure);
+    let thread = std::thread::Builder::new().name("analysis".to_owned());
+    if thread.spawn(move || engine.run(&jobs)).is_err() {
+        return 1;
+    }
+    let (post, exit) = (letterbox.clone(), shutdown.clone());
+    let (service, socket) = LspService::build(move |client| {
+        tokio::spawn(outbox::deliver(client, post.clone(), messages));
+        Handlers { letterbox: post, shutdown: exit }
+    })
+    .custom_method("xacro/expand", Handlers::expand)
+    .custom_method(framing::BAD_MESSAGE, Handlers::bad_message)
+    .finish();
+    let service = Watched { inner: service, shutdown: shutdown.clone() };
+    let stdout = Quiet { inner: tokio::io::stdout(), shutdown: shutdown.clone() };
+    let (clean, input) = tokio::io::duplex(PIPE);
+    tokio::spawn(framing::pump(tokio::io::stdin(), clean));
+    Server::new(input, stdout, socket).concurrency_level(HANDLERS_AT_ONCE).serve(service).await;
+    shutdown.code()
+}

@@ -1,0 +1,98 @@
+//! Text of open documents.
+
+use lsp_types::{
+    DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidChangeWorkspaceFoldersParams,
+    DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams,
+};
+
+use super::convert;
+use super::engine::{Engine, OpenDocument};
+use super::outbox::{Message, Refresh};
+
+impl Engine {
+    pub fn opened(&mut self, params: DidOpenTextDocumentParams) {
+        let document = params.text_document;
+        let path = self.path(&document.uri);
+        self.world.set_text(&path, document.text);
+        let open = OpenDocument { uri: document.uri, version: document.version };
+        self.documents.insert(path, open);
+        // the first look at a file should not wait for a pause in typing
+        self.due = Some(std::time::Instant::now());
+    }
+
+    pub fn changed(&mut self, params: DidChangeTextDocumentParams) {
+        let path = self.path(&params.text_document.uri);
+        let Some(open) = self.documents.get_mut(&path) else {
+            return self
+                .outbox
+                .log(format!("changes of `{}`, which is not open, are ignored", params.text_document.uri));
+        };
+        open.version = params.text_document.version;
+        for change in params.content_changes {
+            match (change.range, self.world.document(&path)) {
+                (Some(range), Some(source)) => {
+                    let range = convert::text_range(&source.document, range, self.encoding);
+                    self.world.edit(&path, range, &change.text);
+                }
+                _ => self.world.set_text(&path, change.text),
+            }
+        }
+        self.schedule();
+    }
+
+    pub fn saved(&mut self, _: DidSaveTextDocumentParams) {
+        self.schedule();
+    }
+
+    pub fn closed(&mut self, params: DidCloseTextDocumentParams) {
+        let path = self.path(&params.text_document.uri);
+        if let Some(open) = self.documents.remove(&path) {
+            self.world.close(&path);
+            if self.published.remove(&path).is_some() {
+                self.outbox.send(Message::Diagnostics(open.uri, Vec::new(), None));
+            }
+        }
+        self.schedule();
+    }
+
+    pub fn watched(&mut self, params: DidChangeWatchedFilesParams) {
+        let paths: Vec<_> = params.changes.iter().map(|change| self.path(&change.uri)).collect();
+        self.world.changed_on_disk(&paths);
+        self.schedule();
+        self.refresh();
+    }
+
+    pub fn folders_changed(&mut self, params: DidChangeWorkspaceFoldersParams) {
+        let removed: Vec<_> = params.event.removed.iter().map(|folder| self.path(&folder.uri)).collect();
+        let mut folders: Vec<_> = self.world.folders().to_vec();
+        folders.retain(|folder| !removed.contains(folder));
+        for folder in params.event.added {
+            let path = self.path(&folder.uri);
+            if !folders.contains(&path) {
+                folders.push(path);
+            }
+        }
+        self.world.set_folders(folders);
+        self.schedule();
+        self.refresh();
+    }
+
+    /// Something came in that is no message.
+    pub fn bad_message(&mut self, params: serde_json::Value) {
+        let reason = params.get("reason").and_then(serde_json::Value::as_str).unwrap_or("");
+        self.outbox.log(format!("a message was passed over: {reason}"));
+    }
+
+    /// Have the client ask again for what it has asked for before.
+    pub fn refresh(&self) {
+        let supported = [
+            (self.client.pulls_diagnostics && self.client.refreshes_diagnostics, &[Refresh::Diagnostics]),
+            (self.client.refreshes_tokens, &[Refresh::SemanticTokens]),
+            (self.client.refreshes_hints, &[Refresh::InlayHints]),
+            (self.client.refreshes_lenses, &[Refresh::CodeLens]),
+        ];
+        for (_, what) in supported.into_iter().filter(|(supported, _)| *supported && self.initialized) {
+            self.outbox.send(Message::Refresh(what));
+        }
+    }
+}
