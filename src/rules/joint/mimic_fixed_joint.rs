@@ -20,7 +20,8 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     for (joint, text, target) in mimicking(cx.robot) {
-        if target.is(&[JointType::Fixed]) {
+        // variants that fix a pair of joints fix both
+        if target.is(&[JointType::Fixed]) && !joint.is(&[JointType::Fixed]) {
             let message =
                 format!("joint `{}` mimics joint `{}`, which is fixed", joint.shown(), target.shown());
             out.report(text.origin, message)

@@ -1,0 +1,61 @@
+//! An optical frame that is not turned as cameras expect.
+
+use super::super::context::DocumentCx;
+use super::super::edits::speaks_xacro;
+use super::super::numbers::rewrite;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use crate::model::{Joint, tag_start};
+use nalgebra::UnitQuaternion;
+use std::f64::consts::FRAC_PI_2;
+
+pub(super) const RULE: Rule = Rule {
+    code: "FRM004",
+    name: "optical-frame-orientation",
+    category: Category::Frames,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("optical-frame-orientation"),
+    check: Check::Document(check),
+};
+
+/// Rounding of what people write for half of pi.
+const TOLERANCE: f64 = 0.01;
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let usual = UnitQuaternion::from_euler_angles(-FRAC_PI_2, 0.0, -FRAC_PI_2);
+    for joint in cx.joints() {
+        let Some((parent, child)) = joint.ends() else { continue };
+        // between two optical frames, there is no turn
+        if !is_optical(child) || parent.to_lowercase().contains("optical") {
+            continue;
+        }
+        let [roll, pitch, yaw] = match joint.origin.as_ref().map(|origin| origin.angles()) {
+            Some(Some(angles)) => angles,
+            Some(None) => continue,
+            None => [0.0; 3],
+        };
+        if UnitQuaternion::from_euler_angles(roll, pitch, yaw).angle_to(&usual) > TOLERANCE {
+            report(cx, out, joint, child);
+        }
+    }
+}
+
+fn report(cx: &DocumentCx<'_>, out: &mut Sink<'_>, joint: &Joint, child: &str) {
+    let rpy = joint.origin.as_ref().and_then(|origin| origin.rpy.as_ref());
+    let at = rpy.map_or_else(|| tag_start(cx.expansion, joint.element), |text| text.origin);
+    let report = out
+        .report(at, format!("optical frame `{child}` is not turned by -pi/2 0 -pi/2"))
+        .help("an optical frame looks along z, with x to the right and y down; its camera looks along x");
+    let Some(text) = rpy else { return report.done() };
+    let xacro = speaks_xacro(cx.expansion, text.origin);
+    let new = if xacro { "${-pi/2} 0 ${-pi/2}" } else { "-1.5707963267948966 0 -1.5707963267948966" };
+    rewrite(report, Safety::Unsafe, text, new.to_owned()).done();
+}
+
+/// Whether a link is an optical frame by its name.
+fn is_optical(name: &str) -> bool {
+    name.ends_with("_optical_frame") || name.ends_with("_optical")
+}
