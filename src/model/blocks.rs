@@ -50,8 +50,6 @@ pub struct Interface {
     pub element: XId,
     /// Its `name`.
     pub name: Option<Text>,
-    /// Its `size`: how many values of one name.
-    pub size: Option<Text>,
     /// Its `param`s.
     pub params: Vec<Param>,
 }
@@ -129,9 +127,8 @@ impl ControlJoint {
 
 impl Interface {
     fn of(tree: &XTree, element: XId) -> Self {
-        let text = |name| Text::attr(tree, element, name);
         let params = children(tree, element, "param").map(|param| Param::of(tree, param));
-        Self { element, name: text("name"), size: text("size"), params: params.collect() }
+        Self { element, name: Text::attr(tree, element, "name"), params: params.collect() }
     }
 
     /// Whether it has this name.

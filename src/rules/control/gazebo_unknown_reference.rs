@@ -1,0 +1,42 @@
+//! A gazebo element about nothing.
+
+use super::super::context::RobotCx;
+use super::super::numbers::rewrite;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use crate::workspace::nearest;
+
+pub(super) const RULE: Rule = Rule {
+    code: "CTL014",
+    name: "gazebo-unknown-reference",
+    category: Category::Control,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("gazebo-unknown-reference"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    if !cx.whole {
+        return;
+    }
+    for text in cx.robot.gazebo.iter().filter_map(|block| block.reference.as_ref()) {
+        let Some(name) = text.name() else { continue };
+        if cx.robot.link(name).is_some() || cx.robot.joint(name).is_some() {
+            continue;
+        }
+        let links = cx.robot.links.iter().map(|link| link.shown());
+        let names = links.chain(cx.robot.joints.iter().map(|joint| joint.shown()));
+        let report = out.report(text.origin, format!("no link or joint is named `{name}`"));
+        match nearest(name, names) {
+            Some(near) => {
+                let report =
+                    report.help(format!("SDFormat drops the element; a similar name exists: `{near}`"));
+                rewrite(report, Safety::Unsafe, text, near.to_owned()).done();
+            }
+            None => report.help("SDFormat drops the element: name a link or a joint of this robot").done(),
+        }
+    }
+}
