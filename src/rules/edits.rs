@@ -4,7 +4,7 @@ use super::registry::Safety;
 use super::sink::Reported;
 use crate::base::TextRange;
 use crate::expand::{Expansion, FileIdx, FrameKind, Origin, XId};
-use crate::model::{attr_range, element_range};
+use crate::model::{Text, attr_range, element_range};
 
 /// The file and the absolute range of an origin, and the text there.
 pub(super) fn source_text(expansion: &Expansion, origin: Origin) -> Option<(FileIdx, TextRange, String)> {
@@ -51,6 +51,21 @@ pub(super) fn delete_attrs<'s, 'a>(
     let edits =
         places.into_iter().map(|(file, range, _)| (with_blanks(expansion, file, range), String::new()));
     report.fix(Safety::Safe, format!("remove {}", names.join(" and ")), file, edits)
+}
+
+/// With the fix to write another name, when the source holds the name itself. Inside of macros there is none:
+/// what fits one call fits no other.
+pub(super) fn rename<'s, 'a>(
+    report: Reported<'s, 'a>,
+    expansion: &Expansion,
+    text: &Text,
+    new: &str,
+) -> Reported<'s, 'a> {
+    if text.literal && !is_called(expansion, text.origin) {
+        report.replace_with(Safety::Unsafe, format!("rename it to `{new}`"), new)
+    } else {
+        report
+    }
 }
 
 /// What to remove of a file so that nothing is left of an origin: its line, when it stands there alone.

@@ -13,7 +13,12 @@ pub(super) const UNLIMITED: f64 = 1e3;
 
 /// A number with at most six digits behind the point.
 pub(super) fn short(number: f64) -> String {
-    let text = format!("{number:.6}");
+    digits(number, 6)
+}
+
+/// A number with at most so many digits behind the point.
+fn digits(number: f64, most: usize) -> String {
+    let text = format!("{number:.most$}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
@@ -47,7 +52,7 @@ pub(super) fn from_degrees<'s, 'a>(
             if speaks_xacro(expansion, origin) {
                 format!("${{radians({})}}", source.trim())
             } else {
-                short(value.to_radians())
+                digits(value.to_radians(), 10)
             }
         }
         _ => return report,

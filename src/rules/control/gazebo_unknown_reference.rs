@@ -1,7 +1,7 @@
 //! A gazebo element about nothing.
 
 use super::super::context::RobotCx;
-use super::super::numbers::rewrite;
+use super::super::edits::rename;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use crate::workspace::nearest;
@@ -34,7 +34,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             Some(near) => {
                 let report =
                     report.help(format!("SDFormat drops the element; a similar name exists: `{near}`"));
-                rewrite(report, Safety::Unsafe, text, near.to_owned()).done();
+                rename(report, cx.expansion, text, near).done();
             }
             None => report.help("SDFormat drops the element: name a link or a joint of this robot").done(),
         }

@@ -1,9 +1,7 @@
 //! From blocks about joints to the joints of the robot.
 
 use super::super::context::{DocumentCx, RobotCx};
-use super::super::edits::source_text;
-use super::super::numbers::rewrite;
-use super::super::registry::Safety;
+use super::super::edits::{rename, source_text};
 use super::super::sink::Sink;
 use crate::base::TextRange;
 use crate::expand::{Expansion, Origin};
@@ -25,7 +23,7 @@ pub(super) fn unknown_joint(cx: &RobotCx<'_>, out: &mut Sink<'_>, text: &Text, b
     match nearest(name, cx.robot.joints.iter().map(|joint| joint.shown())) {
         Some(near) => {
             let report = report.help(format!("a joint with a similar name exists: `{near}`"));
-            rewrite(report, Safety::Unsafe, text, near.to_owned()).done();
+            rename(report, cx.expansion, text, near).done();
         }
         None => report.help("name a joint of this robot, with its prefix").done(),
     }

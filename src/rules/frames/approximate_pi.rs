@@ -1,5 +1,7 @@
 //! Angles that are almost a multiple of a quarter of pi.
 
+use std::f64::consts::FRAC_PI_4;
+
 use super::super::context::DocumentCx;
 use super::super::edits::{source_text, speaks_xacro};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
@@ -7,7 +9,6 @@ use super::super::sink::{Reported, Sink};
 use super::poses::{ANGLES, poses};
 use crate::expand::Origin;
 use crate::model::decimal;
-use std::f64::consts::FRAC_PI_4;
 
 pub(super) const RULE: Rule = Rule {
     code: "FRM002",

@@ -1,5 +1,7 @@
 //! A base that is tilted against its footprint.
 
+use nalgebra::UnitQuaternion;
+
 use super::super::context::RobotCx;
 use super::super::numbers::short;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
@@ -7,7 +9,6 @@ use super::super::sink::Sink;
 use super::names::prefix_of;
 use crate::model::Text;
 use crate::model::transform;
-use nalgebra::UnitQuaternion;
 
 pub(super) const RULE: Rule = Rule {
     code: "FRM010",

@@ -1,13 +1,15 @@
 //! An optical frame that is not turned as cameras expect.
 
+use std::f64::consts::FRAC_PI_2;
+
+use nalgebra::UnitQuaternion;
+
 use super::super::context::DocumentCx;
 use super::super::edits::speaks_xacro;
 use super::super::numbers::rewrite;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use crate::model::{Joint, tag_start};
-use nalgebra::UnitQuaternion;
-use std::f64::consts::FRAC_PI_2;
 
 pub(super) const RULE: Rule = Rule {
     code: "FRM004",

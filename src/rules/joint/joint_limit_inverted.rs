@@ -1,11 +1,11 @@
 //! A lower limit above the upper one.
 
 use super::super::context::DocumentCx;
-use super::super::edits::source_text;
+use super::super::edits::{is_called, source_text};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::{Reported, Sink};
 use crate::model::JointType::{Continuous, Fixed, Floating};
-use crate::model::{Limit, tag_start};
+use crate::model::{Limit, Text, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT004",
@@ -35,6 +35,10 @@ fn swapped<'s, 'a>(report: Reported<'s, 'a>, cx: &DocumentCx<'_>, limit: &Limit)
     let (Some(lower), Some(upper)) = (&limit.lower, &limit.upper) else {
         return report.help("a limit that is not written is 0");
     };
+    let given = |text: &Text| !text.literal && is_called(cx.expansion, text.origin);
+    if given(lower) || given(upper) {
+        return report.help("the values come from the calls: swap them there");
+    }
     let texts = (source_text(cx.expansion, lower.origin), source_text(cx.expansion, upper.origin));
     let (Some((file, at_lower, low)), Some((_, at_upper, up))) = texts else { return report };
     let edits = [(at_lower, up), (at_upper, low)];

@@ -1,7 +1,7 @@
 //! A joint that follows one which does not exist.
 
 use super::super::context::RobotCx;
-use super::super::numbers::rewrite;
+use super::super::edits::rename;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use crate::workspace::nearest;
@@ -31,7 +31,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         match nearest(target, names) {
             Some(near) => {
                 let report = report.help(format!("a joint with a similar name exists: `{near}`"));
-                rewrite(report, Safety::Unsafe, text, near.to_owned()).done();
+                rename(report, cx.expansion, text, near).done();
             }
             None => report.help("name a joint of this robot").done(),
         }

@@ -1,12 +1,13 @@
 //! Wheels that drive backwards when they turn forwards.
 
+use nalgebra::Vector3;
+
 use super::super::context::RobotCx;
 use super::super::numbers::{rewrite, vector};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use crate::model::Robot;
 use crate::model::{Joint, JointType, Kinematics, transform};
-use nalgebra::Vector3;
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT015",

@@ -1,11 +1,12 @@
 //! Names that differ only in their case.
 
+use ecow::EcoString;
+
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use crate::base::FastMap;
 use crate::model::Text;
-use ecow::EcoString;
 
 pub(super) const RULE: Rule = Rule {
     code: "STR012",
