@@ -109,6 +109,14 @@ impl Text {
         }
     }
 
+    /// What the expressions read that made the part `range` of the value: indices of
+    /// [`Expansion::bindings`](crate::expand::Expansion::bindings).
+    pub fn reads(&self, range: Range<usize>) -> impl Iterator<Item = u32> + '_ {
+        let (start, end) = (range.start as u32, range.end as u32);
+        let touching = self.pieces.iter().filter(move |piece| piece.out.start < end && start < piece.out.end);
+        touching.flat_map(|piece| piece.reads.iter().copied())
+    }
+
     /// The offset in the source of a part that no expression made.
     fn written(&self, start: u32, end: u32) -> Option<u32> {
         let next = self.pieces.iter().find(|piece| end <= piece.out.start);

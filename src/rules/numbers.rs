@@ -5,11 +5,15 @@ use std::ops::Range;
 use super::edits::{is_called, source_text, speaks_xacro};
 use super::registry::Safety;
 use super::sink::Reported;
-use crate::expand::Expansion;
+use crate::base::FastSet;
+use crate::expand::{BindingKind, Expansion};
 use crate::model::{Text, decimal};
 
 /// From here on, a limit, an effort or a velocity means "unknown" or "unlimited", whatever its unit.
 pub(super) const UNLIMITED: f64 = 1e3;
+
+/// Bindings that are looked at to explain a value.
+const MOST_DEFINITIONS: usize = 8;
 
 /// A number with at most six digits behind the point.
 pub(super) fn short(number: f64) -> String {
@@ -40,6 +44,7 @@ pub(super) fn from_degrees<'s, 'a>(
     text: &Text,
     range: Range<usize>,
 ) -> Reported<'s, 'a> {
+    let report = with_definitions(report, expansion, text.reads(range.clone()).collect());
     let origin = text.part(range.clone());
     let Some((_, _, source)) = source_text(expansion, origin) else { return report };
     let inner = source.trim().strip_prefix("${").and_then(|rest| rest.strip_suffix('}'));
@@ -58,6 +63,30 @@ pub(super) fn from_degrees<'s, 'a>(
         _ => return report,
     };
     report.replace_with(Safety::Unsafe, format!("take it for degrees: `{new}`"), new)
+}
+
+/// With the properties and arguments that a value comes from, however many parameters it went through.
+fn with_definitions<'s, 'a>(
+    mut report: Reported<'s, 'a>,
+    expansion: &Expansion,
+    mut reads: Vec<u32>,
+) -> Reported<'s, 'a> {
+    let mut seen = FastSet::default();
+    while let Some(read) = reads.pop() {
+        let Some(binding) = expansion.bindings.get(read as usize).filter(|_| seen.insert(read)) else {
+            continue;
+        };
+        let origin = binding.origin.filter(|_| binding.kind != BindingKind::Parameter);
+        match origin {
+            // a long list of definitions explains nothing
+            Some(origin) if seen.len() <= MOST_DEFINITIONS => {
+                report = report.also(origin, format!("`{}` is given here", binding.name));
+            }
+            Some(_) => {}
+            None => reads.extend(binding.reads.iter().copied()),
+        }
+    }
+    report
 }
 
 /// With the fix to write something else for a value, when the source holds the value itself.

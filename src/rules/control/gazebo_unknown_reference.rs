@@ -4,6 +4,7 @@ use super::super::context::RobotCx;
 use super::super::edits::rename;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
+use crate::base::FastSet;
 use crate::workspace::nearest;
 
 pub(super) const RULE: Rule = Rule {
@@ -22,9 +23,10 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     if !cx.whole {
         return;
     }
+    let joints: FastSet<&str> = cx.robot.joints.iter().map(|joint| joint.shown()).collect();
     for text in cx.robot.gazebo.iter().filter_map(|block| block.reference.as_ref()) {
         let Some(name) = text.name() else { continue };
-        if cx.robot.link(name).is_some() || cx.robot.joint(name).is_some() {
+        if cx.kinematics.link(name).is_some() || joints.contains(name.as_str()) {
             continue;
         }
         let links = cx.robot.links.iter().map(|link| link.shown());

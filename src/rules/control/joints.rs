@@ -3,7 +3,7 @@
 use super::super::context::{DocumentCx, RobotCx};
 use super::super::edits::{rename, source_text};
 use super::super::sink::Sink;
-use crate::base::TextRange;
+use crate::base::{FastMap, FastSet, TextRange};
 use crate::expand::{Expansion, Origin};
 use crate::model::JointType::{Prismatic, Revolute};
 use crate::model::{ControlJoint, Joint, Text};
@@ -12,20 +12,32 @@ use crate::workspace::nearest;
 /// The joints that ros2_control lists, each with that of the robot.
 pub(super) fn controlled<'a>(cx: &DocumentCx<'a>) -> Vec<(&'a ControlJoint, &'a Joint)> {
     let Some(robot) = cx.robot else { return Vec::new() };
+    let mut named: FastMap<&str, &Joint> = FastMap::default();
+    for joint in &robot.joints {
+        named.entry(joint.shown()).or_insert(joint);
+    }
     let listed = robot.controls.iter().flat_map(|control| &control.joints);
-    listed.filter_map(|listed| Some((listed, robot.joint(listed.name.as_ref()?.name()?)?))).collect()
+    listed.filter_map(|listed| Some((listed, *named.get(listed.name.as_ref()?.name()?.as_str())?))).collect()
 }
 
-/// Report the name of a joint in a block if the robot has no such joint.
-pub(super) fn unknown_joint(cx: &RobotCx<'_>, out: &mut Sink<'_>, text: &Text, block: &str) {
-    let Some(name) = text.name().filter(|name| cx.robot.joint(name).is_none()) else { return };
-    let report = out.report(text.origin, format!("{block} names joint `{name}`, which does not exist"));
-    match nearest(name, cx.robot.joints.iter().map(|joint| joint.shown())) {
-        Some(near) => {
-            let report = report.help(format!("a joint with a similar name exists: `{near}`"));
-            rename(report, cx.expansion, text, near).done();
+/// Report the names of joints in blocks of a kind that the robot does not have.
+pub(super) fn unknown_joints<'t>(
+    cx: &RobotCx<'_>,
+    out: &mut Sink<'_>,
+    texts: impl Iterator<Item = &'t Text>,
+    block: &str,
+) {
+    let known: FastSet<&str> = cx.robot.joints.iter().map(|joint| joint.shown()).collect();
+    for text in texts {
+        let Some(name) = text.name().filter(|name| !known.contains(name.as_str())) else { continue };
+        let report = out.report(text.origin, format!("{block} names joint `{name}`, which does not exist"));
+        match nearest(name, cx.robot.joints.iter().map(|joint| joint.shown())) {
+            Some(near) => {
+                let report = report.help(format!("a joint with a similar name exists: `{near}`"));
+                rename(report, cx.expansion, text, near).done();
+            }
+            None => report.help("name a joint of this robot, with its prefix").done(),
         }
-        None => report.help("name a joint of this robot, with its prefix").done(),
     }
 }
 

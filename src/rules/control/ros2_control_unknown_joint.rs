@@ -3,7 +3,7 @@
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::joints::unknown_joint;
+use super::joints::unknown_joints;
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL001",
@@ -19,7 +19,7 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let joints = cx.robot.controls.iter().flat_map(|control| &control.joints);
-    for text in joints.filter_map(|joint| joint.name.as_ref()).filter(|_| cx.whole) {
-        unknown_joint(cx, out, text, "ros2_control");
+    if cx.whole {
+        unknown_joints(cx, out, joints.filter_map(|joint| joint.name.as_ref()), "ros2_control");
     }
 }

@@ -3,7 +3,7 @@
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::joints::unknown_joint;
+use super::joints::unknown_joints;
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL012",
@@ -19,7 +19,7 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let joints = cx.robot.transmissions.iter().flat_map(|transmission| &transmission.joints);
-    for text in joints.filter_map(|(_, name)| name.as_ref()).filter(|_| cx.whole) {
-        unknown_joint(cx, out, text, "a transmission");
+    if cx.whole {
+        unknown_joints(cx, out, joints.filter_map(|(_, name)| name.as_ref()), "a transmission");
     }
 }

@@ -39,7 +39,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             Some(None) => continue,
             None => [0.0; 3],
         };
-        if UnitQuaternion::from_euler_angles(roll, pitch, yaw).angle_to(&usual) > TOLERANCE {
+        let turned = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
+        // on a part that is no camera, the joint holds the pose of the camera as well
+        let is_mounted = turned.angle() > TOLERANCE && first_word(parent) != first_word(child);
+        if turned.angle_to(&usual) > TOLERANCE && !is_mounted {
             report(cx, out, joint, child);
         }
     }
@@ -55,6 +58,11 @@ fn report(cx: &DocumentCx<'_>, out: &mut Sink<'_>, joint: &Joint, child: &str) {
     let xacro = speaks_xacro(cx.expansion, text.origin);
     let new = if xacro { "${-pi/2} 0 ${-pi/2}" } else { "-1.5707963267948966 0 -1.5707963267948966" };
     rewrite(report, Safety::Unsafe, text, new.to_owned()).done();
+}
+
+/// What a link is called after.
+fn first_word(name: &str) -> &str {
+    name.split('_').find(|word| !word.is_empty()).unwrap_or_default()
 }
 
 /// Whether a link is an optical frame by its name.

@@ -4,6 +4,7 @@ use super::super::context::RobotCx;
 use super::super::edits::rename;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
+use crate::base::FastSet;
 use crate::workspace::nearest;
 
 pub(super) const RULE: Rule = Rule {
@@ -22,9 +23,10 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     if !cx.whole {
         return;
     }
+    let known: FastSet<&str> = cx.robot.joints.iter().map(|joint| joint.shown()).collect();
     for joint in &cx.robot.joints {
         let Some(text) = joint.mimic.as_ref().and_then(|mimic| mimic.joint.as_ref()) else { continue };
-        let Some(target) = text.name().filter(|name| cx.robot.joint(name).is_none()) else { continue };
+        let Some(target) = text.name().filter(|name| !known.contains(name.as_str())) else { continue };
         let message = format!("joint `{}` mimics joint `{target}`, which does not exist", joint.shown());
         let report = out.report(text.origin, message);
         let names = cx.robot.joints.iter().map(|joint| joint.shown()).filter(|name| *name != joint.shown());

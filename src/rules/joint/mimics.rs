@@ -1,12 +1,17 @@
 //! Which joint follows which.
 
+use crate::base::FastMap;
 use crate::model::{Joint, Robot, Text};
 
 /// For each joint, the one it mimics: indices into [`Robot::joints`].
 pub(super) fn targets(robot: &Robot) -> Vec<Option<usize>> {
+    let mut named: FastMap<&str, usize> = FastMap::default();
+    for (i, joint) in robot.joints.iter().enumerate() {
+        named.entry(joint.shown()).or_insert(i);
+    }
     let target = |joint: &Joint| {
         let name = joint.mimic.as_ref()?.joint.as_ref()?.name()?;
-        robot.joints.iter().position(|joint| joint.shown() == name)
+        named.get(name.as_str()).copied()
     };
     robot.joints.iter().map(target).collect()
 }

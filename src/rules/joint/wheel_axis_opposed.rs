@@ -52,12 +52,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether a joint turns freely, by itself, and carries nothing that moves: an arm may well be mirrored.
 fn is_wheel(robot: &Robot, joint: &Joint) -> bool {
-    let child = |joint: &Joint| joint.child.as_ref().map(|child| child.value.clone());
-    let carries = robot.joints.iter().any(|other| {
-        !other.is(&[JointType::Fixed])
-            && other.parent.as_ref().map(|parent| &parent.value) == child(joint).as_ref()
-    });
-    let names = format!("{} {}", joint.shown(), child(joint).unwrap_or_default()).to_lowercase();
+    let Some((_, child)) =
+        joint.ends().filter(|_| joint.is(&[JointType::Continuous]) && joint.mimic.is_none())
+    else {
+        return false;
+    };
+    let moved = |other: &&Joint| other.parent.as_ref().is_some_and(|parent| parent.value == *child);
+    let carries = robot.joints.iter().filter(moved).any(|other| !other.is(&[JointType::Fixed]));
+    let names = format!("{} {child}", joint.shown()).to_lowercase();
     let is_rotor = ["rotor", "propeller", "prop_"].iter().any(|word| names.contains(word));
-    joint.is(&[JointType::Continuous]) && joint.mimic.is_none() && !carries && !is_rotor
+    !carries && !is_rotor
 }
