@@ -3,9 +3,21 @@
 use crate::base::FastSet;
 use crate::model::{Kinematics, Robot};
 
-/// The arms of a robot: two or more joints that move by themselves, each the only one behind the one before,
-/// from the base on. Indices into [`Robot::joints`].
+/// Of more chains than two, most are legs or fingers; an arm has at least so many joints.
+const JOINTS_OF_ARM: usize = 5;
+
+/// The arms of a robot, as far as one can tell: chains of joints that are not one of many short ones.
 pub(super) fn serial_arms(robot: &Robot, kinematics: &Kinematics) -> Vec<Vec<usize>> {
+    let mut arms = chains(robot, kinematics);
+    if arms.len() > 2 {
+        arms.retain(|arm| arm.len() >= JOINTS_OF_ARM);
+    }
+    arms
+}
+
+/// Two or more joints that move by themselves, each the only one behind the one before, from the base on.
+/// Indices into [`Robot::joints`].
+fn chains(robot: &Robot, kinematics: &Kinematics) -> Vec<Vec<usize>> {
     let mut arms = Vec::new();
     let mut inside: FastSet<usize> = FastSet::default();
     for start in driven_below(robot, kinematics, kinematics.roots(robot)) {
