@@ -3,16 +3,19 @@
 //! A rule is a file here, a line in the list of its category and a page in `docs/rules/`. Rules that the
 //! expander finds on its way have no file: they are lines of a table and a page.
 
+mod arms;
 mod catalogue;
 mod context;
 mod control;
 mod conventions;
+mod edits;
 mod finding;
 mod frames;
 mod geometry;
 mod inertia;
 mod joint;
 mod linter;
+mod numbers;
 mod package;
 mod place;
 mod registry;

@@ -45,8 +45,7 @@ pub fn check_expansion(
     }
     if let Some(robot) = robot.as_ref().filter(|_| kind == RootKind::Robot) {
         let kinematics = Kinematics::of(robot);
-        let loses = |problem: &Problem| !problem.probed && LOSES_CONTENT.contains(&problem.code);
-        let lost = expansion.problems.iter().any(loses);
+        let lost = lost_content(expansion);
         let whole = expansion.whole && !lost && !unprefixed.structure && robot.names_are_known();
         let cx = RobotCx { expansion, robot, kinematics: &kinematics, world, whole };
         run(&mut sink, |rule, sink| {
@@ -57,6 +56,12 @@ pub fn check_expansion(
     }
     findings.append(&mut sink.finish());
     findings
+}
+
+/// Whether links, joints or parts of them may be missing from an expansion.
+pub(super) fn lost_content(expansion: &Expansion) -> bool {
+    let loses = |problem: &Problem| !problem.probed && LOSES_CONTENT.contains(&problem.code);
+    expansion.problems.iter().any(loses)
 }
 
 /// What the rules say about the source files of an expansion. Of a file that is not well-formed, only that

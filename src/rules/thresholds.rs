@@ -16,7 +16,23 @@ pub struct Threshold {
 }
 
 /// All thresholds, by name.
-pub static THRESHOLDS: &[Threshold] = &[];
+pub static THRESHOLDS: &[Threshold] = &[MAX_JOINT_OFFSET, MAX_JOINT_VELOCITY];
+
+/// The longest way from one joint to the next, metres.
+pub(super) const MAX_JOINT_OFFSET: Threshold = Threshold {
+    name: "max-joint-offset-m",
+    rule: "origin-units-mm",
+    default: 20.0,
+    docs: "the longest origin of a joint, in metres",
+};
+
+/// The fastest revolute joint, rad/s.
+pub(super) const MAX_JOINT_VELOCITY: Threshold = Threshold {
+    name: "max-joint-velocity-rad-per-s",
+    rule: "joint-velocity-degrees",
+    default: 50.0,
+    docs: "the highest velocity of a revolute joint, in rad/s",
+};
 
 impl Threshold {
     /// The value that holds under a configuration.
