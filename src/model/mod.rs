@@ -21,5 +21,5 @@ pub use mesh::{
 };
 pub use pose::{Pose, transform};
 pub use robot::Robot;
-pub use source::tag_start;
+pub use source::{source_has_elements, tag_start, whole_element};
 pub use text::{Text, decimal};

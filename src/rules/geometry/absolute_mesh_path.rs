@@ -1,0 +1,52 @@
+//! A mesh by an absolute path.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::resources::MeshUse;
+
+pub(super) const RULE: Rule = Rule {
+    code: "GEO019",
+    name: "absolute-mesh-path",
+    category: Category::Geometry,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("absolute-mesh-path"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for mesh in cx.meshes() {
+        let Some(start) = absolute_start(&mesh.file.value).filter(|_| mesh.file.known) else { continue };
+        // `$(find package)` makes an absolute path too, and the right one everywhere
+        if !mesh.file.is_written(start..start + 1) {
+            continue;
+        }
+        let message =
+            format!("mesh `{}` of link `{}` is named by an absolute path", mesh.name(), mesh.link.shown());
+        let report = out
+            .report(mesh.file.origin, message)
+            .help("it is found on this machine only; write package://PACKAGE/PATH");
+        match in_package(cx, &mesh).filter(|_| mesh.file.literal) {
+            Some(uri) => report.replace_with(Safety::Unsafe, format!("write `{uri}`"), uri).done(),
+            None => report.done(),
+        }
+    }
+}
+
+/// Where the path begins, when it is absolute.
+fn absolute_start(value: &str) -> Option<usize> {
+    let path = ["file://localhost", "file://", "file:"].iter().find_map(|scheme| value.strip_prefix(scheme));
+    let path = path.unwrap_or(value);
+    path.starts_with('/').then(|| value.len() - path.len())
+}
+
+/// The file as a URI of the package that holds it.
+fn in_package(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> Option<String> {
+    let path = mesh.target.file()?;
+    let package = cx.world.packages.containing(path)?;
+    let inside = path.strip_prefix(&package.folder).ok()?.to_str()?;
+    Some(format!("package://{}/{inside}", package.name))
+}
