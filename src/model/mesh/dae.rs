@@ -4,7 +4,7 @@ use nalgebra::{Matrix4, Rotation3, Translation3, Unit, Vector3};
 use roxmltree::{Document, Node, ParsingOptions};
 
 use super::dae_geometry::{Triangles, numbers, triangles};
-use super::defect::Defect;
+use super::defect::{Defect, DefectKind};
 use super::draft::{Dependency, Draft, UpAxis};
 use super::placed::Placed;
 use crate::base::FastMap;
@@ -14,14 +14,51 @@ const MOST_NODES: u32 = 4_000_000;
 /// Nodes of scenes that are visited, instances counted.
 const MOST_VISITS: usize = 100_000;
 
-/// Read a Collada file.
+/// Read a Collada file. Some exporters write `<` into attributes, and most readers do not mind.
 pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Defect> {
+    match parse(text) {
+        Ok(document) => document_of(&document, draft),
+        Err(defect) if defect.kind == DefectKind::Corrupt => {
+            let escaped = with_escaped_attributes(text);
+            let Ok(document) = parse(&escaped) else { return Err(defect) };
+            draft.defect = Some(Defect::untidy(defect.message));
+            document_of(&document, draft)
+        }
+        Err(defect) => Err(defect),
+    }
+}
+
+fn parse(text: &str) -> Result<Document<'_>, Defect> {
     let options = ParsingOptions { nodes_limit: MOST_NODES, ..ParsingOptions::default() };
-    let document = Document::parse_with_options(text, options).map_err(|error| match error {
+    Document::parse_with_options(text, options).map_err(|error| match error {
         roxmltree::Error::DtdDetected => Defect::unread("it has a document type"),
         roxmltree::Error::NodesLimitReached => Defect::unread("it has too many elements"),
         error => Defect::corrupt(format!("it is not well-formed XML: {error}")),
-    })?;
+    })
+}
+
+/// The text with every `<` inside the quotes of a tag escaped.
+fn with_escaped_attributes(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len() + 64);
+    let (mut in_tag, mut quote) = (false, None);
+    for c in text.chars() {
+        match c {
+            '<' if quote.is_some() => {
+                escaped.push_str("&lt;");
+                continue;
+            }
+            '<' => in_tag = true,
+            '>' if quote.is_none() => in_tag = false,
+            '"' | '\'' if quote == Some(c) => quote = None,
+            '"' | '\'' if in_tag && quote.is_none() => quote = Some(c),
+            _ => {}
+        }
+        escaped.push(c);
+    }
+    escaped
+}
+
+fn document_of(document: &Document<'_>, draft: &mut Draft) -> Result<(), Defect> {
     let root = document.root_element();
     if root.tag_name().name() != "COLLADA" {
         return Err(Defect::corrupt("its root element is not `COLLADA`"));

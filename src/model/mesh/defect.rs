@@ -16,8 +16,8 @@ pub enum DefectKind {
     Corrupt,
     /// A note of Git LFS stands in its place.
     LfsPointer,
-    /// The mesh is complete; more bytes follow.
-    TrailingBytes,
+    /// It can be read, but strict readers refuse it.
+    Untidy,
     /// It may be good: it is too large, or uses what is not read here.
     Unread,
 }
@@ -25,6 +25,10 @@ pub enum DefectKind {
 impl Defect {
     pub(super) fn corrupt(message: impl Into<String>) -> Self {
         Self { kind: DefectKind::Corrupt, message: message.into() }
+    }
+
+    pub(super) fn untidy(message: impl Into<String>) -> Self {
+        Self { kind: DefectKind::Untidy, message: message.into() }
     }
 
     pub(super) fn unread(message: impl Into<String>) -> Self {

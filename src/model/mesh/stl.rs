@@ -1,6 +1,6 @@
 //! STL, binary and as text.
 
-use super::defect::{Defect, DefectKind};
+use super::defect::Defect;
 use super::draft::{Draft, MeshFormat};
 use super::soup::Point;
 
@@ -60,7 +60,7 @@ fn binary(bytes: &[u8], count: u32, draft: &mut Draft) -> Result<(), Defect> {
     }
     if count > 0 && size > expected {
         let message = format!("{} bytes follow behind its {count} triangles", size - expected);
-        draft.defect = Some(Defect { kind: DefectKind::TrailingBytes, message });
+        draft.defect = Some(Defect::untidy(message));
     }
     let triangles = bytes.get(HEADER + 4..).unwrap_or_default().chunks_exact(TRIANGLE);
     for triangle in triangles.take(count as usize) {

@@ -18,12 +18,7 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for mesh in cx.meshes() {
-        let Some(start) = absolute_start(&mesh.file.value).filter(|_| mesh.file.known) else { continue };
-        // `$(find package)` makes an absolute path too, and the right one everywhere
-        if !mesh.file.is_written(start..start + 1) {
-            continue;
-        }
+    for mesh in cx.meshes().filter(is_absolute) {
         let message =
             format!("mesh `{}` of link `{}` is named by an absolute path", mesh.name(), mesh.link.shown());
         let report = out
@@ -34,6 +29,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             None => report.done(),
         }
     }
+}
+
+/// Whether a mesh is named by an absolute path that the source spells. `$(find package)` makes an absolute path
+/// too, and the right one everywhere.
+pub(super) fn is_absolute(mesh: &MeshUse<'_>) -> bool {
+    let start = absolute_start(&mesh.file.value).filter(|_| mesh.file.known);
+    start.is_some_and(|start| mesh.file.is_written(start..start + 1))
 }
 
 /// Where the path begins, when it is absolute.

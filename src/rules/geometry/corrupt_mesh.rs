@@ -23,9 +23,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let (severity, help) = match defect.kind {
             DefectKind::Corrupt => (Severity::Error, "export or copy it again"),
             DefectKind::LfsPointer => (Severity::Error, "fetch the file itself with `git lfs pull`"),
-            DefectKind::TrailingBytes => {
-                (Severity::Warning, "export it again: readers that go by the size refuse it")
-            }
+            DefectKind::Untidy => (Severity::Warning, "export it again: strict readers refuse it"),
             DefectKind::Unread => continue,
         };
         let message = format!("mesh `{}` of link `{}`: {}", mesh.name(), mesh.link.shown(), defect.message);

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::super::context::{DocumentCx, Surroundings};
+use super::malformed_resource_uri::defect;
 use crate::base::FastMap;
 use crate::expand::{Expansion, FileIdx, XId};
 use crate::model::{Link, Mesh, Shape, ShapeKind, Text};
@@ -161,7 +162,9 @@ pub fn resolve(expansion: &Expansion, world: Surroundings<'_>, name: &Text) -> T
         }
         first.get_or_insert(target);
     }
-    first.unwrap_or(Target::Unknown)
+    // a path with such faults leads nowhere because of them
+    let faulty = matches!(first, Some(Target::Missing(..))) && defect(&name.value).is_some();
+    if faulty { Target::Malformed } else { first.unwrap_or(Target::Unknown) }
 }
 
 fn resolve_from(world: Surroundings<'_>, uri: &str, from: &Path) -> Target {

@@ -21,7 +21,7 @@ pub(super) const RULE: Rule = Rule {
 
 /// Distance that no centre of mass has from the frame of its link, metres.
 const FAR: f64 = 5.0;
-/// By how much of its size a box grows on all sides together.
+/// By how much of its size a box grows on each side.
 const GROWN: f64 = 0.5;
 /// And by how much besides, metres.
 const MARGIN: f64 = 0.01;
@@ -38,7 +38,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let outside = match boxes {
             _ if parts.contains(&Extent::Unknown) => continue,
             Some(bounds) => {
-                let grown = bounds.size().map(|length| length * GROWN / 2.0 + MARGIN);
+                let grown = bounds.size().map(|length| length * GROWN + MARGIN);
                 let around = Bounds::centred(grown.map(|length| length * 2.0));
                 let large = Bounds { min: sum(bounds.min, around.min), max: sum(bounds.max, around.max) };
                 large.outside(centre) > 0.0

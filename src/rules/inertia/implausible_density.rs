@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::geometry::volume;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::moments::inertials;
+use super::moments::{inertials, short};
 
 pub(super) const RULE: Rule = Rule {
     code: "INR007",
@@ -34,7 +34,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if (LIGHT..=HEAVY).contains(&density) {
             continue;
         }
-        let message = format!("link `{}` has a density of {density:.3} kg/m^3", link.shown());
+        let message = format!("link `{}` has a density of {} kg/m^3", link.shown(), short(density));
         out.report(text.origin, message).help("check units: kilograms, and metres for the geometry").done();
     }
 }

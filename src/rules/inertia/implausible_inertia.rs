@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::geometry::{Extent, extent};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::moments::{Verdict, inertia_tag, inertials, verdict};
+use super::moments::{Verdict, inertia_tag, inertials, short, verdict};
 
 pub(super) const RULE: Rule = Rule {
     code: "INR006",
@@ -28,18 +28,17 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let radius = (most / mass).sqrt();
         let (wrong, beside) = match extent(cx, link) {
             Extent::Unknown => continue,
-            Extent::Nothing => (radius > FAR, "that of no link".to_owned()),
+            Extent::Nothing => (radius > FAR, "no link is so large".to_owned()),
             Extent::Known(bounds) => {
                 let half = bounds.diagonal() / 2.0;
                 let wrong = half > 0.0 && (radius > 2.0 * half || radius < half / 50.0);
-                (wrong, format!("its geometry reaches {half:.3} m"))
+                (wrong, format!("its geometry has a radius of {} m", short(half)))
             }
         };
         if wrong {
-            let message = format!(
-                "inertia of link `{}` means a radius of gyration of {radius:.2e} m; {beside}",
-                link.shown()
-            );
+            let (name, radius) = (link.shown(), short(radius));
+            let message =
+                format!("inertia of link `{name}` means a radius of gyration of {radius} m; {beside}");
             out.report(inertia_tag(cx.expansion, inertial), message)
                 .help("check units: kg m^2, not kg mm^2 or g mm^2")
                 .done();

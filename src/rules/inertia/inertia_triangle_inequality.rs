@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::moments::{Verdict, inertia_tag, inertials, verdict};
+use super::moments::{Verdict, inertia_tag, inertials, short, verdict};
 
 pub(super) const RULE: Rule = Rule {
     code: "INR005",
@@ -41,11 +41,4 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .help("no body has such moments: compute them again from mass and shape")
             .done();
     }
-}
-
-/// A number for people.
-fn short(number: f64) -> String {
-    let text = format!("{number:.4e}");
-    let plain = format!("{}", text.parse::<f64>().unwrap_or(number));
-    if plain.len() <= text.len() { plain } else { text }
 }

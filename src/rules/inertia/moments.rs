@@ -57,9 +57,16 @@ pub(super) fn inertia_tag(expansion: &Expansion, inertial: &Inertial) -> Origin 
     tag_start(expansion, inertial.inertia_element.unwrap_or(inertial.element))
 }
 
+/// A number for people: four digits, as short as it goes.
+pub(super) fn short(number: f64) -> String {
+    let text = format!("{number:.3e}");
+    let plain = format!("{}", text.parse::<f64>().unwrap_or(number));
+    if plain.len() <= text.len() { plain } else { text }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Verdict, verdict};
+    use super::{Verdict, short, verdict};
 
     #[test]
     fn verdicts() {
@@ -74,5 +81,10 @@ mod tests {
         assert!(is_definite([1e200, 0.0, 0.0, 2e200, 0.0, 2e200]));
         let Verdict::Definite(moments) = verdict([2.0, 0.0, 0.0, 3.0, 1.0, 3.0]) else { panic!() };
         assert!(moments.iter().zip([2.0, 2.0, 4.0]).all(|(a, b)| (a - b).abs() < 1e-12));
+    }
+
+    #[test]
+    fn numbers_for_people() {
+        assert_eq!([0.25, 1234.5678, 1e-7, 0.0123456].map(short), ["0.25", "1235", "1.000e-7", "0.01235"]);
     }
 }
