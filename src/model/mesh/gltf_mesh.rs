@@ -40,7 +40,7 @@ fn corners(data: &Data<'_>, primitive: &Primitive) -> Result<Vec<Point>, Defect>
     if (accessor.component_type, accessor.kind.as_str()) != (FLOAT, "VEC3") {
         return Err(Defect::unread("its positions are not stored as three floats"));
     }
-    let points: Vec<Point> = elements(data, accessor, 12)?.map(|bytes| point(bytes)).collect();
+    let points: Vec<Point> = elements(data, accessor, 12)?.map(point).collect();
     let Some(indices) = primitive.indices else { return Ok(points) };
     let accessor = self::accessor(data, indices)?;
     let size = match accessor.component_type {
