@@ -4,6 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::resources::MeshUse;
+use super::shapes::is_replaceable;
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO019",
@@ -24,7 +25,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let report = out
             .report(mesh.file.origin, message)
             .help("it is found on this machine only; write package://PACKAGE/PATH");
-        match in_package(cx, &mesh).filter(|_| mesh.file.literal) {
+        match in_package(cx, &mesh).filter(|uri| is_replaceable(mesh.file, uri)) {
             Some(uri) => report.replace_with(Safety::Unsafe, format!("write `{uri}`"), uri).done(),
             None => report.done(),
         }
@@ -38,11 +39,13 @@ pub(super) fn is_absolute(mesh: &MeshUse<'_>) -> bool {
     start.is_some_and(|start| mesh.file.is_written(start..start + 1))
 }
 
-/// Where the path begins, when it is absolute.
+/// Where the first name of the path begins, when it is absolute.
 fn absolute_start(value: &str) -> Option<usize> {
     let path = ["file://localhost", "file://", "file:"].iter().find_map(|scheme| value.strip_prefix(scheme));
     let path = path.unwrap_or(value);
-    path.starts_with('/').then(|| value.len() - path.len())
+    // `file:///$(find package)` makes four slashes
+    let has_drive = path.get(1..3) == Some(":/");
+    (path.starts_with('/') || has_drive).then(|| value.len() - path.trim_start_matches('/').len())
 }
 
 /// The file as a URI of the package that holds it.

@@ -4,6 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::resources::Target;
+use super::shapes::is_replaceable;
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO002",
@@ -28,7 +29,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let report = out.report(mesh.file.origin, message).help(help);
         // the path ends as the file does, but for case
         let tail = tail_of(written, &found);
-        match tail.filter(|_| mesh.file.literal) {
+        match tail.filter(|tail| is_replaceable(mesh.file, tail)) {
             Some(spelled) => report.replace_with(Safety::Safe, "spell it as the file is", spelled).done(),
             None => report.done(),
         }

@@ -4,6 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::malformed_resource_uri::defect;
+use super::shapes::is_replaceable;
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO020",
@@ -37,7 +38,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .target
             .file()
             .and_then(|path| Some(path.strip_prefix(&package.folder).ok()?.to_str()?.to_owned()));
-        match inside.filter(|inside| mesh.file.literal && !inside.contains("..")) {
+        match inside.filter(|inside| is_replaceable(mesh.file, inside) && !inside.contains("..")) {
             Some(inside) => {
                 let uri = format!("package://{}/{inside}", package.name);
                 report.replace_with(Safety::Unsafe, format!("write `{uri}`"), uri).done();

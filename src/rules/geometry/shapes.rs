@@ -39,3 +39,9 @@ pub(super) fn resource_names<'a>(cx: &'a DocumentCx<'_>) -> Vec<&'a Text> {
     });
     meshes.chain(materials(cx).filter_map(|material| material.texture_file.as_ref())).collect()
 }
+
+/// Whether a value may be replaced by `content`: the source spells it, and neither needs entities.
+pub(super) fn is_replaceable(text: &Text, content: &str) -> bool {
+    let is_plain = |text: &str| !text.contains(['&', '<', '"', '\'', '$']);
+    text.literal && is_plain(&text.value) && is_plain(content)
+}

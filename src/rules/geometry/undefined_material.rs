@@ -3,7 +3,7 @@
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::shapes::{is_defined, visual_materials};
+use super::shapes::{is_defined, is_replaceable, visual_materials};
 use crate::base::FastSet;
 use crate::workspace::nearest;
 
@@ -36,7 +36,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         }
         let report = out
             .report(text.origin, format!("material `{name}` of link `{}` is defined nowhere", link.shown()));
-        match nearest(name, defined.iter().copied()) {
+        match nearest(name, defined.iter().copied()).filter(|near| is_replaceable(text, near)) {
             Some(near) => {
                 let report = report.help(format!("a material with a similar name exists: `{near}`"));
                 report.replace_with(Safety::Unsafe, format!("rename it to `{near}`"), near).done();
