@@ -8,6 +8,8 @@
     clippy::disallowed_methods
 )] // a test may fail loudly
 
+mod meshes;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -71,7 +73,8 @@ fn files(block: &Block) -> (Vec<(String, String)>, Vec<Place>) {
     for line in &block.lines {
         let (name, lines) = files.last_mut().unwrap();
         if let Some(next) = line.strip_prefix("//- ") {
-            if lines.is_empty() {
+            // the block begins with a name of its own
+            if lines.is_empty() && files.len() == 1 {
                 files.pop();
             }
             files.push((next.to_owned(), Vec::new()));
@@ -94,10 +97,14 @@ fn check(rule: &Rule, number: usize, block: &Block) -> (Vec<(&'static str, Sever
     let _ = fs::remove_dir_all(&folder);
     let (files, places) = files(block);
     for (name, text) in &files {
+        // `//- part.stl: box 0.1` is a binary mesh
+        let (name, mesh) =
+            name.split_once(": ").map_or((name.as_str(), None), |(name, mesh)| (name, Some(mesh)));
         let path = folder.join(name);
         fs::create_dir_all(path.parent().unwrap()).unwrap();
         let latin_1 = || text.chars().map(|c| u8::try_from(c).unwrap()).collect();
-        fs::write(path, if block.latin_1 { latin_1() } else { text.clone().into_bytes() }).unwrap();
+        let text = || if block.latin_1 { latin_1() } else { text.clone().into_bytes() };
+        fs::write(path, mesh.map_or_else(text, meshes::binary_stl)).unwrap();
     }
     let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), folder.join("none").display().to_string())]);
     let env = Environment { vars, cwd: folder.clone() };

@@ -25,6 +25,12 @@ pub fn attr_range(expansion: &Expansion, element: XId, name: &str) -> Option<Ori
     Some(Origin { range: node(expansion, origin)?.attr(name)?.range(), ..origin })
 }
 
+/// Whether the source of an element has elements inside, whatever became of them.
+pub fn source_has_elements(expansion: &Expansion, element: XId) -> bool {
+    let origin = expansion.tree.get(element).origin;
+    node(expansion, origin).is_none_or(|node| node.child_elements().next().is_some())
+}
+
 /// The source element whose start tag is at `origin`.
 fn node(expansion: &Expansion, origin: Origin) -> Option<Node<'_>> {
     let item = &expansion.sources.get(origin.src.0 as usize)?.item;

@@ -85,6 +85,12 @@ impl Text {
         text.split(is_blank).filter(|word| !word.is_empty()).map(word)
     }
 
+    /// Whether the source spells the part `range` of the value: no expression had a hand in it.
+    pub fn is_written(&self, range: Range<usize>) -> bool {
+        let (start, end) = (range.start as u32, range.end as u32);
+        !self.pieces.iter().any(|piece| piece.out.start < end && start < piece.out.end)
+    }
+
     /// Where the part `range` of the value stands in the source: that text itself when it is written there,
     /// the expression that made it, or the whole value when it comes from several places.
     pub fn part(&self, range: Range<usize>) -> Origin {

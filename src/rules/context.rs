@@ -1,5 +1,8 @@
 //! What rules see.
 
+use std::cell::OnceCell;
+
+use super::geometry::Resources;
 use crate::base::FastSet;
 use crate::expand::{Expansion, FileIdx, XId};
 use crate::model::{Joint, Kinematics, Link, Meshes, Robot};
@@ -66,6 +69,8 @@ pub struct DocumentCx<'a> {
     pub robot: Option<&'a Robot>,
     /// What lies around it.
     pub world: Surroundings<'a>,
+    /// The meshes that the robot names, once a rule has asked.
+    pub(super) resources: OnceCell<Resources>,
 }
 
 impl DocumentCx<'_> {

@@ -1,5 +1,7 @@
 //! Running rules.
 
+use std::cell::OnceCell;
+
 use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings};
 use super::finding::{Edit, Finding, Fix, Related};
 use super::package::is_news;
@@ -36,7 +38,8 @@ pub fn check_expansion(
         .iter()
         .map(|probe| (probe.content, RootKind::Library, Some(Robot::below(&expansion.tree, probe.content))));
     for (element, kind, robot) in whole.into_iter().chain(probes) {
-        let document = DocumentCx { expansion, element, kind, explicit, robot: robot.as_ref(), world };
+        let (robot, resources) = (robot.as_ref(), OnceCell::new());
+        let document = DocumentCx { expansion, element, kind, explicit, robot, world, resources };
         run(&mut sink, |rule, sink| {
             if let Check::Document(check) = rule.check {
                 check(&document, sink);
