@@ -3,7 +3,7 @@
 use nalgebra::{Matrix4, Rotation3, Translation3, Unit, Vector3};
 use roxmltree::{Document, Node, ParsingOptions};
 
-use super::dae_geometry::{Triangles, numbers, triangles};
+use super::dae_geometry::{Arrays, Triangles, numbers, triangles};
 use super::defect::{Defect, DefectKind};
 use super::draft::{Dependency, Draft, UpAxis};
 use super::placed::Placed;
@@ -11,8 +11,8 @@ use crate::base::FastMap;
 
 /// Nodes of a file that are read.
 const MOST_NODES: u32 = 4_000_000;
-/// Nodes of scenes that are visited, instances counted.
-const MOST_VISITS: usize = 100_000;
+/// Elements of scenes that are visited, instances counted.
+const MOST_VISITS: usize = 1_000_000;
 
 /// Read a Collada file. Some exporters write `<` into attributes, and most readers do not mind.
 pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Defect> {
@@ -32,7 +32,7 @@ fn parse(text: &str) -> Result<Document<'_>, Defect> {
     let options = ParsingOptions { nodes_limit: MOST_NODES, ..ParsingOptions::default() };
     Document::parse_with_options(text, options).map_err(|error| match error {
         roxmltree::Error::DtdDetected => Defect::unread("it has a document type"),
-        roxmltree::Error::NodesLimitReached => Defect::unread("it has too many elements"),
+        roxmltree::Error::NodesLimitReached => Defect::too_large("it has too many elements"),
         error => Defect::corrupt(format!("it is not well-formed XML: {error}")),
     })
 }
@@ -64,7 +64,8 @@ fn document_of(document: &Document<'_>, draft: &mut Draft) -> Result<(), Defect>
         return Err(Defect::corrupt("its root element is not `COLLADA`"));
     }
     header(root, draft);
-    let mut scene = Scene { ids: FastMap::default(), made: FastMap::default(), draft };
+    let mut scene =
+        Scene { ids: FastMap::default(), made: FastMap::default(), arrays: Arrays::default(), draft };
     for node in root.descendants() {
         if let Some(id) = node.attribute("id") {
             scene.ids.entry(id).or_insert(node);
@@ -100,6 +101,7 @@ fn header(root: Node<'_, '_>, draft: &mut Draft) {
 struct Scene<'a, 'input, 'd> {
     ids: FastMap<&'a str, Node<'a, 'input>>,
     made: FastMap<&'a str, Triangles>,
+    arrays: Arrays,
     draft: &'d mut Draft,
 }
 
@@ -117,9 +119,9 @@ impl<'a, 'input> Scene<'a, 'input, '_> {
         let mut open = vec![(scene, start)];
         let mut visits = 0;
         while let Some((node, around)) = open.pop() {
-            visits += 1;
+            visits += 1 + node.children().count();
             if visits > MOST_VISITS {
-                return Err(Defect::unread("its nodes contain each other, or are too many"));
+                return Err(Defect::too_large("its nodes contain each other, or are too many"));
             }
             let here = around * transform(node)?;
             for part in node.children().filter(Node::is_element) {
@@ -150,7 +152,7 @@ impl<'a, 'input> Scene<'a, 'input, '_> {
     fn place(&mut self, geometry: Node<'a, 'input>, at: &Matrix4<f64>) -> Result<(), Defect> {
         let id = geometry.attribute("id").unwrap_or_default();
         if !self.made.contains_key(id) || id.is_empty() {
-            self.made.insert(id, triangles(geometry, &self.ids)?);
+            self.made.insert(id, triangles(geometry, &self.ids, &mut self.arrays)?);
         }
         let placed = Placed::new(*at);
         let triangles = self.made.get(id).map(Vec::as_slice).unwrap_or_default();

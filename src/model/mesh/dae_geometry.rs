@@ -1,8 +1,9 @@
 //! The geometries of Collada.
 
+use std::rc::Rc;
 use std::str::FromStr;
 
-use roxmltree::Node;
+use roxmltree::{Node, NodeId};
 
 use super::dae::{child, children, fragment};
 use super::defect::Defect;
@@ -12,14 +13,17 @@ use crate::base::FastMap;
 /// Corners of triangles in the frame of a geometry.
 pub(super) type Triangles = Vec<[Point; 3]>;
 
+/// Arrays that were read, with their stride: a file may name the same large one again and again.
+pub(super) type Arrays = FastMap<(NodeId, usize), Rc<[Point]>>;
+
 /// The triangles of a `geometry`.
 pub(super) fn triangles<'a, 'input>(
     geometry: Node<'a, 'input>,
     ids: &FastMap<&'a str, Node<'a, 'input>>,
+    arrays: &mut Arrays,
 ) -> Result<Triangles, Defect> {
     let mut found = Vec::new();
     let Some(mesh) = child(geometry, "mesh") else { return Ok(found) };
-    let mut positions: Option<(Node<'_, '_>, Vec<Point>)> = None;
     for part in mesh.children().filter(Node::is_element) {
         let name = part.tag_name().name();
         if !matches!(name, "triangles" | "polylist" | "polygons" | "trifans" | "tristrips") {
@@ -29,11 +33,8 @@ pub(super) fn triangles<'a, 'input>(
         let vertices = ids.get(vertices).copied();
         let vertices =
             vertices.ok_or_else(|| Defect::corrupt(format!("`{name}` names vertices that are missing")))?;
-        if positions.as_ref().is_none_or(|(node, _)| *node != vertices) {
-            positions = Some((vertices, points(vertices, ids)?));
-        }
-        let points = positions.as_ref().map(|(_, points)| points.as_slice()).unwrap_or_default();
-        primitive(part, &layout, points, &mut found)?;
+        let points = points(vertices, ids, arrays)?;
+        primitive(part, &layout, &points, &mut found)?;
     }
     Ok(found)
 }
@@ -60,7 +61,8 @@ fn layout<'a>(part: Node<'a, '_>) -> Option<(&'a str, Layout)> {
 fn points<'a, 'input>(
     vertices: Node<'a, 'input>,
     ids: &FastMap<&'a str, Node<'a, 'input>>,
-) -> Result<Vec<Point>, Defect> {
+    arrays: &mut Arrays,
+) -> Result<Rc<[Point]>, Defect> {
     let missing = || Defect::corrupt("the positions of its vertices are missing");
     let position = children(vertices, "input").find(|input| input.attribute("semantic") == Some("POSITION"));
     let source = position.and_then(|input| ids.get(fragment(input.attribute("source")?)?));
@@ -69,8 +71,14 @@ fn points<'a, 'input>(
     let accessor = child(source, "technique_common").and_then(|common| child(common, "accessor"));
     let stride = accessor.and_then(|accessor| accessor.attribute("stride")?.trim().parse().ok());
     let stride = stride.filter(|&stride: &usize| stride >= 3).unwrap_or(3);
+    if let Some(known) = arrays.get(&(array.id(), stride)) {
+        return Ok(known.clone());
+    }
     let values: Vec<f64> = numbers(array)?;
-    Ok(values.chunks(stride).filter_map(|chunk| chunk.first_chunk::<3>().copied()).collect())
+    let points: Rc<[Point]> =
+        values.chunks(stride).filter_map(|chunk| chunk.first_chunk::<3>().copied()).collect();
+    arrays.insert((array.id(), stride), points.clone());
+    Ok(points)
 }
 
 /// The numbers in the text of an element.

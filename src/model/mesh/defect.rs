@@ -18,7 +18,9 @@ pub enum DefectKind {
     LfsPointer,
     /// It can be read, but strict readers refuse it.
     Untidy,
-    /// It may be good: it is too large, or uses what is not read here.
+    /// It takes more to read than a mesh of a robot should, and was given up.
+    TooLarge,
+    /// It may be good: it uses what is not read here.
     Unread,
 }
 
@@ -29,6 +31,10 @@ impl Defect {
 
     pub(super) fn untidy(message: impl Into<String>) -> Self {
         Self { kind: DefectKind::Untidy, message: message.into() }
+    }
+
+    pub(super) fn too_large(message: impl Into<String>) -> Self {
+        Self { kind: DefectKind::TooLarge, message: message.into() }
     }
 
     pub(super) fn unread(message: impl Into<String>) -> Self {

@@ -3,6 +3,9 @@
 use super::defect::Defect;
 use super::soup::Soup;
 
+/// Further files that are looked for.
+pub(super) const MOST_DEPENDENCIES: usize = 1000;
+
 /// The formats of meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeshFormat {
@@ -69,7 +72,8 @@ impl Draft {
 
     /// Note a file that is needed, once.
     pub(super) fn needs(&mut self, dependency: Dependency) {
-        if !dependency.name.is_empty() && !self.dependencies.contains(&dependency) {
+        let room = self.dependencies.len() < MOST_DEPENDENCIES;
+        if room && !dependency.name.is_empty() && !self.dependencies.contains(&dependency) {
             self.dependencies.push(dependency);
         }
     }

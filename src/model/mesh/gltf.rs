@@ -1,15 +1,18 @@
 //! glTF 2.0, as JSON with buffers beside it and as one binary file.
 
+use std::cell::Cell;
+
 use nalgebra::{Matrix4, Quaternion, Translation3, UnitQuaternion, Vector3};
 
 use super::defect::Defect;
 use super::draft::{Dependency, Draft, UpAxis};
 use super::gltf_json::{Buffer, Gltf, Node};
-use super::gltf_mesh::{Data, triangles};
+use super::gltf_mesh::{Data, MOST_ELEMENTS, triangles};
 use super::placed::Placed;
+use crate::base::FastSet;
 
-/// Nodes that are visited.
-const MOST_VISITS: usize = 100_000;
+/// Nodes that are visited, instances counted.
+const MOST_VISITS: usize = 1_000_000;
 
 /// Reads a file beside the mesh; none when it is not there.
 pub(super) type Beside<'a> = &'a dyn Fn(&str) -> Option<Vec<u8>>;
@@ -33,7 +36,7 @@ pub(super) fn read(bytes: &[u8], beside: Beside<'_>, draft: &mut Draft) -> Resul
     for (index, buffer) in gltf.buffers.iter().enumerate() {
         buffers.push(buffer_bytes(buffer, binary.filter(|_| index == 0), beside)?);
     }
-    scene(&gltf, &Data { gltf: &gltf, buffers: &buffers }, draft)
+    scene(&gltf, &Data { gltf: &gltf, buffers: &buffers, budget: Cell::new(MOST_ELEMENTS) }, draft)
 }
 
 /// Whether what is read here would not be the geometry.
@@ -97,7 +100,8 @@ fn scene(gltf: &Gltf, data: &Data<'_>, draft: &mut Draft) -> Result<(), Defect> 
     let tops = match scene {
         Some(scene) => scene.nodes.clone(),
         None => {
-            let held: Vec<usize> = gltf.nodes.iter().flat_map(|node| node.children.iter().copied()).collect();
+            let held: FastSet<usize> =
+                gltf.nodes.iter().flat_map(|node| node.children.iter().copied()).collect();
             (0..gltf.nodes.len()).filter(|node| !held.contains(node)).collect()
         }
     };
@@ -105,12 +109,12 @@ fn scene(gltf: &Gltf, data: &Data<'_>, draft: &mut Draft) -> Result<(), Defect> 
         tops.into_iter().map(|top| (top, Matrix4::identity())).collect();
     let mut visits = 0;
     while let Some((index, around)) = open.pop() {
-        visits += 1;
-        if visits > MOST_VISITS {
-            return Err(Defect::unread("its nodes contain each other, or are too many"));
-        }
         let missing = || Defect::corrupt(format!("it names node {index}, which is missing"));
         let node = gltf.nodes.get(index).ok_or_else(missing)?;
+        visits += 1 + node.children.len();
+        if visits > MOST_VISITS {
+            return Err(Defect::too_large("its nodes contain each other, or are too many"));
+        }
         let here = around * transform(node);
         open.extend(node.children.iter().map(|&child| (child, here)));
         if let Some(mesh) = node.mesh {

@@ -1,5 +1,7 @@
 //! The triangles of a mesh of glTF.
 
+use std::cell::Cell;
+
 use super::dae_geometry::{Triangles, fan, strip};
 use super::defect::Defect;
 use super::gltf_json::{Accessor, Gltf, Primitive};
@@ -14,7 +16,12 @@ const FLOAT: u32 = 5126;
 pub(super) struct Data<'a> {
     pub(super) gltf: &'a Gltf,
     pub(super) buffers: &'a [Option<Vec<u8>>],
+    /// Elements of accessors that may still be read.
+    pub(super) budget: Cell<usize>,
 }
+
+/// Elements of accessors that are read: a small file may name the same large one again and again.
+pub(super) const MOST_ELEMENTS: usize = 50_000_000;
 
 /// The triangles of a mesh in its own frame.
 pub(super) fn triangles(data: &Data<'_>, mesh: usize) -> Result<Triangles, Defect> {
@@ -86,5 +93,7 @@ fn elements<'a>(
         let count = accessor.count;
         return Err(Defect::corrupt(format!("it claims {count} elements where {fitting} fit")));
     }
+    let left = data.budget.get().checked_sub(accessor.count);
+    data.budget.set(left.ok_or_else(|| Defect::too_large("it uses the same data too often"))?);
     Ok(part.chunks(stride).take(accessor.count).filter_map(move |chunk| chunk.get(..size)))
 }

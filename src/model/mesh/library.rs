@@ -44,7 +44,7 @@ impl Meshes {
         read.unwrap_or_else(|error| {
             let defect = match error.kind {
                 LoadErrorKind::TooLarge { limit } => {
-                    Defect::unread(format!("it has more than {} megabytes", limit / 1_000_000))
+                    Defect::too_large(format!("it has more than {} megabytes", limit / 1_000_000))
                 }
                 LoadErrorKind::PermissionDenied | LoadErrorKind::Other => {
                     Defect::unread(format!("it cannot be read: {}", error.strerror))
@@ -67,24 +67,29 @@ impl Meshes {
     pub fn missing(&self, vfs: &Vfs, path: &Path, mesh: &Mesh) -> Vec<Missing> {
         let mut missing = Vec::new();
         for Dependency { name, is_material_library } in &mesh.dependencies {
-            // several libraries may be named in one line
-            let is_there = |name: &str| find(vfs, path, name);
-            let whole = is_there(name).map(|found| vec![found]);
-            let words = || name.split_whitespace().map(is_there).collect::<Option<Vec<PathBuf>>>();
-            let found = whole.or_else(|| if *is_material_library { words() } else { None });
-            let Some(found) = found else {
-                missing.push(Missing::new(name, None));
-                continue;
-            };
-            for library in found.iter().filter(|_| *is_material_library) {
-                let textures =
-                    vfs.derive(&self.textures, library, MOST_MATERIAL_BYTES, |bytes| obj::textures(&bytes));
-                let textures = textures.map(|textures| textures.to_vec()).unwrap_or_default();
-                let gone = textures.iter().filter(|texture| find(vfs, library, texture).is_none());
-                missing.extend(gone.map(|texture| Missing::new(texture, Some(name))));
+            // several libraries may be named in one line; a name may have blanks
+            let words = name.split_whitespace().collect::<Vec<_>>();
+            let is_list = *is_material_library
+                && find(vfs, path, name).is_none()
+                && words.iter().any(|word| find(vfs, path, word).is_some());
+            for name in if is_list { words } else { vec![name.as_str()] } {
+                match find(vfs, path, name) {
+                    None => missing.push(Missing::new(name, None)),
+                    Some(library) if *is_material_library => {
+                        missing.extend(self.missing_textures(vfs, &library, name));
+                    }
+                    Some(_) => {}
+                }
             }
         }
         missing
+    }
+
+    fn missing_textures(&self, vfs: &Vfs, library: &Path, name: &str) -> Vec<Missing> {
+        let make = |bytes: Vec<u8>| obj::textures(&bytes);
+        let textures = vfs.derive(&self.textures, library, MOST_MATERIAL_BYTES, make).unwrap_or_default();
+        let gone = textures.iter().filter(|texture| find(vfs, library, texture).is_none());
+        gone.map(|texture| Missing::new(texture, Some(name))).collect()
     }
 }
 

@@ -84,7 +84,7 @@ impl Mesh {
 
     fn of(draft: Draft, read: Result<(), Defect>) -> Self {
         let Draft { format, soup, unit, up_axis, dependencies, defect } = draft;
-        let surface = read.as_ref().ok().and_then(|()| Surface::of(&soup));
+        let surface = read.as_ref().ok().and_then(|()| Surface::of(&soup.complete()));
         let defect = match read {
             Err(defect) => Some(defect),
             Ok(()) if surface.is_none() => Some(Defect::corrupt("it has no triangles")),

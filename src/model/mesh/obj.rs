@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::defect::Defect;
-use super::draft::{Dependency, Draft};
+use super::draft::{Dependency, Draft, MOST_DEPENDENCIES};
 use super::soup::Point;
 
 /// Read an OBJ file.
@@ -45,7 +45,8 @@ pub(super) fn textures(bytes: &[u8]) -> Vec<String> {
         let rest = rest.trim();
         let name = if rest.starts_with('-') { rest.rsplit(char::is_whitespace).next() } else { Some(rest) };
         let name = name.unwrap_or_default().trim_matches('"').to_owned();
-        if names_file && !name.is_empty() && !names.contains(&name) {
+        let room = names.len() < MOST_DEPENDENCIES;
+        if names_file && room && !name.is_empty() && !names.contains(&name) {
             names.push(name);
         }
     }

@@ -30,7 +30,7 @@ impl Soup {
             return Err(Defect::corrupt(format!("a corner of triangle {number} is not a finite point")));
         }
         if self.triangles.len() >= MOST_TRIANGLES {
-            return Err(Defect::unread(format!("it has more than {MOST_TRIANGLES} triangles")));
+            return Err(Defect::too_large(format!("it has more than {MOST_TRIANGLES} triangles")));
         }
         let triangle = corners.map(|corner| self.point(corner));
         self.triangles.push(triangle);
@@ -44,6 +44,12 @@ impl Soup {
             self.points.push(point);
             self.points.len() as u32 - 1
         })
+    }
+
+    /// All triangles are there: what only serves to find equal points is given back.
+    pub(super) fn complete(mut self) -> Self {
+        self.known = FastMap::default();
+        self
     }
 
     /// The corners of a triangle.

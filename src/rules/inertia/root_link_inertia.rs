@@ -29,7 +29,8 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let report =
         out.report(name.origin, message).help("put a link without inertia above it, joined by a fixed joint");
     let tag = tag_start(cx.expansion, link.element);
-    match cx.expansion.place(tag).filter(|_| name.literal && cx.robot.link("base_footprint").is_none()) {
+    let is_plain = name.literal && !name.value.contains(['&', '<', '"']);
+    match cx.expansion.place(tag).filter(|_| is_plain && cx.robot.link("base_footprint").is_none()) {
         Some(place) => {
             let above = format!(
                 r#"<link name="base_footprint"/>
