@@ -24,7 +24,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         };
         // what xacro tags inside would have given may be lost
-        let certain = cx.kind == RootKind::Robot && cx.expansion.whole;
+        let certain = cx.kind == RootKind::Robot && cx.expansion.whole && cx.expansion.problems.is_empty();
         if certain || !source_has_elements(cx.expansion, geometry.element) {
             let message = format!("link `{}`: `geometry` is empty", link.shown());
             let origin = tag_start(cx.expansion, geometry.element);

@@ -23,7 +23,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         cx.robot.into_iter().flat_map(|robot| &robot.materials).filter(|material| !is_defined(material))
     {
         // what xacro tags inside would have given may be lost
-        let certain = cx.kind == RootKind::Robot && cx.expansion.whole;
+        let certain = cx.kind == RootKind::Robot && cx.expansion.whole && cx.expansion.problems.is_empty();
         if certain || !source_has_elements(cx.expansion, material.element) {
             let name = material.name.as_ref().map_or("", |name| name.value.as_str());
             let message = format!("material `{name}` has neither colour nor texture");
