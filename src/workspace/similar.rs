@@ -11,7 +11,7 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         if candidate == word || letters.len().abs_diff(other.len()) > limit {
             continue;
         }
-        if letters.len() == 2 && letters.first() != other.first() {
+        if letters.len() == 2 && (other.len() != 2 || letters.first() != other.first()) {
             continue;
         }
         let distance = distance(&letters, &other);
