@@ -17,6 +17,7 @@ mod package;
 mod place;
 mod registry;
 mod run;
+pub mod schema;
 mod selection;
 mod sink;
 mod structure;

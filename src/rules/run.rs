@@ -15,6 +15,12 @@ use crate::model::{Kinematics, Robot};
 const LOSES_CONTENT: [&str; 8] =
     ["XML001", "XML002", "XAC002", "XAC004", "XAC009", "XAC032", "XAC034", "XAC041"];
 
+/// Whether all elements of an expansion are there.
+pub(super) fn is_whole(expansion: &Expansion) -> bool {
+    let loses = |problem: &Problem| !problem.probed && LOSES_CONTENT.contains(&problem.code);
+    expansion.whole && !expansion.problems.iter().any(loses)
+}
+
 /// What expansion reported, and what the rules say about the expanded document.
 pub fn check_expansion(
     expansion: &Expansion,
@@ -45,9 +51,7 @@ pub fn check_expansion(
     }
     if let Some(robot) = robot.as_ref().filter(|_| kind == RootKind::Robot) {
         let kinematics = Kinematics::of(robot);
-        let loses = |problem: &Problem| !problem.probed && LOSES_CONTENT.contains(&problem.code);
-        let lost = expansion.problems.iter().any(loses);
-        let whole = expansion.whole && !lost && !unprefixed.structure && robot.names_are_known();
+        let whole = is_whole(expansion) && !unprefixed.structure && robot.names_are_known();
         let cx = RobotCx { expansion, robot, kinematics: &kinematics, world, whole };
         run(&mut sink, |rule, sink| {
             if let Check::Robot(check) = rule.check {
