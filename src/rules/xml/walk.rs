@@ -30,12 +30,12 @@ pub(super) fn elements(cx: &DocumentCx<'_>) -> Vec<Seen> {
             let children = tree.elements(element.id).map(|id| {
                 let name = tree.get(id).text.as_str();
                 // a library may be meant for the inside of a link or a joint
-                let elsewhere = || {
-                    let anywhere = cx.kind == RootKind::Library && element.parent.is_none();
-                    schema::urdf_element(name).filter(|_| anywhere)
-                };
-                Seen { id, spec: spec.child(name).or_else(elsewhere), parent: Some(spec) }
+                let anywhere = cx.kind == RootKind::Library && element.parent.is_none();
+                let elsewhere = || schema::urdf_element(name).filter(|_| anywhere);
+                let spec_here = spec.child(name).or_else(elsewhere);
+                (Seen { id, spec: spec_here, parent: Some(spec) }, anywhere && is_foreign(cx, id))
             });
+            let children = children.filter(|(_, foreign)| !foreign).map(|(child, _)| child);
             let start = open.len();
             open.extend(children);
             open.get_mut(start..).into_iter().for_each(<[Seen]>::reverse);
@@ -45,10 +45,28 @@ pub(super) fn elements(cx: &DocumentCx<'_>) -> Vec<Seen> {
     seen
 }
 
+/// Whether an element of a library is meant for the inside of a free zone: SDF holds text, ros2_control
+/// interfaces, URDF neither.
+fn is_foreign(cx: &DocumentCx<'_>, element: XId) -> bool {
+    const INTERFACES: [&str; 3] = ["command_interface", "state_interface", "param"];
+    let tree = &cx.expansion.tree;
+    let mut open = vec![element];
+    while let Some(id) = open.pop() {
+        let node = tree.get(id);
+        let has_text = node.kind == XKind::Text && !node.text.trim().is_empty();
+        if has_text || INTERFACES.contains(&node.text.as_str()) {
+            return true;
+        }
+        open.extend(tree.children(id));
+    }
+    false
+}
+
 /// Those that the schema knows, without the blocks that are meant for other tools.
 pub(super) fn known(cx: &DocumentCx<'_>) -> impl Iterator<Item = (XId, &'static ElementSpec)> {
     let known = elements(cx).into_iter().filter_map(|seen| Some((seen.id, seen.spec?)));
-    known.filter(|(_, spec)| !is_free_zone(spec.name))
+    let is_element = |id: XId| cx.expansion.tree.get(id).kind == XKind::Element;
+    known.filter(move |&(id, spec)| is_element(id) && !is_free_zone(spec.name))
 }
 
 /// What an element belongs to, for messages: "joint `elbow`".
