@@ -13,6 +13,7 @@ mod geometry;
 mod inertia;
 mod joint;
 mod linter;
+mod mend;
 mod package;
 mod place;
 mod registry;

@@ -2,6 +2,7 @@
 
 use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings};
 use super::finding::{Edit, Finding, Fix, Related};
+use super::mend;
 use super::package::is_news;
 use super::place;
 use super::registry::{Check, Rule, Safety, Severity, all, by_code};
@@ -161,6 +162,7 @@ fn finding(expansion: &Expansion, problem: &Problem) -> Option<Finding> {
         message: format!("replace by `{content}`"),
         edits: vec![Edit { span: Span { file, range }, content: content.clone() }],
     });
+    let fix = fix.or_else(|| mend::fix(problem, document, place));
     let mut finding = Finding {
         rule,
         severity: rule.severity,

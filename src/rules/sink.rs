@@ -134,6 +134,14 @@ impl Reported<'_, '_> {
         self
     }
 
+    /// With a further place of a file.
+    #[must_use]
+    pub fn also_at(mut self, place: Place, message: impl Into<String>) -> Self {
+        let span = self.sink.span(place).filter(|span| *span != self.draft.finding.span);
+        self.draft.finding.related.extend(span.map(|span| Related { span, message: message.into() }));
+        self
+    }
+
     /// With another severity than the rule's own.
     #[must_use]
     pub fn severity(mut self, severity: Severity) -> Self {

@@ -20,7 +20,7 @@ use super::registry::{Category::Xml, Rule, Safety, Severity::Error, page};
 
 /// The rules.
 pub(super) static RULES: &[Rule] = &[
-    Rule::found("XML001", "xml-syntax-error", Xml, Error, page!("xml-syntax-error")),
+    Rule::found("XML001", "xml-syntax-error", Xml, Error, page!("xml-syntax-error")).fixed(Safety::Safe),
     Rule::found("XML002", "missing-xacro-namespace", Xml, Error, page!("missing-xacro-namespace"))
         .fixed(Safety::Safe),
     nonstandard_xacro_namespace::RULE,

@@ -1,0 +1,70 @@
+//! Fixes of what expansion reports, where more than the reported text is to be changed.
+
+use super::finding::{Edit, Fix};
+use super::registry::Safety;
+use crate::base::{Span, TextRange};
+use crate::expand::Problem;
+use crate::xml::Document;
+
+/// How to mend a problem in a file, if there is a way.
+pub(super) fn fix(problem: &Problem, document: &Document, span: Span) -> Option<Fix> {
+    match problem.code {
+        "XML001" => blanks_in_front(document, span),
+        "XML002" => declare_namespace(document, span),
+        "XAC005" => add_parameters(problem, span),
+        "XAC033" => remove_children(document, span),
+        _ => None,
+    }
+}
+
+/// The XML declaration must be the first thing in a file.
+fn blanks_in_front(document: &Document, span: Span) -> Option<Fix> {
+    let text = document.text();
+    let blank = text.len() - text.trim_start().len();
+    let declared = text.trim_start().starts_with("<?xml");
+    let only_this = document.errors().len() == 1 && span.range.start as usize == blank;
+    let range = TextRange::new(0, blank as u32);
+    (declared && blank > 0 && only_this).then(|| Fix {
+        safety: Safety::Safe,
+        message: "remove what stands in front of the XML declaration".to_owned(),
+        edits: vec![Edit { span: Span { range, ..span }, content: String::new() }],
+    })
+}
+
+fn declare_namespace(document: &Document, span: Span) -> Option<Fix> {
+    let root = document.root().filter(|root| root.attr("xmlns:xacro").is_none())?;
+    let range = TextRange::empty(root.name_range().end);
+    Some(Fix {
+        safety: Safety::Safe,
+        message: "declare the prefix `xacro`".to_owned(),
+        edits: vec![Edit {
+            span: Span { range, ..span },
+            content: " xmlns:xacro=\"http://www.ros.org/wiki/xacro\"".to_owned(),
+        }],
+    })
+}
+
+/// The help names the attributes to add.
+fn add_parameters(problem: &Problem, span: Span) -> Option<Fix> {
+    let attributes = problem.help.as_deref()?.strip_prefix("add ")?.replace("\"...\"", "\"\"");
+    let range = TextRange::empty(span.range.end);
+    Some(Fix {
+        safety: Safety::Unsafe,
+        message: "add the missing parameters, empty".to_owned(),
+        edits: vec![Edit { span: Span { range, ..span }, content: format!(" {attributes}") }],
+    })
+}
+
+/// Leave the tag of the include alone.
+fn remove_children(document: &Document, span: Span) -> Option<Fix> {
+    let place = document.item_at(span.range.start);
+    let at = |node: &crate::xml::Node<'_>| node.name_range().shift(place.start).end == span.range.end;
+    let include = place.item.all_nodes().find(at)?.parent()?;
+    let (start, end) = (include.start_tag_range(), include.end_tag()?);
+    let range = TextRange::new(start.end, end.start).shift(place.start);
+    Some(Fix {
+        safety: Safety::Safe,
+        message: "remove the content of the include".to_owned(),
+        edits: vec![Edit { span: Span { range, ..span }, content: String::new() }],
+    })
+}

@@ -1,0 +1,124 @@
+//! From definitions and uses back to the tags of the source.
+
+use super::super::context::DocumentCx;
+use crate::base::TextRange;
+use crate::expand::{Definition, Expansion, FileIdx, Frame, FrameKind, Place, SourceRange};
+use crate::vfs::Vfs;
+use crate::xml::Node;
+
+/// Whether a context is about the whole document, not about a macro that nothing calls.
+pub(super) fn is_main(cx: &DocumentCx<'_>) -> bool {
+    cx.expansion.tree.root() == Some(cx.element)
+}
+
+/// The absolute place of a text.
+pub(super) fn place(expansion: &Expansion, at: SourceRange) -> Option<Place> {
+    let source = expansion.sources.get(at.src.0 as usize)?;
+    Some(Place { file: source.file, range: at.range.shift(source.base) })
+}
+
+/// The innermost element whose start tag holds a text, with the offset its ranges count from.
+pub(super) fn tag(expansion: &Expansion, at: SourceRange) -> Option<(u32, Node<'_>)> {
+    let source = expansion.sources.get(at.src.0 as usize)?;
+    let node = source.item.all_nodes().find(|node| node.start_tag_range().contains_range(at.range))?;
+    Some((source.base, node))
+}
+
+/// The tag of a definition.
+pub(super) fn definition_tag<'a>(expansion: &'a Expansion, definition: &Definition) -> Option<Node<'a>> {
+    tag(expansion, definition.place).map(|(_, node)| node)
+}
+
+/// Whether a conditional stands around an element, in its file.
+pub(super) fn is_conditional(node: Node<'_>) -> bool {
+    let around = std::iter::successors(node.parent(), |node| node.parent());
+    around.into_iter().any(|node| matches!(node.name(), "xacro:if" | "xacro:unless"))
+}
+
+/// The macro that an element stands in.
+pub(super) fn macro_around(node: Node<'_>) -> Option<Node<'_>> {
+    std::iter::successors(node.parent(), |node| node.parent()).find(|node| node.name() == "xacro:macro")
+}
+
+/// What to delete to remove an element: with its line, when nothing else is on it.
+pub(super) fn removal(text: &str, element: TextRange) -> TextRange {
+    let before = text.get(..element.start as usize).unwrap_or_default();
+    let behind = text.get(element.end as usize..).unwrap_or_default();
+    let indent = before.len() - before.trim_end_matches([' ', '\t']).len();
+    let rest = behind.len() - behind.trim_start_matches([' ', '\t', '\r']).len();
+    let starts = before.len() == indent || before.as_bytes().get(before.len() - indent - 1) == Some(&b'\n');
+    let ends = behind.as_bytes().get(rest) == Some(&b'\n');
+    if starts && ends {
+        return TextRange::new(element.start - indent as u32, element.end + rest as u32 + 1);
+    }
+    element
+}
+
+/// An include that was carried out.
+pub(super) struct Inclusion<'a> {
+    /// Its frame: index of [`Expansion::frames`].
+    pub frame: u32,
+    /// The tag, from `<` to the end of the name.
+    pub tag: Place,
+    /// The same as an element.
+    pub node: Node<'a>,
+    /// The file that was included.
+    pub target: FileIdx,
+    /// The namespace it was included into, those around it in front; empty: none.
+    pub namespace: String,
+    /// The frame that the tag was reached through.
+    pub within: u32,
+}
+
+/// The includes of an expansion, in order.
+pub(super) fn inclusions<'a>(expansion: &'a Expansion, vfs: &Vfs) -> Vec<Inclusion<'a>> {
+    let mut found: Vec<Inclusion<'a>> = Vec::new();
+    for (number, frame) in (0..).zip(&expansion.frames) {
+        if frame.kind == FrameKind::Include {
+            found.extend(inclusion(expansion, vfs, number, frame, &found));
+        }
+    }
+    found
+}
+
+fn inclusion<'a>(
+    expansion: &'a Expansion,
+    vfs: &Vfs,
+    number: u32,
+    frame: &Frame,
+    earlier: &[Inclusion<'_>],
+) -> Option<Inclusion<'a>> {
+    let document = vfs.document(&vfs.absolute(std::path::Path::new(frame.name.as_str()))).ok()?;
+    let target = expansion.files.iter().position(|file| file.source.id == document.id)?;
+    let (_, node) = tag(expansion, frame.call.into())?;
+    let around = expansion.frames_of(frame.call).find(|frame| frame.kind == FrameKind::Include);
+    let around = around.and_then(|around| {
+        earlier.iter().find(|other| {
+            expansion.frames.get(other.frame as usize).is_some_and(|frame| std::ptr::eq(frame, around))
+        })
+    });
+    let outer = around.map_or("", |around| around.namespace.as_str());
+    let namespace = match node.attr("ns") {
+        Some(ns) => format!("{outer}.{}", ns.raw()),
+        None => outer.to_owned(),
+    };
+    let (tag, within) = (expansion.place(frame.call)?, frame.call.frame.0);
+    Some(Inclusion { frame: number, tag, node, target: FileIdx(target as u32), namespace, within })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::removal;
+    use crate::base::TextRange;
+
+    #[test]
+    fn an_element_goes_with_its_line() {
+        for (text, expected) in [("a\n  <b/> \nc", "a\nc"), ("a <b/>\nc", "a \nc"), ("<b/>\nc", "c"), ("  <b/> c", "   c")]
+        {
+            let start = text.find("<b/>").unwrap() as u32;
+            let range = removal(text, TextRange::new(start, start + 4));
+            let (start, end) = (range.start as usize, range.end as usize);
+            assert_eq!(format!("{}{}", &text[..start], &text[end..]), expected, "{text:?}");
+        }
+    }
+}
