@@ -171,6 +171,13 @@ impl Reported<'_, '_> {
         self
     }
 
+    /// With a fix of edits in any files.
+    #[must_use]
+    pub fn edits(mut self, safety: Safety, message: impl Into<String>, edits: Vec<Edit>) -> Self {
+        self.draft.finding.fix = Some(Fix { safety, message: message.into(), edits });
+        self
+    }
+
     /// With the reported text replaced.
     #[must_use]
     pub fn replace_with(

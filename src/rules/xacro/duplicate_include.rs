@@ -28,7 +28,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let emitting = emitting(cx);
     let mut reported: FastSet<FileIdx> = FastSet::default();
     for (i, later) in inclusions.iter().enumerate() {
-        let same = |other: &&Inclusion<'_>| other.target == later.target && other.namespace == later.namespace;
+        // branches and macros may exclude each other
+        let always = |found: &Inclusion<'_>| {
+            !source::is_conditional(found.node) && source::macro_around(found.node).is_none()
+        };
+        let same = |other: &&Inclusion<'_>| {
+            other.target == later.target && other.namespace == later.namespace && always(other) && always(later)
+        };
         let Some(first) = inclusions.iter().take(i).find(same).filter(|first| first.tag != later.tag) else {
             continue;
         };
@@ -79,7 +85,7 @@ fn report(
     emits: bool,
     out: &mut Sink<'_>,
 ) {
-    let name = cx.expansion.files.get(later.target.0 as usize).map_or("", |file| file.name.as_str());
+    let name = source::file_name(cx.expansion, later.target);
     let report = out
         .report_in(later.tag.file, later.tag.range, format!("`{name}` is included a second time"))
         .also_at(first.tag, "included here first");

@@ -40,6 +40,12 @@ pub(super) fn macro_around(node: Node<'_>) -> Option<Node<'_>> {
     std::iter::successors(node.parent(), |node| node.parent()).find(|node| node.name() == "xacro:macro")
 }
 
+/// The name of a file without its folders.
+pub(super) fn file_name(expansion: &Expansion, file: FileIdx) -> &str {
+    let name = expansion.files.get(file.0 as usize).map_or("", |file| file.name.as_str());
+    name.rsplit('/').next().unwrap_or(name)
+}
+
 /// What to delete to remove an element: with its line, when nothing else is on it.
 pub(super) fn removal(text: &str, element: TextRange) -> TextRange {
     let before = text.get(..element.start as usize).unwrap_or_default();

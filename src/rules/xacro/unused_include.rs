@@ -99,7 +99,7 @@ fn is_used(cx: &DocumentCx<'_>, files: &FastSet<FileIdx>) -> bool {
 
 fn report(cx: &DocumentCx<'_>, inclusion: &Inclusion<'_>, out: &mut Sink<'_>) {
     let file = |number: FileIdx| cx.expansion.files.get(number.0 as usize);
-    let name = file(inclusion.target).map_or("", |file| file.name.as_str());
+    let name = source::file_name(cx.expansion, inclusion.target);
     let text = file(inclusion.tag.file).map(|file| file.source.document.text()).unwrap_or_default();
     let element = inclusion.node.range();
     let start = inclusion.tag.range.start - (inclusion.node.name_range().start - 1 - element.start);
