@@ -64,6 +64,11 @@ impl<'a> Sink<'a> {
         self.draft(span.unwrap_or_else(|| self.nowhere()), Vec::new(), message.into())
     }
 
+    /// Report a defect in a file that need not belong to the expansion.
+    pub fn report_span(&mut self, span: Span, message: impl Into<String>) -> Reported<'_, 'a> {
+        self.draft(span, Vec::new(), message.into())
+    }
+
     fn draft(&mut self, span: Span, calls: Vec<Related>, message: String) -> Reported<'_, 'a> {
         let rule = self.rule;
         let finding = Finding {

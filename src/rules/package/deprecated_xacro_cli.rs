@@ -1,0 +1,54 @@
+//! A launch file that calls xacro in a way of the past.
+
+use super::super::context::{DocumentCx, RootKind};
+use super::super::finding::Edit;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::manifest;
+use crate::base::{Span, TextRange};
+use crate::expand::FileIdx;
+
+pub(super) const RULE: Rule = Rule {
+    code: "PKG007",
+    name: "deprecated-xacro-cli",
+    category: Category::Package,
+    severity: Severity::Warning,
+    default: Activation::Off,
+    since: "0.1",
+    fix: Some(Safety::Safe),
+    docs: page!("deprecated-xacro-cli"),
+    check: Check::Document(check),
+};
+
+/// The words to replace, and by what.
+const WORDS: [(&str, &str, &str); 2] = [
+    ("xacro.py", "xacro", "the program is called `xacro`"),
+    ("--inorder", "", "this is the default since ROS Melodic"),
+];
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    if cx.kind != RootKind::Robot {
+        return;
+    }
+    let Some(manifest) = manifest::of_file(cx.world, cx.expansion, FileIdx(0)) else { return };
+    let vfs = cx.world.vfs;
+    let folder = manifest.folder.join("launch");
+    for entry in vfs.list_dir(&folder) {
+        let path = folder.join(&entry.name);
+        let is_launch = [".launch", ".launch.xml", ".py"].iter().any(|ending| entry.name.ends_with(ending));
+        let Some(file) = is_launch.then(|| vfs.text(&path).ok()).flatten() else { continue };
+        for (word, replacement, help) in WORDS {
+            for (at, _) in file.text.match_indices(word) {
+                let range = TextRange::new(at as u32, (at + word.len()) as u32);
+                let span = Span { file: vfs.file_id(&path), range };
+                let blank = replacement.is_empty() && file.text.get(..at).is_some_and(|text| text.ends_with(' '));
+                let range = TextRange::new(range.start - u32::from(blank), range.end);
+                let edit = Edit { span: Span { range, ..span }, content: replacement.to_owned() };
+                out.report_span(span, format!("`{word}` is a thing of the past"))
+                    .help(help)
+                    .edits(Safety::Safe, "bring it up to date", vec![edit])
+                    .done();
+            }
+        }
+    }
+}
