@@ -1,17 +1,22 @@
 //! Fixes of what expansion reports, where more than the reported text is to be changed.
 
+use std::path::Path;
+
 use super::finding::{Edit, Fix};
 use super::registry::Safety;
 use crate::base::{Span, TextRange};
 use crate::expand::Problem;
-use crate::xml::Document;
+use crate::vfs::{DirEntry, Vfs};
+use crate::workspace::nearest;
+use crate::xml::{Document, Node};
 
 /// How to mend a problem in a file, if there is a way.
-pub(super) fn fix(problem: &Problem, document: &Document, span: Span) -> Option<Fix> {
+pub(super) fn fix(problem: &Problem, document: &Document, span: Span, vfs: &Vfs) -> Option<Fix> {
     match problem.code {
         "XML001" => blanks_in_front(document, span),
         "XML002" => declare_namespace(document, span),
         "XAC005" => add_parameters(problem, span),
+        "XAC008" => other_file(problem, document, span, vfs),
         "XAC033" => remove_children(document, span),
         _ => None,
     }
@@ -55,10 +60,28 @@ fn add_parameters(problem: &Problem, span: Span) -> Option<Fix> {
     })
 }
 
+/// The help names the path; a file beside it may have almost its name.
+fn other_file(problem: &Problem, document: &Document, span: Span, vfs: &Vfs) -> Option<Fix> {
+    let path = Path::new(problem.help.as_deref()?.strip_prefix("looked for ")?);
+    let old = path.file_name()?.to_str()?;
+    let written = document.slice(span.range);
+    let files: Vec<DirEntry> = vfs.list_dir(path.parent()?).into_iter().filter(|file| !file.is_dir).collect();
+    let new = nearest(old, files.iter().map(|file| file.name.as_str()))?;
+    let start = span.range.end - written.strip_suffix(old).map(|_| old.len() as u32)?;
+    Some(Fix {
+        safety: Safety::Unsafe,
+        message: format!("include `{new}`"),
+        edits: vec![Edit {
+            span: Span { range: TextRange::new(start, span.range.end), ..span },
+            content: new.to_owned(),
+        }],
+    })
+}
+
 /// Leave the tag of the include alone.
 fn remove_children(document: &Document, span: Span) -> Option<Fix> {
     let place = document.item_at(span.range.start);
-    let at = |node: &crate::xml::Node<'_>| node.name_range().shift(place.start).end == span.range.end;
+    let at = |node: &Node<'_>| node.name_range().shift(place.start).end == span.range.end;
     let include = place.item.all_nodes().find(at)?.parent()?;
     let (start, end) = (include.start_tag_range(), include.end_tag()?);
     let range = TextRange::new(start.end, end.start).shift(place.start);

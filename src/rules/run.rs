@@ -11,6 +11,7 @@ use super::xacro::is_unprefixed;
 use crate::base::{FastSet, Span};
 use crate::expand::{Expansion, FileIdx, Problem, Step};
 use crate::model::{Kinematics, Robot};
+use crate::vfs::Vfs;
 
 /// Problems after which links and joints may be missing from the expansion.
 const LOSES_CONTENT: [&str; 8] =
@@ -31,7 +32,8 @@ pub fn check_expansion(
 ) -> Vec<Finding> {
     let unprefixed = Unprefixed::of(expansion);
     let problems = expansion.problems.iter().filter(|problem| !unprefixed.explains(expansion, problem));
-    let mut findings: Vec<Finding> = problems.filter_map(|problem| finding(expansion, problem)).collect();
+    let mut findings: Vec<Finding> =
+        problems.filter_map(|problem| finding(expansion, problem, world.vfs)).collect();
     excuse_packages(&mut findings, world);
     let robot = Robot::of(expansion);
     let Some(first) = all().next() else { return findings };
@@ -144,7 +146,7 @@ fn excuse_packages(findings: &mut Vec<Finding>, world: Surroundings<'_>) {
 }
 
 /// A problem of the expander as a finding.
-fn finding(expansion: &Expansion, problem: &Problem) -> Option<Finding> {
+fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Option<Finding> {
     let rule = by_code(problem.code)?;
     let Span { file, range } = span(expansion, problem.place)?;
     let document = &expansion.files.get(problem.place.file.0 as usize)?.source.document;
@@ -162,7 +164,7 @@ fn finding(expansion: &Expansion, problem: &Problem) -> Option<Finding> {
         message: format!("replace by `{content}`"),
         edits: vec![Edit { span: Span { file, range }, content: content.clone() }],
     });
-    let fix = fix.or_else(|| mend::fix(problem, document, place));
+    let fix = fix.or_else(|| mend::fix(problem, document, place, vfs));
     let mut finding = Finding {
         rule,
         severity: rule.severity,

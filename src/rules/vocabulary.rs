@@ -25,7 +25,9 @@ pub(super) fn in_free_zone(node: Node<'_>) -> bool {
 mod tests {
     #[test]
     fn words() {
-        assert!(["robot", "link", "capsule", "gazebo", "ros2_control"].map(super::is_urdf_element) == [true; 5]);
+        assert!(
+            ["robot", "link", "capsule", "gazebo", "ros2_control"].map(super::is_urdf_element) == [true; 5]
+        );
         assert!(["lnik", "hardware", "param"].map(super::is_urdf_element) == [false; 3]);
     }
 }

@@ -22,7 +22,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let ends = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit();
         let snake = name.value.chars().all(|c| ends(c) || c == '_') && name.value.starts_with(ends);
         if !snake && !name.value.is_empty() {
-            let message = format!("the name of {} `{}` is not in lower case with `_`", named.word(), name.value);
+            let message =
+                format!("the name of {} `{}` is not in lower case with `_`", named.word(), name.value);
             out.report(name.origin, message).help("names such as `upper_arm_link` are usual in ROS").done();
         }
     }

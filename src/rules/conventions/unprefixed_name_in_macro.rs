@@ -33,7 +33,8 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         if !names.iter().any(uses) || is_called_without(cx, base, node, prefix) {
             continue;
         }
-        let fixed = |name: &&Attr<'_>| !name.has_dollar() && !name.raw().is_empty() && !SHARED.contains(&name.raw());
+        let fixed =
+            |name: &&Attr<'_>| !name.has_dollar() && !name.raw().is_empty() && !SHARED.contains(&name.raw());
         for name in names.iter().filter(fixed) {
             report(cx, base, node, *name, prefix, out);
         }
@@ -83,7 +84,8 @@ fn is_called_without(cx: &FileCx<'_>, base: u32, node: Node<'_>, prefix: &str) -
 
 fn report(cx: &FileCx<'_>, base: u32, of: Node<'_>, name: Attr<'_>, prefix: &str, out: &mut Sink<'_>) {
     let old = name.raw();
-    let new = format!("${{{prefix}}}{}{old}", if prefix == "prefix" || prefix == "tf_prefix" { "" } else { "_" });
+    let new =
+        format!("${{{prefix}}}{}{old}", if prefix == "prefix" || prefix == "tf_prefix" { "" } else { "_" });
     let message = format!("the name `{old}` does not depend on `{prefix}`, as other names of this macro do");
     let mut places: Vec<TextRange> = vec![name.value_range().shift(base)];
     for node in of.item().all_nodes().filter(|node| of.range().contains_range(node.range())) {

@@ -42,8 +42,7 @@ impl Manifest {
     }
 
     fn read(text: &str, file: FileId, folder: PathBuf, name: String) -> Option<Self> {
-        let options =
-            ParsingOptions { allow_dtd: true, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
+        let options = ParsingOptions { allow_dtd: true, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
         let document = Document::parse_with_options(text, options).ok()?;
         let root = document.root_element();
         let of = |names: &'static [&'static str]| {
@@ -123,7 +122,8 @@ mod tests {
 
     #[test]
     fn a_dependency_is_added_in_the_style_of_the_file() {
-        let modern = "<package format='3'>\n    <name>p</name>\n    <depend>a</depend>\n    <export/>\n</package>";
+        let modern =
+            "<package format='3'>\n    <name>p</name>\n    <depend>a</depend>\n    <export/>\n</package>";
         let expected = modern.replace("</depend>", "</depend>\n    <exec_depend>x</exec_depend>");
         assert_eq!(added(modern), expected);
         let old = "<package>\n <name>p</name>\n</package>";

@@ -25,7 +25,9 @@ pub(super) fn packages(cx: &FileCx<'_>) -> Vec<Mention> {
                         in_text(attr.raw(), attr.value_range().start + base, &mut found);
                     }
                 }
-                NodeKind::Text | NodeKind::CData => in_text(node.raw(), node.raw_range().start + base, &mut found),
+                NodeKind::Text | NodeKind::CData => {
+                    in_text(node.raw(), node.raw_range().start + base, &mut found)
+                }
                 _ => {}
             }
         }

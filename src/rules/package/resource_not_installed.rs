@@ -27,7 +27,9 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     let mut installed = None;
     let mut said: FastSet<&str> = FastSet::default();
     for (path, range) in own.filter_map(|mention| mention.path.as_ref()) {
-        let Some((folder, _)) = path.rsplit_once('/').filter(|(folder, _)| !folder.is_empty()) else { continue };
+        let Some((folder, _)) = path.rsplit_once('/').filter(|(folder, _)| !folder.is_empty()) else {
+            continue;
+        };
         let installed = installed.get_or_insert_with(|| Installed::by(cx, &package.folder));
         if said.insert(folder) && !installed.covers(folder) {
             let range = TextRange::new(range.start, range.start + folder.len() as u32);
@@ -58,7 +60,9 @@ impl Installed {
 
     fn covers(&self, folder: &str) -> bool {
         let inside = |path: &String| {
-            path == "." || folder == path || folder.strip_prefix(path.as_str()).is_some_and(|rest| rest.starts_with('/'))
+            path == "."
+                || folder == path
+                || folder.strip_prefix(path.as_str()).is_some_and(|rest| rest.starts_with('/'))
         };
         let Some(paths) = &self.paths else { return true };
         paths.iter().any(|path| inside(path) || path.starts_with(&format!("{folder}/")))
@@ -78,7 +82,9 @@ fn cmake(text: &str) -> Option<Vec<String>> {
     }
     for (at, _) in text.match_indices("install") {
         let rest = text.get(at + "install".len()..)?.trim_start();
-        let Some(arguments) = rest.strip_prefix('(').and_then(|rest| rest.split(')').next()) else { continue };
+        let Some(arguments) = rest.strip_prefix('(').and_then(|rest| rest.split(')').next()) else {
+            continue;
+        };
         let mut words = arguments.split_whitespace().map(|word| word.trim_matches('"'));
         if !words.next().is_some_and(|kind| matches!(kind, "DIRECTORY" | "FILES" | "PROGRAMS")) {
             continue;
@@ -133,10 +139,16 @@ mod tests {
         let text = "install(DIRECTORY urdf meshes/visual/ # meshes/collision\n  DESTINATION share/${PROJECT_NAME})\n\
                     install(TARGETS meshes/x)\ninstall( FILES \"config/a.yaml\" DESTINATION x)";
         let table = [("urdf", true), ("urdf/inc", true), ("meshes/visual", true), ("meshes", true)];
-        for (folder, expected) in table.into_iter().chain([("meshes/collision", false), ("mesh", false), ("config", true)]) {
+        for (folder, expected) in
+            table.into_iter().chain([("meshes/collision", false), ("mesh", false), ("config", true)])
+        {
             assert_eq!(covers(cmake(text), folder), expected, "{folder}");
         }
-        for text in ["install(DIRECTORY . DESTINATION x)", "install(DIRECTORY ${dir} DESTINATION x)", "ament_auto_package()"] {
+        for text in [
+            "install(DIRECTORY . DESTINATION x)",
+            "install(DIRECTORY ${dir} DESTINATION x)",
+            "ament_auto_package()",
+        ] {
             assert!(covers(cmake(text), "anything"), "{text}");
         }
         assert!(!covers(cmake("ament_package()"), "meshes"));

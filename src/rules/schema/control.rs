@@ -18,8 +18,14 @@ const HARDWARE: &[&str] = &["system", "actuator", "sensor"];
 
 const INTERFACES: &[&str] = &["ros2_control/joint", "ros2_control/sensor", "gpio"];
 
-const PARAMETERS: &[&str] =
-    &["hardware", "ros2_control/joint", "ros2_control/sensor", "gpio", "command_interface", "state_interface"];
+const PARAMETERS: &[&str] = &[
+    "hardware",
+    "ros2_control/joint",
+    "ros2_control/sensor",
+    "gpio",
+    "command_interface",
+    "state_interface",
+];
 
 const GEARS: &[&str] = &["transmission/joint", "actuator"];
 
@@ -28,7 +34,11 @@ const TRUTH: &[&str] = &["true", "false"];
 /// The elements, parents before children.
 pub(super) static ELEMENTS: &[ElementSpec] = &[
     el("gazebo", &["robot"], "Extensions for Gazebo; its content is SDF")
-        .with(&[at("reference", LinkOrJoint, "The link or joint that the content is about; without it, the robot")])
+        .with(&[at(
+            "reference",
+            LinkOrJoint,
+            "The link or joint that the content is about; without it, the robot",
+        )])
         .many(),
     el("mujoco", &["robot"], "Settings for MuJoCo's compiler").many(),
     el("ros2_control", &["robot"], "A hardware component and its interfaces")

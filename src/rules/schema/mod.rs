@@ -80,7 +80,16 @@ pub enum AttributeKind {
 impl ElementSpec {
     const fn new(name: &'static str, parents: &'static [&'static str], docs: &'static str) -> Self {
         let (attributes, required): (&[AttributeSpec], &[&str]) = (&[], &[]);
-        Self { name, key: name, parents, docs, attributes, required, repeats: false, content: Content::Elements }
+        Self {
+            name,
+            key: name,
+            parents,
+            docs,
+            attributes,
+            required,
+            repeats: false,
+            content: Content::Elements,
+        }
     }
 
     const fn keyed(mut self, key: &'static str) -> Self {

@@ -42,18 +42,31 @@ pub(super) static ELEMENTS: &[ElementSpec] = &[
     el("material", &["robot"], "A colour or texture, for visuals to refer to by name")
         .with(&[at("name", Name, "The name that visuals refer to").required()])
         .many(),
-    el("parent", &["joint"], "The link that the joint is mounted on")
-        .with(&[at("link", Link, "The name of the parent link").required()]),
-    el("child", &["joint"], "The link that the joint moves")
-        .with(&[at("link", Link, "The name of the child link").required()]),
-    el("origin", &["joint"], "Where the child's frame stands in the parent's frame at position zero").with(POSE),
-    el("axis", &["joint"], "The axis of rotation or translation, in the joint's frame").with(&[
-        at("xyz", Vector(3), "The direction, of length 1").default("1 0 0"),
-    ]),
+    el("parent", &["joint"], "The link that the joint is mounted on").with(&[at(
+        "link",
+        Link,
+        "The name of the parent link",
+    )
+    .required()]),
+    el("child", &["joint"], "The link that the joint moves").with(&[at(
+        "link",
+        Link,
+        "The name of the child link",
+    )
+    .required()]),
+    el("origin", &["joint"], "Where the child's frame stands in the parent's frame at position zero")
+        .with(POSE),
+    el("axis", &["joint"], "The axis of rotation or translation, in the joint's frame").with(&[at(
+        "xyz",
+        Vector(3),
+        "The direction, of length 1",
+    )
+    .default("1 0 0")]),
     el("limit", &["joint"], "How far, how fast and how strongly the joint moves").with(&[
         at("lower", Number, "The lowest position").unit("rad or m").default("0"),
         at("upper", Number, "The highest position").unit("rad or m").default("0"),
-        at("effort", Number, "The greatest torque or force; required for joints with limits").unit("N m or N"),
+        at("effort", Number, "The greatest torque or force; required for joints with limits")
+            .unit("N m or N"),
         at("velocity", Number, "The greatest speed; required for joints with limits").unit("rad/s or m/s"),
         at("acceleration", Number, "The greatest acceleration; newer readers only").unit("rad/s² or m/s²"),
         at("deceleration", Number, "The greatest deceleration; newer readers only").unit("rad/s² or m/s²"),
@@ -70,16 +83,23 @@ pub(super) static ELEMENTS: &[ElementSpec] = &[
     ]),
     el("calibration", &["joint"], "Reference positions that the joint is calibrated with").with(&[
         at("rising", Number, "Position of a rising edge when moving in positive direction").unit("rad or m"),
-        at("falling", Number, "Position of a falling edge when moving in positive direction").unit("rad or m"),
+        at("falling", Number, "Position of a falling edge when moving in positive direction")
+            .unit("rad or m"),
         at("reference_position", Number, "Older name of the position of the edge").unit("rad or m"),
     ]),
     el("safety_controller", &["joint"], "Soft limits in front of the hard ones").with(&[
-        at("soft_lower_limit", Number, "Where the controller begins to hold the joint").unit("rad or m").default("0"),
-        at("soft_upper_limit", Number, "Where the controller begins to hold the joint").unit("rad or m").default("0"),
+        at("soft_lower_limit", Number, "Where the controller begins to hold the joint")
+            .unit("rad or m")
+            .default("0"),
+        at("soft_upper_limit", Number, "Where the controller begins to hold the joint")
+            .unit("rad or m")
+            .default("0"),
         at("k_position", Number, "Gain from position to the limits of speed").unit("1/s").default("0"),
-        at("k_velocity", Number, "Gain from speed to the limits of effort; readers want it").unit("N m s/rad or N s/m"),
+        at("k_velocity", Number, "Gain from speed to the limits of effort; readers want it")
+            .unit("N m s/rad or N s/m"),
     ]),
-    el("inertial", &["link"], "Mass, centre of mass and moments of inertia of the link").needs(&["mass", "inertia"]),
+    el("inertial", &["link"], "Mass, centre of mass and moments of inertia of the link")
+        .needs(&["mass", "inertia"]),
     el("visual", &["link"], "What the link looks like; several are shown together")
         .with(&[at("name", Name, "A name of this part of the geometry")])
         .needs(&["geometry"])
@@ -101,10 +121,19 @@ pub(super) static ELEMENTS: &[ElementSpec] = &[
     ]),
     el("origin", &["visual", "collision"], "Where the geometry stands in the link's frame").with(POSE),
     el("geometry", &["visual", "collision"], "The shape: one of box, cylinder, sphere, mesh"),
-    el("material", &["visual"], "Colour or texture of the visual; without content, that of the robot's material")
-        .with(&[at("name", Name, "The name of the material").required()]),
-    el("box", SHAPES, "A box around the origin")
-        .with(&[at("size", Vector(3), "Full lengths along x, y and z").unit("m").required()]),
+    el(
+        "material",
+        &["visual"],
+        "Colour or texture of the visual; without content, that of the robot's material",
+    )
+    .with(&[at("name", Name, "The name of the material").required()]),
+    el("box", SHAPES, "A box around the origin").with(&[at(
+        "size",
+        Vector(3),
+        "Full lengths along x, y and z",
+    )
+    .unit("m")
+    .required()]),
     el("cylinder", SHAPES, "A cylinder around the origin, along z").with(&[
         at("radius", Number, "Its radius").unit("m").required(),
         at("length", Number, "Its full length").unit("m").required(),
@@ -119,10 +148,16 @@ pub(super) static ELEMENTS: &[ElementSpec] = &[
         at("filename", Uri, "The file, best as package://PACKAGE/PATH").required(),
         at("scale", Vector(3), "Factors along x, y and z").default("1 1 1"),
     ]),
-    el("color", &["material"], "A colour")
-        .with(&[at("rgba", Vector(4), "Red, green, blue and opacity, each from 0 to 1")]),
-    el("texture", &["material"], "A picture on the surface")
-        .with(&[at("filename", Uri, "The picture, best as package://PACKAGE/PATH")]),
+    el("color", &["material"], "A colour").with(&[at(
+        "rgba",
+        Vector(4),
+        "Red, green, blue and opacity, each from 0 to 1",
+    )]),
+    el("texture", &["material"], "A picture on the surface").with(&[at(
+        "filename",
+        Uri,
+        "The picture, best as package://PACKAGE/PATH",
+    )]),
     el("sensor", &["robot", "link"], "A sensor; URDF readers leave it to others")
         .with(&[
             at("name", Name, "The name of the sensor"),

@@ -33,7 +33,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             !source::is_conditional(found.node) && source::macro_around(found.node).is_none()
         };
         let same = |other: &&Inclusion<'_>| {
-            other.target == later.target && other.namespace == later.namespace && always(other) && always(later)
+            other.target == later.target
+                && other.namespace == later.namespace
+                && always(other)
+                && always(later)
         };
         let Some(first) = inclusions.iter().take(i).find(same).filter(|first| first.tag != later.tag) else {
             continue;

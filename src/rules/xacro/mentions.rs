@@ -40,7 +40,8 @@ impl Mentions {
     pub fn inside(node: Node<'_>) -> Self {
         let mut mentions = Self::default();
         let inside = node.range();
-        let nodes = node.item().all_nodes().filter(|other| *other != node && inside.contains_range(other.range()));
+        let nodes =
+            node.item().all_nodes().filter(|other| *other != node && inside.contains_range(other.range()));
         nodes.for_each(|node| mentions.add_node(node));
         mentions
     }
@@ -74,14 +75,16 @@ impl Mentions {
     /// `name:=^` reads `name` where the macro is called.
     fn add_params(&mut self, params: &str) {
         for word in params.split_whitespace() {
-            let forwarded = word.split_once('=').filter(|(_, value)| value.trim_start_matches('\'').starts_with('^'));
+            let forwarded =
+                word.split_once('=').filter(|(_, value)| value.trim_start_matches('\'').starts_with('^'));
             self.words.extend(forwarded.map(|(name, _)| name.trim_end_matches(':').to_owned()));
         }
     }
 
     fn add_text(&mut self, text: &str) {
         if text.contains('$') {
-            let words = text.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty());
+            let words =
+                text.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty());
             self.words.extend(words.map(str::to_owned));
         }
     }

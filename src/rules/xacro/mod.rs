@@ -34,7 +34,7 @@ pub(super) static RULES: &[Rule] = &[
     Rule::found("XAC005", "missing-macro-param", Xacro, Error, page!("missing-macro-param")).fixed(Unsafe),
     Rule::found("XAC006", "unknown-macro-param", Xacro, Error, page!("unknown-macro-param")).fixed(Unsafe),
     Rule::found("XAC007", "macro-block-mismatch", Xacro, Error, page!("macro-block-mismatch")),
-    Rule::found("XAC008", "include-not-found", Xacro, Error, page!("include-not-found")),
+    Rule::found("XAC008", "include-not-found", Xacro, Error, page!("include-not-found")).fixed(Unsafe),
     Rule::found("XAC009", "include-cycle", Xacro, Error, page!("include-cycle")),
     duplicate_include::RULE,
     unused_include::RULE,

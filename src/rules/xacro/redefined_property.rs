@@ -37,10 +37,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             && source::macro_around(first_node) == source::macro_around(node)
             && !mentioned_between(cx, first, place, node, &definition.name)
         {
-            out.report_in(place.file, place.range, format!("property `{}` is defined again", definition.name))
-                .also_at(first, "this value is never read")
-                .help("remove one of them, or rename it")
-                .done();
+            out.report_in(
+                place.file,
+                place.range,
+                format!("property `{}` is defined again", definition.name),
+            )
+            .also_at(first, "this value is never read")
+            .help("remove one of them, or rename it")
+            .done();
         }
     }
 }

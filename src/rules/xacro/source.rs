@@ -119,7 +119,8 @@ mod tests {
 
     #[test]
     fn an_element_goes_with_its_line() {
-        for (text, expected) in [("a\n  <b/> \nc", "a\nc"), ("a <b/>\nc", "a \nc"), ("<b/>\nc", "c"), ("  <b/> c", "   c")]
+        for (text, expected) in
+            [("a\n  <b/> \nc", "a\nc"), ("a <b/>\nc", "a \nc"), ("<b/>\nc", "c"), ("  <b/> c", "   c")]
         {
             let start = text.find("<b/>").unwrap() as u32;
             let range = removal(text, TextRange::new(start, start + 4));

@@ -67,7 +67,9 @@ fn comparisons(text: &str) -> Vec<(Comparison, u32)> {
     let mut found = Vec::new();
     for token in split(text).tokens {
         if let Token::Expr { inner, code: Code::Static(parsed), .. } = token {
-            visit_all(&parsed.expr, &mut |expr| found.extend(comparison(expr).map(|found| (found, inner.start))));
+            visit_all(&parsed.expr, &mut |expr| {
+                found.extend(comparison(expr).map(|found| (found, inner.start)))
+            });
         }
     }
     found
@@ -171,7 +173,8 @@ fn report(at: Place, found: &Comparison, out: &mut Sink<'_>) {
     let verdict = if *equal { "never" } else { "always" };
     let truth = text.eq_ignore_ascii_case("true");
     let replacement = if truth == *equal { name.clone() } else { format!("not {name}") };
-    let message = format!("this is {verdict} true: xacro turns `{text}` in `{name}` into a truth value, no text");
+    let message =
+        format!("this is {verdict} true: xacro turns `{text}` in `{name}` into a truth value, no text");
     out.report_in(at.file, at.range, message)
         .help(format!("write `{replacement}`"))
         .replace_with(Safety::Safe, format!("write `{replacement}`"), replacement)
@@ -194,8 +197,10 @@ mod tests {
             ("a == 'true'", ""),
         ];
         for (text, expected) in table {
-            let found: Vec<_> =
-                comparisons(text).iter().map(|(found, offset)| found.range.shift(*offset).slice(text)).collect();
+            let found: Vec<_> = comparisons(text)
+                .iter()
+                .map(|(found, offset)| found.range.shift(*offset).slice(text))
+                .collect();
             assert_eq!(found.join(" "), expected, "{text}");
         }
     }

@@ -74,9 +74,8 @@ fn gives_nodes(cx: &DocumentCx<'_>, inclusion: &Inclusion<'_>) -> bool {
 /// Whether other files use what some files define.
 fn is_used(cx: &DocumentCx<'_>, files: &FastSet<FileIdx>) -> bool {
     let symbols = &cx.expansion.symbols;
-    let inside = |at: SourceRange| {
-        source::place(cx.expansion, at).is_some_and(|place| files.contains(&place.file))
-    };
+    let inside =
+        |at: SourceRange| source::place(cx.expansion, at).is_some_and(|place| files.contains(&place.file));
     let mentions = Mentions::outside(cx.expansion, files);
     let mut any = false;
     for (id, definition) in symbols.iter().filter(|(_, definition)| inside(definition.place)) {

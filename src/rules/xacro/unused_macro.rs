@@ -31,7 +31,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let message = format!("macro `{name}` is never called");
-        let report = out.report_in(place.file, place.range, message).help("remove it, or begin its name with `_`");
+        let report =
+            out.report_in(place.file, place.range, message).help("remove it, or begin its name with `_`");
         match unused::removal(cx, definition) {
             Some(range) => {
                 report.fix(Safety::Unsafe, "remove it", place.file, [(range, String::new())]).done();

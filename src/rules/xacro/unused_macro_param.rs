@@ -29,7 +29,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let forwards = Forwards::of(cx);
     let mut bodies: FastMap<DefinitionId, Option<Mentions>> = FastMap::default();
     for (id, definition) in cx.expansion.symbols.iter() {
-        let Some(of) = definition.of.filter(|_| !used.contains(&id) && !definition.name.starts_with('_')) else {
+        let Some(of) = definition.of.filter(|_| !used.contains(&id) && !definition.name.starts_with('_'))
+        else {
             continue;
         };
         let body = bodies.entry(of).or_insert_with(|| body(cx, of, &forwards));
@@ -52,9 +53,11 @@ fn body(cx: &DocumentCx<'_>, of: DefinitionId, forwards: &Forwards) -> Option<Me
     if cx.expansion.problems.iter().any(misspelt) {
         return None;
     }
-    node.children().find(|child| matches!(child.kind(), NodeKind::Element | NodeKind::Text) && !is_blank(*child))?;
+    node.children()
+        .find(|child| matches!(child.kind(), NodeKind::Element | NodeKind::Text) && !is_blank(*child))?;
     let body = Mentions::inside(node);
-    let known = |tag: &String| is_keyword(tag) || forwards.macros.contains(tag.rsplit('.').next().unwrap_or(tag));
+    let known =
+        |tag: &String| is_keyword(tag) || forwards.macros.contains(tag.rsplit('.').next().unwrap_or(tag));
     (!body.tags.contains("include") && body.tags.iter().all(known)).then_some(body)
 }
 
@@ -117,6 +120,8 @@ fn report(cx: &DocumentCx<'_>, of: DefinitionId, param: &Definition, out: &mut S
     };
     let message = format!("{what} `{}` of macro `{owner}` is never {verb}", param.name);
     out.report_in(place.file, place.range, message)
-        .help("remove it from the macro and its calls; a parameter whose name begins with `_` is not reported")
+        .help(
+            "remove it from the macro and its calls; a parameter whose name begins with `_` is not reported",
+        )
         .done();
 }

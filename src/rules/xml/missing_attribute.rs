@@ -28,8 +28,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let plural = if missing.len() == 1 { "attribute" } else { "attributes" };
-        let message =
-            format!("{} lacks the {plural} `{}`", walk::described(cx, id), missing.join("`, `"));
+        let message = format!("{} lacks the {plural} `{}`", walk::described(cx, id), missing.join("`, `"));
         let add: Vec<String> = missing.iter().map(|name| format!("{name}=\"...\"")).collect();
         out.report(tag_start(cx.expansion, id), message).help(format!("add {}", add.join(" "))).done();
     }
@@ -39,9 +38,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str> {
     let attrs = &cx.expansion.tree.get(id).attrs;
     let unknown = attrs.iter().filter(|attr| spec.attribute(&attr.name).is_none());
-    let misspelt: Vec<&str> = unknown
-        .filter_map(|attr| Some(unknown_attribute::meant(cx, id, spec, &attr.name)?.0))
-        .collect();
-    let required = spec.attributes.iter().filter(|attribute| attribute.required).map(|attribute| attribute.name);
+    let misspelt: Vec<&str> =
+        unknown.filter_map(|attr| Some(unknown_attribute::meant(cx, id, spec, &attr.name)?.0)).collect();
+    let required =
+        spec.attributes.iter().filter(|attribute| attribute.required).map(|attribute| attribute.name);
     required.filter(|name| cx.expansion.tree.attr(id, name).is_none() && !misspelt.contains(name)).collect()
 }

@@ -74,7 +74,8 @@ fn report(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec, attr: &XAttr, out: &
 fn name_of(cx: &DocumentCx<'_>, attr: &XAttr) -> Origin {
     let origin = attr.origin;
     let source = cx.expansion.sources.get(origin.src.0 as usize);
-    let mut attrs = source.into_iter().flat_map(|source| source.item.all_nodes()).flat_map(|node| node.attrs());
+    let mut attrs =
+        source.into_iter().flat_map(|source| source.item.all_nodes()).flat_map(|node| node.attrs());
     let named = attrs.find(|other| other.value_range() == origin.range && other.name() == attr.name);
     named.map_or(origin, |named| Origin { range: named.name_range(), ..origin })
 }

@@ -5,6 +5,7 @@ use super::super::schema::{self, ElementSpec};
 use super::super::vocabulary::is_free_zone;
 use crate::base::FastSet;
 use crate::expand::{Expansion, Origin, XId, XKind};
+use crate::model::Text;
 use crate::workspace::edit_distance;
 use crate::xml::Node;
 
@@ -23,7 +24,8 @@ pub(super) fn elements(cx: &DocumentCx<'_>) -> Vec<Seen> {
     let tree = &cx.expansion.tree;
     let root = tree.get(cx.element);
     let is_robot = root.kind == XKind::Container || root.text == schema::robot().name;
-    let mut open = vec![Seen { id: cx.element, spec: Some(schema::robot()).filter(|_| is_robot), parent: None }];
+    let mut open =
+        vec![Seen { id: cx.element, spec: Some(schema::robot()).filter(|_| is_robot), parent: None }];
     let mut seen = Vec::new();
     while let Some(element) = open.pop() {
         if let Some(spec) = element.spec.filter(|spec| !is_free_zone(spec.name)) {
@@ -76,8 +78,8 @@ pub(super) fn owner(cx: &DocumentCx<'_>, element: XId) -> String {
     let named = |id: XId| {
         let node = tree.get(id);
         let is_owner = matches!(node.text.as_str(), "link" | "joint" | "material" | "robot");
-        let name = tree.attr(id, "name").filter(|name| is_owner && !name.value.is_empty())?;
-        Some(format!("{} `{}`", node.text, name.value))
+        let name = Text::attr(tree, id, "name").filter(|_| is_owner)?;
+        Some(name.name().map_or_else(|| format!("a {}", node.text), |name| format!("{} `{name}`", node.text)))
     };
     around.filter_map(named).next().unwrap_or_else(|| "this file".to_owned())
 }
@@ -87,7 +89,8 @@ pub(super) fn described(cx: &DocumentCx<'_>, element: XId) -> String {
     let tree = &cx.expansion.tree;
     let name = &tree.get(element).text;
     let owner = owner(cx, element);
-    let own = tree.attr(element, "name").is_some() && owner.starts_with(name.as_str());
+    let kind = owner.split(" `").next().unwrap_or_default();
+    let own = tree.attr(element, "name").is_some() && kind.trim_start_matches("a ") == name.as_str();
     if own { owner } else { format!("`{name}` of {owner}") }
 }
 
