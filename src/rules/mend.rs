@@ -6,6 +6,7 @@ use super::finding::{Edit, Fix};
 use super::registry::Safety;
 use crate::base::{Span, TextRange};
 use crate::expand::Problem;
+use crate::expr::is_identifier;
 use crate::vfs::{DirEntry, Vfs};
 use crate::workspace::nearest;
 use crate::xml::{Document, Node};
@@ -17,6 +18,7 @@ pub(super) fn fix(problem: &Problem, document: &Document, span: Span, vfs: &Vfs)
         "XML002" => declare_namespace(document, span),
         "XAC005" => add_parameters(problem, span),
         "XAC008" => other_file(problem, document, span, vfs),
+        "XAC022" => identifier(document, span),
         "XAC033" => remove_children(document, span),
         _ => None,
     }
@@ -75,6 +77,26 @@ fn other_file(problem: &Problem, document: &Document, span: Span, vfs: &Vfs) -> 
             span: Span { range: TextRange::new(start, span.range.end), ..span },
             content: new.to_owned(),
         }],
+    })
+}
+
+/// The nearest name that is an identifier.
+fn identifier(document: &Document, span: Span) -> Option<Fix> {
+    let old = document.slice(span.range);
+    let admitted = |c: char| if c.is_alphanumeric() { c } else { '_' };
+    let mut new: String = old.trim().chars().map(admitted).collect();
+    if new.starts_with("__") || new.is_empty() {
+        new = new.trim_start_matches('_').to_owned();
+    } else if new.starts_with(|c: char| c.is_numeric()) {
+        new.insert(0, '_');
+    } else if !is_identifier(&new) {
+        new.push('_');
+    }
+    let mended = is_identifier(&new) && !old.contains('$');
+    mended.then(|| Fix {
+        safety: Safety::Unsafe,
+        message: format!("rename it to `{new}`"),
+        edits: vec![Edit { span, content: new }],
     })
 }
 

@@ -62,11 +62,10 @@ pub(super) fn bad_words(text: &Text, count: usize) -> Vec<Range<usize>> {
     if count > 1 || !bad.is_empty() {
         return bad;
     }
-    match (text.words().next(), text.words().nth(1)) {
-        (None, _) => vec![0..text.value.len()],
-        (Some(_), Some(second)) => vec![second],
-        (Some(_), None) => Vec::new(),
-    }
+    let whole = 0..text.value.len();
+    let surplus = text.words().nth(1);
+    let wrong = if text.words().next().is_none() { Some(whole) } else { surplus };
+    wrong.into_iter().collect()
 }
 
 fn report(cx: &DocumentCx<'_>, id: XId, name: &str, text: &Text, range: Range<usize>, out: &mut Sink<'_>) {
