@@ -8,8 +8,8 @@ use super::place;
 use super::registry::{Check, Rule, Safety, Severity, all, by_code};
 use super::sink::{Sink, limit_calls, span};
 use super::xacro::is_unprefixed;
-use crate::base::{FastSet, Span};
-use crate::expand::{Expansion, FileIdx, Problem, Step};
+use crate::base::{FastSet, FileId, Span};
+use crate::expand::{Expansion, FileIdx, FileUse, Problem, Step};
 use crate::model::{Kinematics, Robot};
 use crate::vfs::Vfs;
 
@@ -62,7 +62,10 @@ pub fn check_expansion(
             }
         });
     }
-    findings.append(&mut sink.finish());
+    // what the recovered tree of a broken file seems to say is not trusted
+    let broken = |file: &&FileUse| !file.source.document.errors().is_empty();
+    let broken: Vec<FileId> = expansion.files.iter().filter(broken).map(|file| file.source.id).collect();
+    findings.extend(sink.finish().into_iter().filter(|finding| !broken.contains(&finding.span.file)));
     findings
 }
 

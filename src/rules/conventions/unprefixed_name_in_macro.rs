@@ -5,7 +5,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use super::super::vocabulary::in_free_zone;
 use crate::base::TextRange;
-use crate::expand::FrameKind;
+use crate::expand::{FrameKind, XId};
 use crate::xml::{Attr, Node, NodeKind};
 
 pub(super) const RULE: Rule = Rule {
@@ -35,7 +35,8 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         }
         let fixed =
             |name: &&Attr<'_>| !name.has_dollar() && !name.raw().is_empty() && !SHARED.contains(&name.raw());
-        for name in names.iter().filter(fixed) {
+        // a name that is there twice already is an error of its own
+        for name in names.iter().filter(fixed).filter(|name| !is_duplicate(cx, name.raw())) {
             report(cx, base, node, *name, prefix, out);
         }
     }
@@ -56,6 +57,19 @@ fn definitions(of: Node<'_>) -> Vec<Attr<'_>> {
         named && !in_free_zone(*node)
     };
     inside.filter(defines).filter_map(|node| node.attr("name")).collect()
+}
+
+/// Whether several links, or several joints, of the robot have a name.
+fn is_duplicate(cx: &FileCx<'_>, name: &str) -> bool {
+    let tree = &cx.expansion.tree;
+    let Some(root) = tree.root() else { return false };
+    let count = |kind: &str| {
+        let named = |&id: &XId| {
+            tree.get(id).text == kind && tree.attr(id, "name").is_some_and(|attr| attr.value == name)
+        };
+        tree.elements(root).filter(named).count()
+    };
+    count("link") > 1 || count("joint") > 1
 }
 
 /// Whether an expression in a text reads a name.

@@ -1,7 +1,9 @@
 //! What the texts of a description mention, whether expansion came by or not.
 
+use super::super::context::DocumentCx;
+use super::untaken;
 use crate::base::FastSet;
-use crate::expand::{Expansion, FileIdx};
+use crate::expand::FileIdx;
 use crate::xml::{Item, Node, NodeKind};
 
 /// The words inside of `${}` and `$()`, the names that parameters forward, and the macros that are called.
@@ -19,21 +21,22 @@ pub(super) struct Mentions {
 }
 
 impl Mentions {
-    /// Those of all files of an expansion.
-    pub fn of(expansion: &Expansion) -> Self {
-        let mut mentions = Self::default();
-        let parts = expansion.files.iter().flat_map(|file| file.source.document.parts());
-        parts.for_each(|(_, item)| mentions.add_item(item));
-        mentions
+    /// Those of all files of an expansion, and of those that other arguments would bring in; none when it
+    /// cannot be told which.
+    pub fn of(cx: &DocumentCx<'_>) -> Option<Self> {
+        Self::outside(cx, &FastSet::default())
     }
 
-    /// Those of all files but some.
-    pub fn outside(expansion: &Expansion, without: &FastSet<FileIdx>) -> Self {
+    /// The same without some files.
+    pub fn outside(cx: &DocumentCx<'_>, without: &FastSet<FileIdx>) -> Option<Self> {
         let mut mentions = Self::default();
-        let files = (0..).map(FileIdx).zip(&expansion.files).filter(|(file, _)| !without.contains(file));
+        let files = (0..).map(FileIdx).zip(&cx.expansion.files).filter(|(file, _)| !without.contains(file));
         let parts = files.flat_map(|(_, file)| file.source.document.parts());
         parts.for_each(|(_, item)| mentions.add_item(item));
-        mentions
+        for file in untaken::files(cx)? {
+            file.document.parts().for_each(|(_, item)| mentions.add_item(item));
+        }
+        Some(mentions)
     }
 
     /// Those inside of an element, the element itself not counted.

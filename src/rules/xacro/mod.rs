@@ -10,6 +10,7 @@ mod source;
 mod string_bool_comparison;
 mod unprefixed_macro_call;
 mod unprefixed_xacro_tag;
+mod untaken;
 mod unused;
 mod unused_arg;
 mod unused_include;

@@ -24,7 +24,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if found.is_empty() {
         return;
     }
-    let mentions = Mentions::of(cx.expansion);
+    let Some(mentions) = Mentions::of(cx) else { return };
     for (_, definition, place) in found.into_iter().filter(|(_, found, _)| !mentions.word(&found.name)) {
         let message = format!("argument `{}` is never read", definition.name);
         let help = "remove it, and what passes it in launch files";

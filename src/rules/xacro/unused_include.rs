@@ -76,7 +76,7 @@ fn is_used(cx: &DocumentCx<'_>, files: &FastSet<FileIdx>) -> bool {
     let symbols = &cx.expansion.symbols;
     let inside =
         |at: SourceRange| source::place(cx.expansion, at).is_some_and(|place| files.contains(&place.file));
-    let mentions = Mentions::outside(cx.expansion, files);
+    let Some(mentions) = Mentions::outside(cx, files) else { return true };
     let mut any = false;
     for (id, definition) in symbols.iter().filter(|(_, definition)| inside(definition.place)) {
         any = true;

@@ -24,7 +24,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if found.is_empty() {
         return;
     }
-    let mentions = Mentions::of(cx.expansion);
+    let Some(mentions) = Mentions::of(cx) else { return };
     for (_, definition, place) in found {
         let name = definition.name.as_str();
         let block = definition.kind == SymbolKind::BlockProperty;
