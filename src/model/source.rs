@@ -16,7 +16,7 @@ pub fn tag_start(expansion: &Expansion, element: XId) -> Origin {
 /// The source element whose start tag is at `origin`.
 fn node(expansion: &Expansion, origin: Origin) -> Option<Node<'_>> {
     let item = &expansion.sources.get(origin.src.0 as usize)?.item;
-    item.all_nodes().find(|node| node.start_tag_range() == origin.range)
+    item.element_at(origin.range.start).filter(|node| node.start_tag_range() == origin.range)
 }
 
 /// The first child element of a name.

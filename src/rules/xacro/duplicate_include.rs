@@ -4,8 +4,8 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::source::{self, Inclusion};
-use crate::base::{FastSet, TextRange};
-use crate::expand::{FileIdx, XId};
+use crate::base::{FastMap, FastSet, TextRange};
+use crate::expand::{FileIdx, Place, XId};
 use crate::xml::NodeKind;
 
 pub(super) const RULE: Rule = Rule {
@@ -27,20 +27,17 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let inclusions = source::inclusions(cx.expansion, cx.world.vfs);
     let emitting = emitting(cx);
     let mut reported: FastSet<FileIdx> = FastSet::default();
-    for (i, later) in inclusions.iter().enumerate() {
-        // branches and macros may exclude each other
-        let always = |found: &Inclusion<'_>| {
-            !source::is_conditional(found.node) && source::macro_around(found.node).is_none()
-        };
-        let same = |other: &&Inclusion<'_>| {
-            other.target == later.target
-                && other.namespace == later.namespace
-                && always(other)
-                && always(later)
-        };
-        let Some(first) = inclusions.iter().take(i).find(same).filter(|first| first.tag != later.tag) else {
+    let mut first_of: FastMap<(FileIdx, &str), &Inclusion<'_>> = FastMap::default();
+    // branches and macros may exclude each other
+    let always = |found: &&Inclusion<'_>| {
+        !source::is_conditional(found.node) && source::macro_around(found.node).is_none()
+    };
+    let mut seen: FastSet<Place> = FastSet::default();
+    for later in inclusions.iter().filter(always).filter(|found| seen.insert(found.tag)) {
+        let first = *first_of.entry((later.target, later.namespace.as_str())).or_insert(later);
+        if first.tag == later.tag {
             continue;
-        };
+        }
         let one_file = first.tag.file == later.tag.file && first.within == later.within;
         let emits = emitting.contains(&later.frame);
         let parametrised = emits && (!one_file || is_redefined_between(cx, first, later));

@@ -1,8 +1,10 @@
 //! From definitions and uses back to the tags of the source.
 
+use std::path::Path;
+
 use super::super::context::DocumentCx;
-use crate::base::TextRange;
-use crate::expand::{Definition, Expansion, FileIdx, Frame, FrameKind, Place, SourceRange};
+use crate::base::{FastMap, FileId, TextRange};
+use crate::expand::{Definition, Expansion, FileIdx, FrameKind, Place, SourceRange};
 use crate::vfs::Vfs;
 use crate::xml::Node;
 
@@ -76,40 +78,44 @@ pub(super) struct Inclusion<'a> {
     pub within: u32,
 }
 
-/// The includes of an expansion, in order.
+/// The includes of an expansion, in order; of very many, the first ones.
 pub(super) fn inclusions<'a>(expansion: &'a Expansion, vfs: &Vfs) -> Vec<Inclusion<'a>> {
-    let mut found: Vec<Inclusion<'a>> = Vec::new();
-    for (number, frame) in (0..).zip(&expansion.frames) {
-        if frame.kind == FrameKind::Include {
-            found.extend(inclusion(expansion, vfs, number, frame, &found));
+    const MOST: usize = 10_000;
+    let mut by_name: FastMap<&str, Option<FileIdx>> = FastMap::default();
+    let by_id: FastMap<FileId, FileIdx> =
+        expansion.files.iter().map(|file| file.source.id).zip((0..).map(FileIdx)).collect();
+    let mut namespaces: FastMap<u32, String> = FastMap::default();
+    let mut found = Vec::new();
+    let frames = (0..).zip(&expansion.frames).filter(|(_, frame)| frame.kind == FrameKind::Include);
+    for (number, frame) in frames.take(MOST) {
+        let load = || vfs.document(&vfs.absolute(Path::new(frame.name.as_str()))).ok();
+        let target = *by_name.entry(&frame.name).or_insert_with(|| by_id.get(&load()?.id).copied());
+        let node = tag(expansion, frame.call.into()).map(|(_, node)| node);
+        let (Some(target), Some(node), Some(tag)) = (target, node, expansion.place(frame.call)) else {
+            continue;
+        };
+        let within = frame.call.frame.0;
+        let outer = include_around(expansion, within).and_then(|around| namespaces.get(&around));
+        let mut namespace = outer.cloned().unwrap_or_default();
+        if let Some(ns) = node.attr("ns") {
+            namespace = format!("{namespace}.{}", ns.raw());
         }
+        namespaces.insert(number, namespace.clone());
+        found.push(Inclusion { frame: number, tag, node, target, namespace, within });
     }
     found
 }
 
-fn inclusion<'a>(
-    expansion: &'a Expansion,
-    vfs: &Vfs,
-    number: u32,
-    frame: &Frame,
-    earlier: &[Inclusion<'_>],
-) -> Option<Inclusion<'a>> {
-    let document = vfs.document(&vfs.absolute(std::path::Path::new(frame.name.as_str()))).ok()?;
-    let target = expansion.files.iter().position(|file| file.source.id == document.id)?;
-    let (_, node) = tag(expansion, frame.call.into())?;
-    let around = expansion.frames_of(frame.call).find(|frame| frame.kind == FrameKind::Include);
-    let around = around.and_then(|around| {
-        earlier.iter().find(|other| {
-            expansion.frames.get(other.frame as usize).is_some_and(|frame| std::ptr::eq(frame, around))
-        })
-    });
-    let outer = around.map_or("", |around| around.namespace.as_str());
-    let namespace = match node.attr("ns") {
-        Some(ns) => format!("{outer}.{}", ns.raw()),
-        None => outer.to_owned(),
-    };
-    let (tag, within) = (expansion.place(frame.call)?, frame.call.frame.0);
-    Some(Inclusion { frame: number, tag, node, target: FileIdx(target as u32), namespace, within })
+/// The innermost include among a frame and those around it.
+fn include_around(expansion: &Expansion, mut frame: u32) -> Option<u32> {
+    loop {
+        let here = expansion.frames.get(frame as usize)?;
+        match here.kind {
+            FrameKind::Include => return Some(frame),
+            FrameKind::Root => return None,
+            FrameKind::Macro | FrameKind::Block => frame = here.call.frame.0,
+        }
+    }
 }
 
 #[cfg(test)]

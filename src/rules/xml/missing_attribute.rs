@@ -36,11 +36,15 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// The required attributes that are absent and not misspelt either.
 fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str> {
+    const MOST: usize = 50;
+    let absent = unknown_attribute::absent(cx, id, spec);
+    let required = |name: &&str| spec.attribute(name).is_some_and(|attribute| attribute.required);
+    if !absent.iter().any(|name| required(&name)) {
+        return Vec::new();
+    }
     let attrs = &cx.expansion.tree.get(id).attrs;
-    let unknown = attrs.iter().filter(|attr| spec.attribute(&attr.name).is_none());
+    let unknown = attrs.iter().filter(|attr| spec.attribute(&attr.name).is_none()).take(MOST);
     let misspelt: Vec<&str> =
-        unknown.filter_map(|attr| Some(unknown_attribute::meant(cx, id, spec, &attr.name)?.0)).collect();
-    let required =
-        spec.attributes.iter().filter(|attribute| attribute.required).map(|attribute| attribute.name);
-    required.filter(|name| cx.expansion.tree.attr(id, name).is_none() && !misspelt.contains(name)).collect()
+        unknown.filter_map(|attr| Some(walk::meant(&attr.name, absent.iter().copied())?.0)).collect();
+    absent.into_iter().filter(|name| required(name) && !misspelt.contains(name)).collect()
 }

@@ -6,6 +6,7 @@ use super::super::schema::ElementSpec;
 use super::super::sink::Sink;
 use super::walk;
 use crate::expand::{Origin, XAttr, XId};
+use crate::xml::Node;
 
 pub(super) const RULE: Rule = Rule {
     code: "XML007",
@@ -19,12 +20,20 @@ pub(super) const RULE: Rule = Rule {
     check: Check::Document(check),
 };
 
+/// Findings about one element.
+const MOST: usize = 50;
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (id, spec) in walk::known(cx) {
-        for attr in &cx.expansion.tree.get(id).attrs {
-            if spec.attribute(&attr.name).is_none() && !is_admitted(cx, &attr.name) {
-                report(cx, id, spec, attr, out);
-            }
+        let attrs = &cx.expansion.tree.get(id).attrs;
+        let unknown: Vec<&XAttr> = attrs
+            .iter()
+            .filter(|attr| spec.attribute(&attr.name).is_none() && !is_admitted(cx, &attr.name))
+            .take(MOST)
+            .collect();
+        if !unknown.is_empty() {
+            let absent = absent(cx, id, spec);
+            unknown.into_iter().for_each(|attr| report(cx, id, spec, &absent, attr, out));
         }
     }
 }
@@ -35,24 +44,25 @@ fn is_admitted(cx: &DocumentCx<'_>, name: &str) -> bool {
     name.contains(':') || matches!(name, "id" | "xmlns") || allowed()
 }
 
-/// The attribute that `name` seems to be meant for, of those that `element` does not have.
-pub(super) fn meant(
-    cx: &DocumentCx<'_>,
-    element: XId,
-    spec: &ElementSpec,
-    name: &str,
-) -> Option<(&'static str, bool)> {
-    let absent = spec.attributes.iter().map(|attribute| attribute.name);
-    let absent = absent.filter(|name| cx.expansion.tree.attr(element, name).is_none());
-    walk::meant(name, absent)
+/// The attributes that an element could have and does not.
+pub(super) fn absent(cx: &DocumentCx<'_>, element: XId, spec: &ElementSpec) -> Vec<&'static str> {
+    let names = spec.attributes.iter().map(|attribute| attribute.name);
+    names.filter(|name| cx.expansion.tree.attr(element, name).is_none()).collect()
 }
 
-fn report(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec, attr: &XAttr, out: &mut Sink<'_>) {
+fn report(
+    cx: &DocumentCx<'_>,
+    id: XId,
+    spec: &ElementSpec,
+    absent: &[&'static str],
+    attr: &XAttr,
+    out: &mut Sink<'_>,
+) {
     let name = &attr.name;
     let message = format!("{}: URDF knows no attribute `{name}` here", walk::described(cx, id));
     let report = out.report(name_of(cx, attr), message);
     let taken: Vec<String> = spec.attributes.iter().map(|known| format!("`{}`", known.name)).collect();
-    match meant(cx, id, spec, name) {
+    match walk::meant(name, absent.iter().copied()) {
         Some((near, sure)) => {
             let safety = if sure { Safety::Safe } else { Safety::Unsafe };
             report
@@ -74,8 +84,9 @@ fn report(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec, attr: &XAttr, out: &
 fn name_of(cx: &DocumentCx<'_>, attr: &XAttr) -> Origin {
     let origin = attr.origin;
     let source = cx.expansion.sources.get(origin.src.0 as usize);
-    let mut attrs =
-        source.into_iter().flat_map(|source| source.item.all_nodes()).flat_map(|node| node.attrs());
+    let holds = |node: &Node<'_>| node.start_tag_range().contains_range(origin.range);
+    let node = source.and_then(|source| source.item.all_nodes().find(holds));
+    let mut attrs = node.into_iter().flat_map(|node| node.attrs());
     let named = attrs.find(|other| other.value_range() == origin.range && other.name() == attr.name);
     named.map_or(origin, |named| Origin { range: named.name_range(), ..origin })
 }

@@ -105,11 +105,15 @@ pub(super) fn may_get_more(cx: &DocumentCx<'_>, element: XId) -> bool {
 /// The element of the source whose start tag is at `origin`.
 pub(super) fn source_node(expansion: &Expansion, origin: Origin) -> Option<Node<'_>> {
     let item = &expansion.sources.get(origin.src.0 as usize)?.item;
-    item.all_nodes().find(|node| node.start_tag_range() == origin.range)
+    item.element_at(origin.range.start).filter(|node| node.start_tag_range() == origin.range)
 }
 
 /// The candidate that a wrong word is meant to be, and whether that is sure: the only one at distance 1.
 pub(super) fn meant<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<(&'a str, bool)> {
+    const LONGEST: usize = 40;
+    if word.len() > LONGEST {
+        return None;
+    }
     let near: Vec<(usize, &str)> = candidates
         .map(|candidate| (edit_distance(word, candidate), candidate))
         .filter(|(distance, candidate)| *distance <= 2 && distance * 2 < candidate.len())
