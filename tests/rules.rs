@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use xacro_lsp::analysis::{CheckOptions, Overrides, Position, Session, Setup};
+use xacro_lsp::analysis::{CheckOptions, Overrides, Position, Report, Session, Setup};
 use xacro_lsp::rules::{self, Category, Rule, Severity};
 use xacro_lsp::vfs::Environment;
 
@@ -90,10 +90,9 @@ fn files(block: &Block) -> (Vec<(String, String)>, Vec<Place>) {
     (files.into_iter().map(|(name, lines)| (name, text(lines))).collect(), places)
 }
 
-/// Check a block in a folder of its own: findings by rule name with their places.
-fn check(rule: &Rule, number: usize, block: &Block) -> (Vec<(&'static str, Severity, Place)>, Vec<Place>) {
-    let folder =
-        Path::new(env!("CARGO_TARGET_TMPDIR")).join("rules").join(rule.name).join(number.to_string());
+/// Write the files of a block into a folder of its own; the file to check, and the places of the markers.
+fn write(rule: &Rule, number: usize, block: &Block, folder: &Path) -> (PathBuf, Vec<Place>) {
+    let folder = folder.join(rule.name).join(number.to_string());
     let _ = fs::remove_dir_all(&folder);
     let (files, places) = files(block);
     for (name, text) in &files {
@@ -106,14 +105,29 @@ fn check(rule: &Rule, number: usize, block: &Block) -> (Vec<(&'static str, Sever
         let text = || if block.latin_1 { latin_1() } else { text.clone().into_bytes() };
         fs::write(path, mesh.map_or_else(text, meshes::binary_stl)).unwrap();
     }
+    (folder.join(&files[0].0), places)
+}
+
+/// What is found in a file, with one rule in addition to the default ones.
+fn report(rule: &Rule, folder: &Path, file: &Path) -> Report {
     let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), folder.join("none").display().to_string())]);
-    let env = Environment { vars, cwd: folder.clone() };
+    let env = Environment { vars, cwd: folder.to_owned() };
     let extend_select = Some(vec![rule.name.to_owned()]);
     let overrides = Overrides { extend_select, ..Overrides::default() };
-    let session = Session::new(&env, Setup { about: folder.clone(), overrides, ..Setup::default() }).unwrap();
-    let options = CheckOptions { paths: vec![files[0].0.clone().into()], ..CheckOptions::default() };
+    let session =
+        Session::new(&env, Setup { about: folder.to_owned(), overrides, ..Setup::default() }).unwrap();
+    let options = CheckOptions { paths: vec![file.to_owned()], ..CheckOptions::default() };
     let report = session.check(&options);
     assert!(report.unreadable.is_empty());
+    report
+}
+
+/// Check a block: findings by rule name with their places.
+fn check(rule: &Rule, number: usize, block: &Block) -> (Vec<(&'static str, Severity, Place)>, Vec<Place>) {
+    let pages = Path::new(env!("CARGO_TARGET_TMPDIR")).join("rules");
+    let (file, places) = write(rule, number, block, &pages);
+    let folder = pages.join(rule.name).join(number.to_string());
+    let report = report(rule, &folder, &file);
     let findings = report.findings.iter().map(|finding| {
         let Position { start, end } = report.position(finding.span);
         let path = report.path(finding.span.file).strip_prefix(&folder).unwrap().display().to_string();
@@ -145,6 +159,54 @@ fn every_block_says_what_it_should() {
                     wrong.push(format!("{place}: {name} at {at:?}"));
                 }
             }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Put the fixes of a rule into the files; how many there are.
+fn mend(rule: &Rule, report: &Report) -> usize {
+    let own = report.findings.iter().filter(|finding| finding.rule.name == rule.name);
+    let fixes: Vec<_> = own.filter_map(|finding| finding.fix.as_ref()).collect();
+    let mut edits: Vec<_> = fixes.iter().flat_map(|fix| &fix.edits).collect();
+    edits.sort_by_key(|edit| (edit.span.file, edit.span.range.start, edit.span.range.end));
+    edits.dedup();
+    for edit in edits.into_iter().rev() {
+        let path = report.path(edit.span.file);
+        let mut text = fs::read_to_string(path).unwrap();
+        text.replace_range(edit.span.range.start as usize..edit.span.range.end as usize, &edit.content);
+        fs::write(path, text).unwrap();
+    }
+    fixes.len()
+}
+
+/// Rules whose fix needs what no page can hold: the absolute path of a file that exists.
+const WITHOUT_EXAMPLE: &[&str] = &["absolute-mesh-path"];
+
+#[test]
+fn fixes_mend_what_they_are_offered_for() {
+    let mut wrong = Vec::new();
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fixes");
+    for rule in rules::all() {
+        let blocks = blocks(rule);
+        let mut shown = 0;
+        for (number, block) in blocks.iter().enumerate().filter(|(_, block)| block.bad && !block.latin_1) {
+            let (file, _) = write(rule, number, block, &folder);
+            let folder = folder.join(rule.name).join(number.to_string());
+            let mended = mend(rule, &report(rule, &folder, &file));
+            shown += mended;
+            let place = format!("docs/rules/{}.md:{}", rule.name, block.line);
+            if mended > 0 && rule.fix.is_none() {
+                wrong.push(format!("{place}: a fix that the headline does not promise"));
+            }
+            let after = report(rule, &folder, &file);
+            let left = after.findings.iter().filter(|finding| finding.rule.name == rule.name);
+            if mended > 0 && left.filter(|finding| finding.fix.is_some()).count() > 0 {
+                wrong.push(format!("{place}: still found after the fix"));
+            }
+        }
+        if shown == 0 && rule.fix.is_some() && !WITHOUT_EXAMPLE.contains(&rule.name) {
+            wrong.push(format!("docs/rules/{}.md: no example for the fix", rule.name));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

@@ -54,10 +54,23 @@ impl Session {
         for finding in &findings {
             let spans =
                 std::iter::once(finding.span).chain(finding.related.iter().map(|related| related.span));
-            report.paths.extend(spans.map(|span| (span.file, self.vfs.path(span.file))));
+            let edits = finding.fix.iter().flat_map(|fix| &fix.edits).map(|edit| edit.span);
+            report.paths.extend(spans.chain(edits).map(|span| (span.file, self.vfs.path(span.file))));
         }
         report.findings = findings;
+        self.read_others(&mut report);
         report
+    }
+
+    /// Findings and fixes may be about files that no expansion reads, such as package.xml.
+    fn read_others(&self, report: &mut Report) {
+        for (id, path) in &report.paths {
+            if !report.files.contains_key(id)
+                && let Ok(file) = self.vfs.document(path)
+            {
+                report.files.insert(*id, file);
+            }
+        }
     }
 
     /// The files that [`check`](Self::check) would look at, sorted; what they include comes on top.

@@ -34,7 +34,7 @@ pub fn source_has_elements(expansion: &Expansion, element: XId) -> bool {
 /// The source element whose start tag is at `origin`.
 fn node(expansion: &Expansion, origin: Origin) -> Option<Node<'_>> {
     let item = &expansion.sources.get(origin.src.0 as usize)?.item;
-    item.all_nodes().find(|node| node.start_tag_range() == origin.range)
+    item.element_at(origin.range.start).filter(|node| node.start_tag_range() == origin.range)
 }
 
 /// The first child element of a name.

@@ -88,7 +88,7 @@ impl DocumentCx<'_> {
     /// a macro that nothing calls, blocks and conditions are not known.
     pub fn whole(&self) -> bool {
         let is_root = self.expansion.tree.root() == Some(self.element);
-        is_root && self.expansion.whole && !super::run::lost_content(self.expansion)
+        is_root && super::run::is_whole(self.expansion)
     }
 }
 

@@ -54,7 +54,7 @@ fn name_of_element(document: &Document, range: TextRange) -> TextRange {
 }
 
 /// The attribute whose value is at `range`, from its name to the closing quote.
-fn whole_attribute(document: &Document, range: TextRange) -> TextRange {
+pub(super) fn whole_attribute(document: &Document, range: TextRange) -> TextRange {
     let place = document.item_at(range.start);
     let attrs = place.item.all_nodes().flat_map(|node| node.attrs());
     let mut found = attrs.filter(|attr| attr.value_range().shift(place.start) == range);

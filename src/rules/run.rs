@@ -4,18 +4,26 @@ use std::cell::OnceCell;
 
 use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings};
 use super::finding::{Edit, Finding, Fix, Related};
+use super::mend;
 use super::package::is_news;
 use super::place;
 use super::registry::{Check, Rule, Safety, Severity, all, by_code};
 use super::sink::{Sink, limit_calls, span};
 use super::xacro::is_unprefixed;
-use crate::base::{FastSet, Span};
-use crate::expand::{Expansion, FileIdx, Problem, Step};
+use crate::base::{FastSet, FileId, Span};
+use crate::expand::{Expansion, FileIdx, FileUse, Problem, Step};
 use crate::model::{Kinematics, Robot};
+use crate::vfs::Vfs;
 
 /// Problems after which links and joints may be missing from the expansion.
 const LOSES_CONTENT: [&str; 8] =
     ["XML001", "XML002", "XAC002", "XAC004", "XAC009", "XAC032", "XAC034", "XAC041"];
+
+/// Whether all elements of an expansion are there.
+pub(super) fn is_whole(expansion: &Expansion) -> bool {
+    let loses = |problem: &Problem| !problem.probed && LOSES_CONTENT.contains(&problem.code);
+    expansion.whole && !expansion.problems.iter().any(loses)
+}
 
 /// What expansion reported, and what the rules say about the expanded document.
 pub fn check_expansion(
@@ -26,7 +34,8 @@ pub fn check_expansion(
 ) -> Vec<Finding> {
     let unprefixed = Unprefixed::of(expansion);
     let problems = expansion.problems.iter().filter(|problem| !unprefixed.explains(expansion, problem));
-    let mut findings: Vec<Finding> = problems.filter_map(|problem| finding(expansion, problem)).collect();
+    let mut findings: Vec<Finding> =
+        problems.filter_map(|problem| finding(expansion, problem, world.vfs)).collect();
     excuse_packages(&mut findings, world);
     let robot = Robot::of(expansion);
     let Some(first) = all().next() else { return findings };
@@ -48,8 +57,7 @@ pub fn check_expansion(
     }
     if let Some(robot) = robot.as_ref().filter(|_| kind == RootKind::Robot) {
         let kinematics = Kinematics::of(robot);
-        let lost = lost_content(expansion);
-        let whole = expansion.whole && !lost && !unprefixed.structure && robot.names_are_known();
+        let whole = is_whole(expansion) && !unprefixed.structure && robot.names_are_known();
         let cx = RobotCx { expansion, robot, kinematics: &kinematics, world, whole };
         run(&mut sink, |rule, sink| {
             if let Check::Robot(check) = rule.check {
@@ -57,14 +65,11 @@ pub fn check_expansion(
             }
         });
     }
-    findings.append(&mut sink.finish());
+    // what the recovered tree of a broken file seems to say is not trusted
+    let broken = |file: &&FileUse| !file.source.document.errors().is_empty();
+    let broken: Vec<FileId> = expansion.files.iter().filter(broken).map(|file| file.source.id).collect();
+    findings.extend(sink.finish().into_iter().filter(|finding| !broken.contains(&finding.span.file)));
     findings
-}
-
-/// Whether links, joints or parts of them may be missing from an expansion.
-pub(super) fn lost_content(expansion: &Expansion) -> bool {
-    let loses = |problem: &Problem| !problem.probed && LOSES_CONTENT.contains(&problem.code);
-    expansion.problems.iter().any(loses)
 }
 
 /// What the rules say about the source files of an expansion. Of a file that is not well-formed, only that
@@ -147,7 +152,7 @@ fn excuse_packages(findings: &mut Vec<Finding>, world: Surroundings<'_>) {
 }
 
 /// A problem of the expander as a finding.
-fn finding(expansion: &Expansion, problem: &Problem) -> Option<Finding> {
+fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Option<Finding> {
     let rule = by_code(problem.code)?;
     let Span { file, range } = span(expansion, problem.place)?;
     let document = &expansion.files.get(problem.place.file.0 as usize)?.source.document;
@@ -165,6 +170,7 @@ fn finding(expansion: &Expansion, problem: &Problem) -> Option<Finding> {
         message: format!("replace by `{content}`"),
         edits: vec![Edit { span: Span { file, range }, content: content.clone() }],
     });
+    let fix = fix.or_else(|| mend::fix(problem, document, place, vfs));
     let mut finding = Finding {
         rule,
         severity: rule.severity,

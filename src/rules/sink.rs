@@ -64,6 +64,11 @@ impl<'a> Sink<'a> {
         self.draft(span.unwrap_or_else(|| self.nowhere()), Vec::new(), message.into())
     }
 
+    /// Report a defect in a file that need not belong to the expansion.
+    pub fn report_span(&mut self, span: Span, message: impl Into<String>) -> Reported<'_, 'a> {
+        self.draft(span, Vec::new(), message.into())
+    }
+
     fn draft(&mut self, span: Span, calls: Vec<Related>, message: String) -> Reported<'_, 'a> {
         let rule = self.rule;
         let finding = Finding {
@@ -134,6 +139,14 @@ impl Reported<'_, '_> {
         self
     }
 
+    /// With a further place of a file.
+    #[must_use]
+    pub fn also_at(mut self, place: Place, message: impl Into<String>) -> Self {
+        let span = self.sink.span(place).filter(|span| *span != self.draft.finding.span);
+        self.draft.finding.related.extend(span.map(|span| Related { span, message: message.into() }));
+        self
+    }
+
     /// With another severity than the rule's own.
     #[must_use]
     pub fn severity(mut self, severity: Severity) -> Self {
@@ -159,6 +172,13 @@ impl Reported<'_, '_> {
     ) -> Self {
         let edit = |(range, content)| Some(Edit { span: self.sink.span(Place { file, range })?, content });
         let edits: Vec<Edit> = edits.into_iter().filter_map(edit).collect();
+        self.draft.finding.fix = Some(Fix { safety, message: message.into(), edits });
+        self
+    }
+
+    /// With a fix of edits in any files.
+    #[must_use]
+    pub fn edits(mut self, safety: Safety, message: impl Into<String>, edits: Vec<Edit>) -> Self {
         self.draft.finding.fix = Some(Fix { safety, message: message.into(), edits });
         self
     }

@@ -22,6 +22,12 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     best.map(|(_, candidate)| candidate)
 }
 
+/// How many letters of `a` are to be inserted, removed, replaced or swapped with their neighbour to get `b`.
+pub fn edit_distance(a: &str, b: &str) -> usize {
+    let letters = |text: &str| text.chars().collect::<Vec<char>>();
+    distance(&letters(a), &letters(b))
+}
+
 /// Letters inserted, removed, replaced or swapped with their neighbour to get from `a` to `b`.
 fn distance(a: &[char], b: &[char]) -> usize {
     let mut before: Vec<usize> = Vec::new();

@@ -94,6 +94,15 @@ impl Item {
         Node::new(self, id)
     }
 
+    /// The element whose start tag begins at an offset.
+    pub fn element_at(&self, start: u32) -> Option<Node<'_>> {
+        // parents come before their children, and siblings in order, so starts never go back
+        let first = self.nodes.partition_point(|node| node.start < start);
+        let here = self.nodes.iter().enumerate().skip(first).take_while(|(_, node)| node.start == start);
+        let mut elements = here.filter(|(_, node)| node.kind == super::NodeKind::Element);
+        elements.next().map(|(id, _)| self.node(NodeId(id as u32)))
+    }
+
     /// The element of this item: the last top-level node, if that is an element.
     pub fn element(&self) -> Option<Node<'_>> {
         self.nodes().filter(|node| node.kind() == super::NodeKind::Element).last()

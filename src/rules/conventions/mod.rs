@@ -1,6 +1,25 @@
 //! Names.
 
+mod empty_name;
+mod invalid_name;
+mod leading_slash_name;
+mod link_naming;
+mod macro_file_emits;
+mod names;
+mod non_snake_case_name;
+mod sdf_reserved_name;
+mod unprefixed_name_in_macro;
+
 use super::registry::Rule;
 
 /// The rules.
-pub(super) static RULES: &[Rule] = &[];
+pub(super) static RULES: &[Rule] = &[
+    invalid_name::RULE,
+    empty_name::RULE,
+    leading_slash_name::RULE,
+    unprefixed_name_in_macro::RULE,
+    sdf_reserved_name::RULE,
+    non_snake_case_name::RULE,
+    link_naming::RULE,
+    macro_file_emits::RULE,
+];

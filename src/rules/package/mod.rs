@@ -1,10 +1,26 @@
 //! Packages and files of the workspace.
 
+mod deprecated_xacro_cli;
+mod description_package_name;
+mod invalid_package_name;
+mod manifest;
+mod mentions;
+mod missing_package_dependency;
 mod package_not_found;
+mod resource_not_installed;
+mod xacro_not_in_package;
 
 use super::registry::Rule;
 
 pub(super) use package_not_found::is_news;
 
 /// The rules.
-pub(super) static RULES: &[Rule] = &[package_not_found::RULE];
+pub(super) static RULES: &[Rule] = &[
+    package_not_found::RULE,
+    missing_package_dependency::RULE,
+    resource_not_installed::RULE,
+    invalid_package_name::RULE,
+    xacro_not_in_package::RULE,
+    description_package_name::RULE,
+    deprecated_xacro_cli::RULE,
+];

@@ -1,9 +1,11 @@
 //! xacro's namespace bound to a prefix other than `xacro`.
 
 use super::super::context::FileCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::is_xacro_uri;
+use crate::base::TextRange;
+use crate::xml::Attr;
 
 pub(super) const RULE: Rule = Rule {
     code: "XML004",
@@ -12,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     severity: Severity::Error,
     default: Activation::On,
     since: "0.1",
-    fix: None,
+    fix: Some(Safety::Unsafe),
     docs: page!("inconsistent-xacro-prefix"),
     check: Check::File(check),
 };
@@ -27,7 +29,24 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
                 format!("xacro's namespace is bound to `{prefix}`: tags `{prefix}:...` are not expanded");
             out.report_in(cx.file, attr.range(), message)
                 .help("xacro compares the letters `xacro:`, not namespaces: name the prefix `xacro`")
+                .fix(Safety::Unsafe, "name the prefix `xacro`", cx.file, renamed(cx, attr, prefix))
                 .done();
         }
     }
+}
+
+/// The declaration and all tags and attributes with the prefix.
+fn renamed(cx: &FileCx<'_>, declaration: Attr<'_>, prefix: &str) -> Vec<(TextRange, String)> {
+    let has_prefix = |name: &str| name.strip_prefix(prefix).is_some_and(|rest| rest.starts_with(':'));
+    let end = declaration.name_range().end;
+    let mut places = vec![TextRange::new(end - prefix.len() as u32, end)];
+    for (base, node) in cx.elements() {
+        let tags = [Some(node.name_range()), node.end_name_range()].into_iter().flatten();
+        let attrs = node.attrs().filter(|attr| has_prefix(attr.name())).map(|attr| attr.name_range());
+        let names = tags.filter(|_| has_prefix(node.name())).chain(attrs);
+        places.extend(
+            names.map(|name| TextRange::new(name.start, name.start + prefix.len() as u32).shift(base)),
+        );
+    }
+    places.into_iter().map(|range| (range, "xacro".to_owned())).collect()
 }

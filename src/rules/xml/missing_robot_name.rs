@@ -1,9 +1,11 @@
 //! A robot without name.
 
 use super::super::context::{DocumentCx, RootKind};
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use crate::model::tag_start;
+use crate::base::TextRange;
+use crate::expand::FileIdx;
+use crate::model::{Robot, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "XML014",
@@ -12,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     severity: Severity::Error,
     default: Activation::On,
     since: "0.1",
-    fix: None,
+    fix: Some(Safety::Unsafe),
     docs: page!("missing-robot-name"),
     check: Check::Document(check),
 };
@@ -24,7 +26,32 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         Some(name) if name.known && name.value.is_empty() => "the name of the robot is empty",
         Some(_) => return,
     };
-    out.report(tag_start(cx.expansion, robot.element), message)
-        .help("urdfdom refuses a robot without name: add name=\"...\"")
-        .done();
+    let report = out
+        .report(tag_start(cx.expansion, robot.element), message)
+        .help("urdfdom refuses a robot without name: add name=\"...\"");
+    match named_like_file(cx, robot) {
+        Some((range, content)) => {
+            report.fix(Safety::Unsafe, "name it like the file", FileIdx(0), [(range, content)]).done();
+        }
+        None => report.done(),
+    }
+}
+
+/// The edit that names the robot like its file.
+fn named_like_file(cx: &DocumentCx<'_>, robot: &Robot) -> Option<(TextRange, String)> {
+    let file = cx.expansion.files.first()?;
+    let stem = file.source.path.file_name()?.to_str()?.split('.').next()?;
+    let plain = stem.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') && !stem.is_empty();
+    match &robot.name {
+        _ if !plain => None,
+        // an empty value: between the quotes, when they are in this file
+        Some(name) => {
+            let place = cx.expansion.place(name.origin).filter(|place| place.file == FileIdx(0))?;
+            name.literal.then(|| (place.range, stem.to_owned()))
+        }
+        None => {
+            let end = file.source.document.root()?.name_range().end;
+            Some((TextRange::empty(end), format!(" name=\"{stem}\"")))
+        }
+    }
 }

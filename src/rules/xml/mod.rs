@@ -1,22 +1,41 @@
 //! XML: well-formedness and the URDF schema.
 
+mod duplicate_element;
 mod inconsistent_xacro_prefix;
+mod invalid_number;
+mod missing_attribute;
+mod missing_element;
 mod missing_robot_name;
 mod nonstandard_xacro_namespace;
+mod unexpected_text;
+mod unknown_attribute;
+mod unknown_element;
 mod unknown_root_element;
+mod unsupported_urdf_version;
+mod walk;
+mod wrong_vector_length;
 mod xacro_tags_in_urdf;
 
 use super::registry::{Category::Xml, Rule, Safety, Severity::Error, page};
 
 /// The rules.
 pub(super) static RULES: &[Rule] = &[
-    Rule::found("XML001", "xml-syntax-error", Xml, Error, page!("xml-syntax-error")),
+    Rule::found("XML001", "xml-syntax-error", Xml, Error, page!("xml-syntax-error")).fixed(Safety::Safe),
     Rule::found("XML002", "missing-xacro-namespace", Xml, Error, page!("missing-xacro-namespace"))
         .fixed(Safety::Safe),
     nonstandard_xacro_namespace::RULE,
     inconsistent_xacro_prefix::RULE,
     unknown_root_element::RULE,
+    unknown_element::RULE,
+    unknown_attribute::RULE,
+    missing_attribute::RULE,
+    missing_element::RULE,
+    invalid_number::RULE,
+    wrong_vector_length::RULE,
+    duplicate_element::RULE,
+    unexpected_text::RULE,
     missing_robot_name::RULE,
+    unsupported_urdf_version::RULE,
     Rule::found("XML016", "xml-encoding-mismatch", Xml, Error, page!("xml-encoding-mismatch")),
     xacro_tags_in_urdf::RULE,
 ];

@@ -1,0 +1,76 @@
+//! The names of links and joints, and what refers to them.
+
+use super::super::context::DocumentCx;
+use super::super::finding::Edit;
+use crate::base::FastSet;
+use crate::expand::{Expansion, XId, XKind};
+use crate::model::{Robot, Text};
+
+/// What a name names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Named {
+    Link,
+    Joint,
+}
+
+impl Named {
+    /// The word for messages.
+    pub fn word(self) -> &'static str {
+        match self {
+            Named::Link => "link",
+            Named::Joint => "joint",
+        }
+    }
+}
+
+/// The known names of a robot, or of what a library gives.
+pub(super) fn names(robot: &Robot) -> impl Iterator<Item = (Named, &Text)> {
+    let links = robot.links.iter().filter_map(|link| Some((Named::Link, link.name.as_ref()?)));
+    let joints = robot.joints.iter().filter_map(|joint| Some((Named::Joint, joint.name.as_ref()?)));
+    links.chain(joints).filter(|(_, name)| name.known)
+}
+
+/// The edits that rename a link or joint with all that refers to it; none when some of it is computed, or when
+/// the new name is taken.
+pub(super) fn rename(cx: &DocumentCx<'_>, named: Named, old: &str, new: &str) -> Option<Vec<Edit>> {
+    let mut places = FastSet::default();
+    let mut edits = Vec::new();
+    for (id, attr) in mentions(cx.expansion, cx.element, named) {
+        let text = Text::attr(&cx.expansion.tree, id, attr)?;
+        if text.value == new {
+            return None;
+        }
+        if text.value != old {
+            continue;
+        }
+        let place = cx.expansion.place(text.origin).filter(|_| text.literal)?;
+        let file = cx.expansion.files.get(place.file.0 as usize)?.source.id;
+        if places.insert(place) {
+            let span = crate::base::Span { file, range: place.range };
+            edits.push(Edit { span, content: new.to_owned() });
+        }
+    }
+    (!edits.is_empty()).then_some(edits)
+}
+
+/// The attributes that name links, or joints: where they are defined and where they are referred to.
+fn mentions(expansion: &Expansion, root: XId, named: Named) -> Vec<(XId, &'static str)> {
+    let tree = &expansion.tree;
+    let mut open = vec![root];
+    let mut found = Vec::new();
+    while let Some(id) = open.pop() {
+        let node = tree.get(id);
+        let around = tree.parent(id).filter(|&id| tree.get(id).kind == XKind::Element);
+        let parent = around.map_or("", |id| tree.get(id).text.as_str());
+        let attr = match (node.text.as_str(), parent, named) {
+            ("link", _, Named::Link) | ("joint", _, Named::Joint) => Some("name"),
+            ("parent" | "child", "joint", Named::Link) => Some("link"),
+            ("mimic", _, Named::Joint) => Some("joint"),
+            ("gazebo", _, _) => Some("reference"),
+            _ => None,
+        };
+        found.extend(attr.filter(|attr| tree.attr(id, attr).is_some()).map(|attr| (id, attr)));
+        open.extend(tree.elements(id));
+    }
+    found
+}

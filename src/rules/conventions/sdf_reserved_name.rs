@@ -1,0 +1,33 @@
+//! A name that SDFormat keeps for itself.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::names;
+
+pub(super) const RULE: Rule = Rule {
+    code: "CNV005",
+    name: "sdf-reserved-name",
+    category: Category::Conventions,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("sdf-reserved-name"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for (named, name) in cx.robot.into_iter().flat_map(names::names) {
+        let inner = name.value.strip_prefix("__").and_then(|rest| rest.strip_suffix("__"));
+        if inner.is_some() {
+            let what = named.word();
+            out.report(
+                name.origin,
+                format!("SDFormat reserves names such as that of {what} `{}`", name.value),
+            )
+            .help("Gazebo refuses names that begin and end with two underscores: rename it")
+            .done();
+        }
+    }
+}

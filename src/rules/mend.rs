@@ -1,0 +1,115 @@
+//! Fixes of what expansion reports, where more than the reported text is to be changed.
+
+use std::path::Path;
+
+use super::finding::{Edit, Fix};
+use super::registry::Safety;
+use crate::base::{Span, TextRange};
+use crate::expand::Problem;
+use crate::expr::is_identifier;
+use crate::vfs::{DirEntry, Vfs};
+use crate::workspace::nearest;
+use crate::xml::{Document, Node};
+
+/// How to mend a problem in a file, if there is a way.
+pub(super) fn fix(problem: &Problem, document: &Document, span: Span, vfs: &Vfs) -> Option<Fix> {
+    match problem.code {
+        "XML001" => blanks_in_front(document, span),
+        "XML002" => declare_namespace(document, span),
+        "XAC005" => add_parameters(problem, span),
+        "XAC008" => other_file(problem, document, span, vfs),
+        "XAC022" => identifier(document, span),
+        "XAC033" => remove_children(document, span),
+        _ => None,
+    }
+}
+
+/// The XML declaration must be the first thing in a file.
+fn blanks_in_front(document: &Document, span: Span) -> Option<Fix> {
+    let text = document.text();
+    let blank = text.len() - text.trim_start().len();
+    let declared = text.trim_start().starts_with("<?xml");
+    let only_this = document.errors().len() == 1 && span.range.start as usize == blank;
+    let range = TextRange::new(0, blank as u32);
+    (declared && blank > 0 && only_this).then(|| Fix {
+        safety: Safety::Safe,
+        message: "remove what stands in front of the XML declaration".to_owned(),
+        edits: vec![Edit { span: Span { range, ..span }, content: String::new() }],
+    })
+}
+
+fn declare_namespace(document: &Document, span: Span) -> Option<Fix> {
+    let root = document.root().filter(|root| root.attr("xmlns:xacro").is_none())?;
+    let range = TextRange::empty(root.name_range().end);
+    Some(Fix {
+        safety: Safety::Safe,
+        message: "declare the prefix `xacro`".to_owned(),
+        edits: vec![Edit {
+            span: Span { range, ..span },
+            content: " xmlns:xacro=\"http://www.ros.org/wiki/xacro\"".to_owned(),
+        }],
+    })
+}
+
+/// The help names the attributes to add.
+fn add_parameters(problem: &Problem, span: Span) -> Option<Fix> {
+    let attributes = problem.help.as_deref()?.strip_prefix("add ")?.replace("\"...\"", "\"\"");
+    let range = TextRange::empty(span.range.end);
+    Some(Fix {
+        safety: Safety::Unsafe,
+        message: "add the missing parameters, empty".to_owned(),
+        edits: vec![Edit { span: Span { range, ..span }, content: format!(" {attributes}") }],
+    })
+}
+
+/// The help names the path; a file beside it may have almost its name.
+fn other_file(problem: &Problem, document: &Document, span: Span, vfs: &Vfs) -> Option<Fix> {
+    let path = Path::new(problem.help.as_deref()?.strip_prefix("looked for ")?);
+    let old = path.file_name()?.to_str()?;
+    let written = document.slice(span.range);
+    let files: Vec<DirEntry> = vfs.list_dir(path.parent()?).into_iter().filter(|file| !file.is_dir).collect();
+    let new = nearest(old, files.iter().map(|file| file.name.as_str()))?;
+    let start = span.range.end - written.strip_suffix(old).map(|_| old.len() as u32)?;
+    Some(Fix {
+        safety: Safety::Unsafe,
+        message: format!("include `{new}`"),
+        edits: vec![Edit {
+            span: Span { range: TextRange::new(start, span.range.end), ..span },
+            content: new.to_owned(),
+        }],
+    })
+}
+
+/// The nearest name that is an identifier.
+fn identifier(document: &Document, span: Span) -> Option<Fix> {
+    let old = document.slice(span.range);
+    let admitted = |c: char| if c.is_alphanumeric() { c } else { '_' };
+    let mut new: String = old.trim().chars().map(admitted).collect();
+    if new.starts_with("__") || new.is_empty() {
+        new = new.trim_start_matches('_').to_owned();
+    } else if new.starts_with(|c: char| c.is_numeric()) {
+        new.insert(0, '_');
+    } else if !is_identifier(&new) {
+        new.push('_');
+    }
+    let mended = is_identifier(&new) && !old.contains('$');
+    mended.then(|| Fix {
+        safety: Safety::Unsafe,
+        message: format!("rename it to `{new}`"),
+        edits: vec![Edit { span, content: new }],
+    })
+}
+
+/// Leave the tag of the include alone.
+fn remove_children(document: &Document, span: Span) -> Option<Fix> {
+    let place = document.item_at(span.range.start);
+    let at = |node: &Node<'_>| node.name_range().shift(place.start).end == span.range.end;
+    let include = place.item.all_nodes().find(at)?.parent()?;
+    let (start, end) = (include.start_tag_range(), include.end_tag()?);
+    let range = TextRange::new(start.end, end.start).shift(place.start);
+    Some(Fix {
+        safety: Safety::Safe,
+        message: "remove the content of the include".to_owned(),
+        edits: vec![Edit { span: Span { range, ..span }, content: String::new() }],
+    })
+}

@@ -1,0 +1,67 @@
+//! A launch file that calls xacro in a way of the past.
+
+use std::path::Path;
+
+use super::super::context::{DocumentCx, RootKind};
+use super::super::finding::Edit;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::manifest;
+use crate::base::{Span, TextRange};
+use crate::expand::FileIdx;
+
+pub(super) const RULE: Rule = Rule {
+    code: "PKG007",
+    name: "deprecated-xacro-cli",
+    category: Category::Package,
+    severity: Severity::Warning,
+    default: Activation::Off,
+    since: "0.1",
+    fix: Some(Safety::Safe),
+    docs: page!("deprecated-xacro-cli"),
+    check: Check::Document(check),
+};
+
+/// The words to replace, and by what.
+const WORDS: [(&str, &str, &str); 2] = [
+    ("xacro.py", "xacro", "the program is called `xacro`"),
+    ("--inorder", "", "this is the default since ROS Melodic"),
+];
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let Some(root) = cx.expansion.files.first().map(|file| file.source.path.clone()) else { return };
+    if is_launch(&root) {
+        return check_file(cx, &root, out);
+    }
+    let manifest =
+        manifest::of_file(cx.world, cx.expansion, FileIdx(0)).filter(|_| cx.kind == RootKind::Robot);
+    let Some(folder) = manifest.map(|manifest| manifest.folder.join("launch")) else { return };
+    for entry in cx.world.vfs.list_dir(&folder) {
+        let path = folder.join(&entry.name);
+        if is_launch(&path) {
+            check_file(cx, &path, out);
+        }
+    }
+}
+
+fn is_launch(path: &Path) -> bool {
+    let name = path.file_name().map(|name| name.to_string_lossy()).unwrap_or_default();
+    [".launch", ".launch.xml", ".py"].iter().any(|ending| name.ends_with(ending))
+}
+
+fn check_file(cx: &DocumentCx<'_>, path: &Path, out: &mut Sink<'_>) {
+    let Ok(file) = cx.world.vfs.text(path) else { return };
+    for (word, replacement, help) in WORDS {
+        for (at, _) in file.text.match_indices(word) {
+            let range = TextRange::new(at as u32, (at + word.len()) as u32);
+            let span = Span { file: cx.world.vfs.file_id(path), range };
+            let blank = replacement.is_empty() && file.text.get(..at).is_some_and(|text| text.ends_with(' '));
+            let range = TextRange::new(range.start - u32::from(blank), range.end);
+            let edit = Edit { span: Span { range, ..span }, content: replacement.to_owned() };
+            out.report_span(span, format!("`{word}` is a thing of the past"))
+                .help(help)
+                .edits(Safety::Safe, "bring it up to date", vec![edit])
+                .done();
+        }
+    }
+}

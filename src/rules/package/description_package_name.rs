@@ -1,0 +1,30 @@
+//! The name of a package that holds a description.
+
+use super::super::context::RobotCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::manifest;
+use crate::expand::FileIdx;
+
+pub(super) const RULE: Rule = Rule {
+    code: "PKG006",
+    name: "description-package-name",
+    category: Category::Package,
+    severity: Severity::Info,
+    default: Activation::Profiles(&["ros-industrial"]),
+    since: "0.1",
+    fix: None,
+    docs: page!("description-package-name"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    let Some(manifest) = manifest::of_file(cx.world, cx.expansion, FileIdx(0)) else { return };
+    if !manifest.name.ends_with("_description") && !manifest.name.ends_with("_support") {
+        let message =
+            format!("package `{}` holds a description, and its name does not say so", manifest.name);
+        out.report_span(manifest.name_span(), message)
+            .help("end the name in `_description`, or in `_support` for the robots of a vendor")
+            .done();
+    }
+}

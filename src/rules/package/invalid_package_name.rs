@@ -1,0 +1,36 @@
+//! The name of a package that tools do not take.
+
+use super::super::context::FileCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::mentions;
+use crate::base::FastSet;
+
+pub(super) const RULE: Rule = Rule {
+    code: "PKG004",
+    name: "invalid-package-name",
+    category: Category::Package,
+    severity: Severity::Info,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("invalid-package-name"),
+    check: Check::File(check),
+};
+
+fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
+    let mut said: FastSet<String> = FastSet::default();
+    for mention in mentions::packages(cx) {
+        if !is_valid(&mention.name) && said.insert(mention.name.clone()) {
+            out.report_in(cx.file, mention.range, format!("`{}` is no good name of a package", mention.name))
+                .help("two or more of a to z, 0 to 9 and `_`, a letter first, never `__`")
+                .done();
+        }
+    }
+}
+
+fn is_valid(name: &str) -> bool {
+    let admitted = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
+    let begins = name.starts_with(|c: char| c.is_ascii_lowercase());
+    begins && name.len() > 1 && name.chars().all(admitted) && !name.contains("__")
+}

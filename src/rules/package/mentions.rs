@@ -1,0 +1,94 @@
+//! The packages that a file names.
+
+use super::super::context::FileCx;
+use crate::base::TextRange;
+use crate::xml::NodeKind;
+
+/// A package that a text names.
+pub(super) struct Mention {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands, absolute.
+    pub range: TextRange,
+    /// Of a `package://` URI: what follows the slash behind the name, as far as it is written out.
+    pub path: Option<(String, TextRange)>,
+}
+
+/// The packages in `package://` URIs and in `$(find)` of a file, comments left out.
+pub(super) fn packages(cx: &FileCx<'_>) -> Vec<Mention> {
+    let mut found = Vec::new();
+    for (base, item) in cx.source.document.parts() {
+        for node in item.all_nodes() {
+            match node.kind() {
+                NodeKind::Element => {
+                    for attr in node.attrs() {
+                        in_text(attr.raw(), attr.value_range().start + base, &mut found);
+                    }
+                }
+                NodeKind::Text | NodeKind::CData => {
+                    in_text(node.raw(), node.raw_range().start + base, &mut found)
+                }
+                _ => {}
+            }
+        }
+    }
+    found
+}
+
+fn in_text(text: &str, base: u32, found: &mut Vec<Mention>) {
+    for (lead, is_uri) in [("package://", true), ("$(find ", false)] {
+        for (at, _) in text.match_indices(lead) {
+            let rest = text.get(at + lead.len()..).unwrap_or_default();
+            let blanks = rest.len() - rest.trim_start_matches(' ').len();
+            let (start, rest) = (at + lead.len() + blanks, rest.trim_start_matches(' '));
+            let is_part = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '.');
+            let end = rest.find(|c: char| !is_part(c)).unwrap_or(rest.len());
+            let behind = rest.get(end..).unwrap_or_default();
+            let closed = if is_uri { behind.starts_with('/') } else { behind.trim_start().starts_with(')') };
+            if end == 0 || !closed || (is_uri && blanks > 0) {
+                continue;
+            }
+            let range = |start: usize, end: usize| TextRange::new(base + start as u32, base + end as u32);
+            let path = behind.strip_prefix('/').filter(|_| is_uri).map(|path| {
+                let length = path.find(['$', '<', '&', ' ', '"', '\'']).unwrap_or(path.len());
+                let from = start + end + 1;
+                (path.get(..length).unwrap_or_default().to_owned(), range(from, from + length))
+            });
+            let name = rest.get(..end).unwrap_or_default().to_owned();
+            found.push(Mention { name, range: range(start, start + end), path });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::in_text;
+
+    #[test]
+    fn names_in_texts() {
+        let table = [
+            ("package://arm_description/meshes/a.stl", "arm_description"),
+            ("file://$(find arm)/a.stl", "arm"),
+            ("$(find  arm )/a $(find b)/c", "arm b"),
+            ("package://${pkg}/a", ""),
+            ("package://a$(arg b)/c", ""),
+            ("$(find $(arg pkg))/a", ""),
+            ("package:///a", ""),
+            ("package://arm", ""),
+        ];
+        for (text, expected) in table {
+            let mut found = Vec::new();
+            in_text(text, 0, &mut found);
+            let names: Vec<&str> = found.iter().map(|found| found.range.slice(text)).collect();
+            assert_eq!(names.join(" "), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn paths_end_where_something_is_computed() {
+        let text = "package://arm/meshes/${part}.stl";
+        let mut found = Vec::new();
+        in_text(text, 0, &mut found);
+        assert_eq!(found[0].path.as_ref().map(|(path, _)| path.as_str()), Some("meshes/"));
+    }
+}

@@ -1,0 +1,47 @@
+//! A package that is used and not declared as a dependency.
+
+use super::super::context::FileCx;
+use super::super::finding::Edit;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::{manifest, mentions};
+use crate::base::FastSet;
+
+pub(super) const RULE: Rule = Rule {
+    code: "PKG002",
+    name: "missing-package-dependency",
+    category: Category::Package,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Safe),
+    docs: page!("missing-package-dependency"),
+    check: Check::File(check),
+};
+
+fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
+    let mentions = mentions::packages(cx);
+    if mentions.is_empty() {
+        return;
+    }
+    let Some(manifest) = manifest::of_file(cx.world, cx.expansion, cx.file) else { return };
+    let mut said: FastSet<&str> = FastSet::default();
+    for mention in &mentions {
+        let name = mention.name.as_str();
+        let declared = name == manifest.name || manifest.runtime.iter().any(|known| known == name);
+        if declared || !said.insert(name) || is_misspelt(cx, name) {
+            continue;
+        }
+        let (span, content) = manifest.addition(name);
+        out.report_in(cx.file, mention.range, format!("`{}` does not depend on `{name}`", manifest.name))
+            .help("what is not declared is not installed along: add it to package.xml")
+            .edits(Safety::Safe, "declare it in package.xml", vec![Edit { span, content }])
+            .done();
+    }
+}
+
+/// Whether the package is unknown and another one has almost its name: that is said elsewhere.
+fn is_misspelt(cx: &FileCx<'_>, name: &str) -> bool {
+    let found = cx.world.packages.find(name, &cx.source.path);
+    found.is_err_and(|error| error.nearest.is_some())
+}

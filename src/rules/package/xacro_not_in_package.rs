@@ -1,0 +1,36 @@
+//! A package with xacro files that does not depend on xacro.
+
+use super::super::context::DocumentCx;
+use super::super::finding::Edit;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::manifest;
+use crate::expand::FileIdx;
+
+pub(super) const RULE: Rule = Rule {
+    code: "PKG005",
+    name: "xacro-not-in-package",
+    category: Category::Package,
+    severity: Severity::Info,
+    default: Activation::Off,
+    since: "0.1",
+    fix: Some(Safety::Safe),
+    docs: page!("xacro-not-in-package"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let file = cx.expansion.files.first().map(|file| file.source.path.clone());
+    if file.is_none_or(|path| path.extension().is_none_or(|ending| ending != "xacro")) {
+        return;
+    }
+    let Some(manifest) = manifest::of_file(cx.world, cx.expansion, FileIdx(0)) else { return };
+    if manifest.name != "xacro" && !manifest.runtime.iter().any(|name| name == "xacro") {
+        let (span, content) = manifest.addition("xacro");
+        let message = format!("`{}` has xacro files and does not depend on `xacro`", manifest.name);
+        out.report_span(manifest.start(), message)
+            .help("launch files expand them with xacro: add it to package.xml")
+            .edits(Safety::Safe, "declare it", vec![Edit { span, content }])
+            .done();
+    }
+}

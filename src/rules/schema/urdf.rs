@@ -1,0 +1,176 @@
+//! The elements that every reader of URDF knows.
+
+use super::AttributeKind::{Choice, Joint, Link, Name, Number, Text, Uri, Vector};
+use super::Content::Free;
+use super::{AttributeSpec, ElementSpec};
+
+const fn el(name: &'static str, parents: &'static [&'static str], docs: &'static str) -> ElementSpec {
+    ElementSpec::new(name, parents, docs)
+}
+
+const fn at(name: &'static str, kind: super::AttributeKind, docs: &'static str) -> AttributeSpec {
+    AttributeSpec::new(name, kind, docs)
+}
+
+/// The types of joints.
+const JOINT_TYPES: &[&str] = &["revolute", "continuous", "prismatic", "fixed", "floating", "planar"];
+
+const SHAPES: &[&str] = &["geometry"];
+
+/// The root.
+pub(super) static ROBOT: ElementSpec =
+    el("robot", &[], "The description of a robot: links, and the joints between them").with(&[
+        at("name", Name, "The name of the robot").required(),
+        at("version", Text, "The version of the URDF format").default("1.0"),
+    ]);
+
+/// The elements inside of it, parents before children.
+pub(super) static ELEMENTS: &[ElementSpec] = &[
+    el("link", &["robot"], "A rigid body with its own frame")
+        .with(&[
+            at("name", Name, "The name of the link and of its frame").required(),
+            at("type", Text, "A kind of link; no reader in use looks at it"),
+        ])
+        .many(),
+    el("joint", &["robot"], "How a child link moves relative to a parent link")
+        .with(&[
+            at("name", Name, "The name of the joint").required(),
+            at("type", Choice(JOINT_TYPES), "The motion that the joint admits").required(),
+        ])
+        .needs(&["parent", "child"])
+        .many(),
+    el("material", &["robot"], "A colour or texture, for visuals to refer to by name")
+        .with(&[at("name", Name, "The name that visuals refer to").required()])
+        .many(),
+    el("parent", &["joint"], "The link that the joint is mounted on").with(&[at(
+        "link",
+        Link,
+        "The name of the parent link",
+    )
+    .required()]),
+    el("child", &["joint"], "The link that the joint moves").with(&[at(
+        "link",
+        Link,
+        "The name of the child link",
+    )
+    .required()]),
+    el("origin", &["joint"], "Where the child's frame stands in the parent's frame at position zero")
+        .with(POSE),
+    el("axis", &["joint"], "The axis of rotation or translation, in the joint's frame").with(&[at(
+        "xyz",
+        Vector(3),
+        "The direction, of length 1",
+    )
+    .default("1 0 0")]),
+    el("limit", &["joint"], "How far, how fast and how strongly the joint moves").with(&[
+        at("lower", Number, "The lowest position").unit("rad or m").default("0"),
+        at("upper", Number, "The highest position").unit("rad or m").default("0"),
+        at("effort", Number, "The greatest torque or force; required for joints with limits")
+            .unit("N m or N"),
+        at("velocity", Number, "The greatest speed; required for joints with limits").unit("rad/s or m/s"),
+        at("acceleration", Number, "The greatest acceleration; newer readers only").unit("rad/s² or m/s²"),
+        at("deceleration", Number, "The greatest deceleration; newer readers only").unit("rad/s² or m/s²"),
+        at("jerk", Number, "The greatest jerk; newer readers only").unit("rad/s³ or m/s³"),
+    ]),
+    el("dynamics", &["joint"], "Damping and friction of the joint, for simulators").with(&[
+        at("damping", Number, "Viscous damping").unit("N m s/rad or N s/m").default("0"),
+        at("friction", Number, "Static friction").unit("N m or N").default("0"),
+    ]),
+    el("mimic", &["joint"], "The joint follows another one: multiplier * position + offset").with(&[
+        at("joint", Joint, "The joint that is followed").required(),
+        at("multiplier", Number, "Factor on the position of the other joint").default("1"),
+        at("offset", Number, "Added to the product").unit("rad or m").default("0"),
+    ]),
+    el("calibration", &["joint"], "Reference positions that the joint is calibrated with").with(&[
+        at("rising", Number, "Position of a rising edge when moving in positive direction").unit("rad or m"),
+        at("falling", Number, "Position of a falling edge when moving in positive direction")
+            .unit("rad or m"),
+        at("reference_position", Number, "Older name of the position of the edge").unit("rad or m"),
+    ]),
+    el("safety_controller", &["joint"], "Soft limits in front of the hard ones").with(&[
+        at("soft_lower_limit", Number, "Where the controller begins to hold the joint")
+            .unit("rad or m")
+            .default("0"),
+        at("soft_upper_limit", Number, "Where the controller begins to hold the joint")
+            .unit("rad or m")
+            .default("0"),
+        at("k_position", Number, "Gain from position to the limits of speed").unit("1/s").default("0"),
+        at("k_velocity", Number, "Gain from speed to the limits of effort; readers want it")
+            .unit("N m s/rad or N s/m"),
+    ]),
+    el("inertial", &["link"], "Mass, centre of mass and moments of inertia of the link")
+        .needs(&["mass", "inertia"]),
+    el("visual", &["link"], "What the link looks like; several are shown together")
+        .with(&[at("name", Name, "A name of this part of the geometry")])
+        .needs(&["geometry"])
+        .many(),
+    el("collision", &["link"], "What the link collides with; several count together")
+        .with(&[at("name", Name, "A name of this part of the geometry")])
+        .needs(&["geometry"])
+        .many(),
+    el("origin", &["inertial"], "Where the centre of mass stands in the link's frame").with(POSE),
+    el("mass", &["inertial"], "The mass of the link")
+        .with(&[at("value", Number, "The mass").unit("kg").required()]),
+    el("inertia", &["inertial"], "Moments of inertia about the centre of mass").with(&[
+        at("ixx", Number, "Moment about x").unit("kg m²").required(),
+        at("ixy", Number, "Product of x and y").unit("kg m²").required(),
+        at("ixz", Number, "Product of x and z").unit("kg m²").required(),
+        at("iyy", Number, "Moment about y").unit("kg m²").required(),
+        at("iyz", Number, "Product of y and z").unit("kg m²").required(),
+        at("izz", Number, "Moment about z").unit("kg m²").required(),
+    ]),
+    el("origin", &["visual", "collision"], "Where the geometry stands in the link's frame").with(POSE),
+    el("geometry", &["visual", "collision"], "The shape: one of box, cylinder, sphere, mesh"),
+    el(
+        "material",
+        &["visual"],
+        "Colour or texture of the visual; without content, that of the robot's material",
+    )
+    .with(&[at("name", Name, "The name of the material").required()]),
+    el("box", SHAPES, "A box around the origin").with(&[at(
+        "size",
+        Vector(3),
+        "Full lengths along x, y and z",
+    )
+    .unit("m")
+    .required()]),
+    el("cylinder", SHAPES, "A cylinder around the origin, along z").with(&[
+        at("radius", Number, "Its radius").unit("m").required(),
+        at("length", Number, "Its full length").unit("m").required(),
+    ]),
+    el("sphere", SHAPES, "A sphere around the origin")
+        .with(&[at("radius", Number, "Its radius").unit("m").required()]),
+    el("capsule", SHAPES, "A cylinder along z with half spheres at its ends; newer readers only").with(&[
+        at("radius", Number, "Its radius").unit("m").required(),
+        at("length", Number, "The length of the cylinder").unit("m").required(),
+    ]),
+    el("mesh", SHAPES, "A triangle mesh: STL, Collada, OBJ").with(&[
+        at("filename", Uri, "The file, best as package://PACKAGE/PATH").required(),
+        at("scale", Vector(3), "Factors along x, y and z").default("1 1 1"),
+    ]),
+    el("color", &["material"], "A colour").with(&[at(
+        "rgba",
+        Vector(4),
+        "Red, green, blue and opacity, each from 0 to 1",
+    )]),
+    el("texture", &["material"], "A picture on the surface").with(&[at(
+        "filename",
+        Uri,
+        "The picture, best as package://PACKAGE/PATH",
+    )]),
+    el("sensor", &["robot", "link"], "A sensor; URDF readers leave it to others")
+        .with(&[
+            at("name", Name, "The name of the sensor"),
+            at("type", Text, "The kind of sensor"),
+            at("update_rate", Number, "Measurements in a second").unit("Hz"),
+        ])
+        .many()
+        .holding(Free),
+];
+
+/// The attributes of an `origin`.
+const POSE: &[AttributeSpec] = &[
+    at("xyz", Vector(3), "Translation along x, y and z").unit("m").default("0 0 0"),
+    at("rpy", Vector(3), "Roll, pitch and yaw about the fixed axes x, y and z").unit("rad").default("0 0 0"),
+    at("quat_xyzw", Vector(4), "Rotation as a quaternion, instead of rpy; newer readers only"),
+];

@@ -1,0 +1,49 @@
+//! An origin that says what holds without it.
+
+use super::super::context::FileCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::super::vocabulary::in_free_zone;
+use crate::base::TextRange;
+use crate::model::decimal;
+use crate::xml::Node;
+
+pub(super) const RULE: Rule = Rule {
+    code: "STY001",
+    name: "redundant-identity-origin",
+    category: Category::Style,
+    severity: Severity::Hint,
+    default: Activation::Profiles(&["pedantic"]),
+    since: "0.1",
+    fix: Some(Safety::Safe),
+    docs: page!("redundant-identity-origin"),
+    check: Check::File(check),
+};
+
+fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
+    const PARENTS: [&str; 4] = ["joint", "visual", "collision", "inertial"];
+    for (base, node) in cx.elements().filter(|(_, node)| node.name() == "origin" && !in_free_zone(*node)) {
+        let counts = node.parent().is_some_and(|parent| PARENTS.contains(&parent.name()));
+        if counts && is_identity(node) && node.child_elements().next().is_none() {
+            let range = node.range().shift(base);
+            out.report_in(cx.file, range, "this origin has no effect")
+                .help("zero is the default")
+                .fix(Safety::Safe, "remove it", cx.file, [(line(node, base), String::new())])
+                .done();
+        }
+    }
+}
+
+/// Whether an origin moves nothing; one without attributes does not either.
+fn is_identity(node: Node<'_>) -> bool {
+    let zero = |text: &str| text.split_whitespace().all(|word| decimal(word) == Some(0.0));
+    node.attrs().all(|attr| matches!(attr.name(), "xyz" | "rpy") && zero(attr.raw()))
+}
+
+/// The element with the blanks in front of it.
+fn line(node: Node<'_>, base: u32) -> TextRange {
+    let range = node.range();
+    let before = node.item().text().get(..range.start as usize).unwrap_or_default();
+    let start = before.trim_end().len() as u32;
+    TextRange::new(start, range.end).shift(base)
+}

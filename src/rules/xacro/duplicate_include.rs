@@ -1,0 +1,110 @@
+//! A file that is included twice.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::source::{self, Inclusion};
+use crate::base::{FastMap, FastSet, TextRange};
+use crate::expand::{FileIdx, Place, XId};
+use crate::xml::NodeKind;
+
+pub(super) const RULE: Rule = Rule {
+    code: "XAC010",
+    name: "duplicate-include",
+    category: Category::Xacro,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Safe),
+    docs: page!("duplicate-include"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    if !source::is_main(cx) {
+        return;
+    }
+    let inclusions = source::inclusions(cx.expansion, cx.world.vfs);
+    let emitting = emitting(cx);
+    let mut reported: FastSet<FileIdx> = FastSet::default();
+    let mut first_of: FastMap<(FileIdx, &str), &Inclusion<'_>> = FastMap::default();
+    // branches and macros may exclude each other
+    let always = |found: &&Inclusion<'_>| {
+        !source::is_conditional(found.node) && source::macro_around(found.node).is_none()
+    };
+    let mut seen: FastSet<Place> = FastSet::default();
+    for later in inclusions.iter().filter(always).filter(|found| seen.insert(found.tag)) {
+        let first = *first_of.entry((later.target, later.namespace.as_str())).or_insert(later);
+        if first.tag == later.tag {
+            continue;
+        }
+        let one_file = first.tag.file == later.tag.file && first.within == later.within;
+        let emits = emitting.contains(&later.frame);
+        let parametrised = emits && (!one_file || is_redefined_between(cx, first, later));
+        // of many files that need one library, one pair says it all
+        if parametrised || !one_file && !reported.insert(later.target) {
+            continue;
+        }
+        report(cx, first, later, one_file, emits, out);
+    }
+}
+
+/// The frames of includes that give elements.
+fn emitting(cx: &DocumentCx<'_>) -> FastSet<u32> {
+    let tree = &cx.expansion.tree;
+    let mut frames = FastSet::default();
+    let mut open: Vec<XId> = tree.elements(cx.element).collect();
+    while let Some(element) = open.pop() {
+        let mut frame = tree.get(element).origin.frame;
+        while frames.insert(frame.0) {
+            let Some(around) = cx.expansion.frames.get(frame.0 as usize) else { break };
+            frame = around.call.frame;
+        }
+        open.extend(tree.elements(element));
+    }
+    frames
+}
+
+/// Whether a property is set between two tags of one file: the second include may then mean something else.
+fn is_redefined_between(cx: &DocumentCx<'_>, first: &Inclusion<'_>, later: &Inclusion<'_>) -> bool {
+    let Some(file) = cx.expansion.files.get(later.tag.file.0 as usize) else { return false };
+    let between = TextRange::new(first.tag.range.end, later.tag.range.start.max(first.tag.range.end));
+    let parts = file.source.document.parts();
+    let mut nodes = parts.flat_map(|(base, item)| item.all_nodes().map(move |node| (base, node)));
+    nodes.any(|(base, node)| {
+        let is_property = node.kind() == NodeKind::Element && node.name() == "xacro:property";
+        is_property && between.contains_range(node.name_range().shift(base))
+    })
+}
+
+fn report(
+    cx: &DocumentCx<'_>,
+    first: &Inclusion<'_>,
+    later: &Inclusion<'_>,
+    one_file: bool,
+    emits: bool,
+    out: &mut Sink<'_>,
+) {
+    let name = source::file_name(cx.expansion, later.target);
+    let report = out
+        .report_in(later.tag.file, later.tag.range, format!("`{name}` is included a second time"))
+        .also_at(first.tag, "included here first");
+    if !one_file {
+        return report
+            .severity(Severity::Info)
+            .help("what it defines is defined once more; harmless, unless something was redefined between")
+            .done();
+    }
+    if emits {
+        return report.help("what it contains is in the robot twice: remove one of them").done();
+    }
+    let text = cx.expansion.files.get(later.tag.file.0 as usize).map(|file| file.source.document.text());
+    let element = later.node.range();
+    let start = later.tag.range.start - (later.node.name_range().start - 1 - element.start);
+    let range = TextRange::new(start, start + element.len());
+    let removal = source::removal(&text.unwrap_or_default(), range);
+    report
+        .help("what it defines is there already: remove this one")
+        .fix(Safety::Safe, "remove it", later.tag.file, [(removal, String::new())])
+        .done();
+}

@@ -1,0 +1,65 @@
+//! A macro that replaces another one of its name.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::source::{self, Inclusion};
+use crate::base::{FastMap, FastSet};
+use crate::expand::{FileIdx, Place, SymbolKind};
+
+pub(super) const RULE: Rule = Rule {
+    code: "XAC017",
+    name: "redefined-macro",
+    category: Category::Xacro,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("redefined-macro"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    if !source::is_main(cx) {
+        return;
+    }
+    let inclusions = source::inclusions(cx.expansion, cx.world.vfs);
+    let spaces = namespaces(&inclusions);
+    let mut first: FastMap<(&str, &str), Place> = FastMap::default();
+    for (_, definition) in cx.expansion.symbols.iter().filter(|(_, found)| found.kind == SymbolKind::Macro) {
+        let node = source::definition_tag(cx.expansion, definition);
+        let place = source::place(cx.expansion, definition.place);
+        let (Some(node), Some(place)) = (node, place) else { continue };
+        let Some(space) = spaces.get(&place.file) else { continue };
+        if source::is_conditional(node) || source::macro_around(node).is_some() {
+            continue;
+        }
+        let name = definition.name.as_str();
+        let earlier = first.insert((space.as_str(), name), place);
+        if let Some(earlier) = earlier {
+            out.report_in(place.file, place.range, format!("macro `{name}` is defined again"))
+                .also_at(earlier, "the first definition is here")
+                .help("calls below use the second one: rename one of them, or include a file with ns=\"...\"")
+                .done();
+        }
+    }
+}
+
+/// The namespace that each file's macros go into; files that are included into several, or only sometimes,
+/// are left out.
+fn namespaces(inclusions: &[Inclusion<'_>]) -> FastMap<FileIdx, String> {
+    let mut spaces: FastMap<FileIdx, String> = FastMap::from_iter([(FileIdx(0), String::new())]);
+    let mut doubtful: FastSet<FileIdx> = FastSet::default();
+    for inclusion in inclusions {
+        let outer = spaces.contains_key(&inclusion.tag.file) && !doubtful.contains(&inclusion.tag.file);
+        let certain = outer
+            && !source::is_conditional(inclusion.node)
+            && source::macro_around(inclusion.node).is_none();
+        let known = spaces.entry(inclusion.target).or_insert_with(|| inclusion.namespace.clone());
+        if !certain || *known != inclusion.namespace {
+            doubtful.insert(inclusion.target);
+        }
+    }
+    spaces.retain(|file, _| !doubtful.contains(file));
+    spaces
+}

@@ -1,0 +1,73 @@
+//! A property whose value is replaced before anything reads it.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::{source, unused};
+use crate::base::FastMap;
+use crate::expand::{Definition, DefinitionId, FileIdx, Place, SymbolKind};
+use crate::xml::Node;
+
+pub(super) const RULE: Rule = Rule {
+    code: "XAC016",
+    name: "redefined-property",
+    category: Category::Xacro,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("redefined-property"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    if !source::is_main(cx) {
+        return;
+    }
+    let used = unused::used(cx);
+    let mut last: FastMap<(FileIdx, &str), (DefinitionId, Place, Node<'_>)> = FastMap::default();
+    let properties = cx.expansion.symbols.iter().filter(|(_, found)| found.kind == SymbolKind::Property);
+    for (id, definition) in properties {
+        let Some((place, node)) = plain(cx, definition) else { continue };
+        let key = (place.file, definition.name.as_str());
+        let earlier = last.insert(key, (id, place, node));
+        let Some((earlier, first, first_node)) = earlier else { continue };
+        if !used.contains(&earlier)
+            && first.range.end < place.range.start
+            && source::macro_around(first_node) == source::macro_around(node)
+            && !mentioned_between(cx, first, place, node, &definition.name)
+        {
+            out.report_in(
+                place.file,
+                place.range,
+                format!("property `{}` is defined again", definition.name),
+            )
+            .also_at(first, "this value is never read")
+            .help("remove one of them, or rename it")
+            .done();
+        }
+    }
+}
+
+/// The place and tag of a definition that holds in any case: in no conditional, and with a value alone.
+fn plain<'a>(cx: &DocumentCx<'a>, definition: &Definition) -> Option<(Place, Node<'a>)> {
+    let node = source::definition_tag(cx.expansion, definition)?;
+    let special = ["default", "scope", "lazy_eval", "remove"].iter().any(|name| node.attr(name).is_some());
+    let plain = node.name() == "xacro:property" && !special && !source::is_conditional(node);
+    let place = source::place(cx.expansion, definition.place)?;
+    plain.then_some((place, node))
+}
+
+/// Whether an expression between two definitions, or in the second one, mentions the name: a branch not taken
+/// here may read it.
+fn mentioned_between(cx: &DocumentCx<'_>, first: Place, second: Place, node: Node<'_>, name: &str) -> bool {
+    let Some(file) = cx.expansion.files.get(second.file.0 as usize) else { return true };
+    let end = second.range.end + node.start_tag_range().len();
+    let between = crate::base::TextRange::new(first.range.end, end);
+    let text = file.source.document.slice(between);
+    text.split('$').skip(1).any(|part| {
+        let end = part.find(['"', '\n']).unwrap_or(part.len());
+        let words = part.get(..end).unwrap_or_default().split(|c: char| !c.is_alphanumeric() && c != '_');
+        words.into_iter().any(|word| word == name)
+    })
+}

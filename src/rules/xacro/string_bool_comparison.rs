@@ -1,0 +1,207 @@
+//! A truth value compared with the text 'true' or 'false'.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::source;
+use crate::base::{FastMap, TextRange};
+use crate::expand::{Definition, DefinitionId, Place, SourceRange, SrcId, SymbolKind, UseKind};
+use crate::expr::ast::{CmpOp, Const, Expr, ExprKind};
+use crate::expr::{Code, Token, split, visit};
+
+pub(super) const RULE: Rule = Rule {
+    code: "XAC028",
+    name: "string-bool-comparison",
+    category: Category::Xacro,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Safe),
+    docs: page!("string-bool-comparison"),
+    check: Check::Document(check),
+};
+
+/// Names that lead to names that lead to names.
+const MOST_STEPS: u32 = 8;
+
+/// The uses of an expansion by their place.
+type Uses = FastMap<SourceRange, Vec<DefinitionId>>;
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    if !source::is_main(cx) {
+        return;
+    }
+    let mut uses = Uses::default();
+    for used in cx.expansion.symbols.uses.iter().filter(|used| used.kind == UseKind::Read) {
+        uses.entry(used.place).or_default().push(used.definition);
+    }
+    for (src, read) in (0..).map(SrcId).zip(&cx.expansion.sources) {
+        let attrs = read.item.all_nodes().flat_map(|node| node.attrs());
+        // references such as &quot; shift the text against the source
+        for attr in attrs.filter(|attr| attr.has_dollar() && !attr.raw().contains('&')) {
+            let start = attr.value_range().start;
+            for (found, offset) in comparisons(attr.raw()) {
+                let at = SourceRange { src, range: found.name_range.shift(start + offset) };
+                let definitions = uses.get(&at).map_or(&[][..], Vec::as_slice);
+                let converted = |&id: &DefinitionId| is_converted(cx, id, &uses, MOST_STEPS);
+                if !definitions.is_empty() && definitions.iter().all(converted) {
+                    let range = found.range.shift(start + offset + read.base);
+                    report(Place { file: read.file, range }, &found, out);
+                }
+            }
+        }
+    }
+}
+
+/// `name == 'true'`
+struct Comparison {
+    name: String,
+    name_range: TextRange,
+    range: TextRange,
+    equal: bool,
+    text: String,
+}
+
+/// The comparisons in a text, each with the offset its ranges count from.
+fn comparisons(text: &str) -> Vec<(Comparison, u32)> {
+    let mut found = Vec::new();
+    for token in split(text).tokens {
+        if let Token::Expr { inner, code: Code::Static(parsed), .. } = token {
+            visit_all(&parsed.expr, &mut |expr| {
+                found.extend(comparison(expr).map(|found| (found, inner.start)))
+            });
+        }
+    }
+    found
+}
+
+fn visit_all(expr: &Expr, f: &mut dyn FnMut(&Expr)) {
+    f(expr);
+    visit::children(expr, &mut |child| visit_all(child, f));
+}
+
+fn comparison(expr: &Expr) -> Option<Comparison> {
+    let ExprKind::Compare(left, rest) = &expr.kind else { return None };
+    let [(op, right)] = rest.as_slice() else { return None };
+    let equal = match op {
+        CmpOp::Eq => true,
+        CmpOp::Ne => false,
+        _ => return None,
+    };
+    let (name, name_range, text) = match (&left.kind, &right.kind) {
+        (ExprKind::Name(name), ExprKind::Const(Const::Str(text))) => (name, left.range, text),
+        (ExprKind::Const(Const::Str(text)), ExprKind::Name(name)) => (name, right.range, text),
+        _ => return None,
+    };
+    let is_truth = matches!(text.as_str(), "true" | "True" | "false" | "False");
+    let (name, text) = (name.to_string(), text.to_string());
+    is_truth.then_some(Comparison { name, name_range, range: expr.range, equal, text })
+}
+
+/// Whether the text `true` given to a definition becomes a truth value in any case.
+fn is_converted(cx: &DocumentCx<'_>, id: DefinitionId, uses: &Uses, steps: u32) -> bool {
+    let Some(definition) = cx.expansion.symbols.get(id).filter(|_| steps > 0) else { return false };
+    match definition.kind {
+        SymbolKind::Property => {
+            let node = source::definition_tag(cx.expansion, definition);
+            let value = node.and_then(|node| node.attr("value").or_else(|| node.attr("default")));
+            value.is_some_and(|value| {
+                let at = SourceRange { src: definition.place.src, range: value.value_range() };
+                is_converted_text(cx, value.raw(), at, uses, steps)
+            })
+        }
+        SymbolKind::Parameter => is_converted_param(cx, id, definition, uses, steps),
+        _ => false,
+    }
+}
+
+/// A parameter: by its default and by all calls.
+fn is_converted_param(
+    cx: &DocumentCx<'_>,
+    id: DefinitionId,
+    param: &Definition,
+    uses: &Uses,
+    steps: u32,
+) -> bool {
+    let given: Vec<_> = cx.expansion.symbols.uses_of(id).filter(|used| used.kind == UseKind::Given).collect();
+    let converted = |at: SourceRange| {
+        let attr = source::tag(cx.expansion, at)
+            .and_then(|(_, node)| node.attrs().find(|attr| attr.name_range() == at.range));
+        attr.is_some_and(|attr| {
+            let value = SourceRange { src: at.src, range: attr.value_range() };
+            is_converted_text(cx, attr.raw(), value, uses, steps)
+        })
+    };
+    let default = default_of(cx, param);
+    let plain = |text: &str| !text.contains(['\'', '"', '^', '{']);
+    default.as_deref().is_none_or(plain)
+        && (default.is_some() || !given.is_empty())
+        && given.iter().all(|used| converted(used.place))
+}
+
+/// What stands behind the `=` of a parameter, up to the next blank.
+fn default_of(cx: &DocumentCx<'_>, param: &Definition) -> Option<String> {
+    let source = cx.expansion.sources.get(param.place.src.0 as usize)?;
+    let rest = source.item.text().get(param.place.range.end as usize..)?;
+    let value = rest.strip_prefix(':').unwrap_or(rest).strip_prefix('=')?;
+    value.split([' ', '\t', '\n', '\r']).next().map(str::to_owned)
+}
+
+/// Whether a text at `at` is a literal, an argument, or the value of a name that is.
+fn is_converted_text(cx: &DocumentCx<'_>, text: &str, at: SourceRange, uses: &Uses, steps: u32) -> bool {
+    if text.contains(['\'', '"', '&']) {
+        return false;
+    }
+    let tokens = split(text).tokens;
+    let is_name = |token: &Token| match token {
+        Token::Expr { inner, code: Code::Static(parsed), .. } => {
+            let range = parsed.expr.range.shift(at.range.start + inner.start);
+            let definitions = uses.get(&SourceRange { src: at.src, range });
+            matches!(parsed.expr.kind, ExprKind::Name(_))
+                && definitions.is_some_and(|ids| ids.iter().all(|&id| is_converted(cx, id, uses, steps - 1)))
+        }
+        _ => false,
+    };
+    match tokens.as_slice() {
+        [only @ Token::Expr { .. }] => is_name(only),
+        tokens => tokens.iter().all(|token| matches!(token, Token::Text(_) | Token::Subst { .. })),
+    }
+}
+
+fn report(at: Place, found: &Comparison, out: &mut Sink<'_>) {
+    let Comparison { name, equal, text, .. } = found;
+    let verdict = if *equal { "never" } else { "always" };
+    let truth = text.eq_ignore_ascii_case("true");
+    let replacement = if truth == *equal { name.clone() } else { format!("not {name}") };
+    let message =
+        format!("this is {verdict} true: xacro turns `{text}` in `{name}` into a truth value, no text");
+    out.report_in(at.file, at.range, message)
+        .help(format!("write `{replacement}`"))
+        .replace_with(Safety::Safe, format!("write `{replacement}`"), replacement)
+        .done();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::comparisons;
+
+    #[test]
+    fn what_is_a_comparison_with_a_truth() {
+        let table = [
+            ("${a == 'true'}", "a == 'true'"),
+            ("x${1 if 'False' != b else 2}", "'False' != b"),
+            ("${a == 'yes'}", ""),
+            ("${a == true}", ""),
+            ("${a.b == 'true'}", ""),
+            ("${a < b == 'true'}", ""),
+            ("a == 'true'", ""),
+        ];
+        for (text, expected) in table {
+            let found: Vec<_> = comparisons(text)
+                .iter()
+                .map(|(found, offset)| found.range.shift(*offset).slice(text))
+                .collect();
+            assert_eq!(found.join(" "), expected, "{text}");
+        }
+    }
+}

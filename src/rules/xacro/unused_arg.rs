@@ -1,0 +1,39 @@
+//! An argument that nothing reads.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::mentions::Mentions;
+use super::unused;
+use crate::expand::SymbolKind;
+
+pub(super) const RULE: Rule = Rule {
+    code: "XAC014",
+    name: "unused-arg",
+    category: Category::Xacro,
+    severity: Severity::Info,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("unused-arg"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let found = unused::in_root(cx, &[SymbolKind::Argument]);
+    if found.is_empty() {
+        return;
+    }
+    let Some(mentions) = Mentions::of(cx) else { return };
+    for (_, definition, place) in found.into_iter().filter(|(_, found, _)| !mentions.word(&found.name)) {
+        let message = format!("argument `{}` is never read", definition.name);
+        let help = "remove it, and what passes it in launch files";
+        let report = out.report_in(place.file, place.range, message).help(help);
+        match unused::removal(cx, definition) {
+            Some(range) => {
+                report.fix(Safety::Unsafe, "remove it", place.file, [(range, String::new())]).done();
+            }
+            None => report.done(),
+        }
+    }
+}

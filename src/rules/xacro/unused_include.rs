@@ -1,0 +1,110 @@
+//! An include that gives nothing anybody uses.
+
+use super::super::context::{DocumentCx, RootKind};
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::run::is_whole;
+use super::super::sink::Sink;
+use super::mentions::Mentions;
+use super::source::{self, Inclusion};
+use crate::base::{FastSet, TextRange};
+use crate::expand::{FileIdx, SourceRange, SymbolKind};
+
+pub(super) const RULE: Rule = Rule {
+    code: "XAC011",
+    name: "unused-include",
+    category: Category::Xacro,
+    severity: Severity::Info,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("unused-include"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    if !source::is_main(cx) || cx.kind != RootKind::Robot || !is_whole(cx.expansion) {
+        return;
+    }
+    let inclusions = source::inclusions(cx.expansion, cx.world.vfs);
+    // what a library includes may be for others
+    for inclusion in inclusions.iter().filter(|inclusion| inclusion.tag.file == FileIdx(0)) {
+        let files = subtree(inclusion, &inclusions);
+        let once = inclusions.iter().filter(|other| other.target == inclusion.target).count() == 1;
+        if once && !gives_nodes(cx, inclusion) && !is_used(cx, &files) {
+            report(cx, inclusion, out);
+        }
+    }
+}
+
+/// The files that come in with an include.
+fn subtree(inclusion: &Inclusion<'_>, all: &[Inclusion<'_>]) -> FastSet<FileIdx> {
+    let mut frames = vec![inclusion.frame];
+    let mut files = FastSet::from_iter([inclusion.target]);
+    for other in all {
+        if frames.contains(&other.within) {
+            frames.push(other.frame);
+            files.insert(other.target);
+        }
+    }
+    files
+}
+
+/// Whether an element of the document comes from an include, or could come from one of its branches.
+fn gives_nodes(cx: &DocumentCx<'_>, inclusion: &Inclusion<'_>) -> bool {
+    let Some(file) = cx.expansion.files.get(inclusion.target.0 as usize) else { return true };
+    let elements = file.source.document.items().filter_map(|(_, item)| item.element());
+    let only_defines =
+        |name: &str| matches!(name, "xacro:macro" | "xacro:property" | "xacro:arg" | "xacro:include");
+    let others = elements.filter(|element| !only_defines(element.name())).count() > 0;
+    let tree = &cx.expansion.tree;
+    let mut open = vec![cx.element];
+    while let Some(element) = open.pop() {
+        let mut frame = tree.get(element).origin.frame.0;
+        while let Some(around) = cx.expansion.frames.get(frame as usize).filter(|_| frame != 0) {
+            if frame == inclusion.frame {
+                return true;
+            }
+            frame = around.call.frame.0;
+        }
+        open.extend(tree.elements(element));
+    }
+    others
+}
+
+/// Whether other files use what some files define.
+fn is_used(cx: &DocumentCx<'_>, files: &FastSet<FileIdx>) -> bool {
+    let symbols = &cx.expansion.symbols;
+    let inside =
+        |at: SourceRange| source::place(cx.expansion, at).is_some_and(|place| files.contains(&place.file));
+    let Some(mentions) = Mentions::outside(cx, files) else { return true };
+    let mut any = false;
+    for (id, definition) in symbols.iter().filter(|(_, definition)| inside(definition.place)) {
+        any = true;
+        let named = match definition.kind {
+            SymbolKind::Macro => mentions.tags.contains(definition.name.as_str()) || mentions.computed,
+            SymbolKind::BlockProperty => {
+                mentions.blocks.contains(definition.name.as_str()) || mentions.computed
+            }
+            SymbolKind::Parameter | SymbolKind::BlockParameter => continue,
+            _ => mentions.word(&definition.name),
+        };
+        if named || symbols.uses_of(id).any(|used| !inside(used.place)) {
+            return true;
+        }
+    }
+    // a file that defines nothing at all is a place to fill in later
+    !any
+}
+
+fn report(cx: &DocumentCx<'_>, inclusion: &Inclusion<'_>, out: &mut Sink<'_>) {
+    let file = |number: FileIdx| cx.expansion.files.get(number.0 as usize);
+    let name = source::file_name(cx.expansion, inclusion.target);
+    let text = file(inclusion.tag.file).map(|file| file.source.document.text()).unwrap_or_default();
+    let element = inclusion.node.range();
+    let start = inclusion.tag.range.start - (inclusion.node.name_range().start - 1 - element.start);
+    let removal = source::removal(&text, TextRange::new(start, start + element.len()));
+    out.report_in(inclusion.tag.file, inclusion.tag.range, format!("nothing that `{name}` defines is used"))
+        .help("remove it")
+        .fix(Safety::Unsafe, "remove it", inclusion.tag.file, [(removal, String::new())])
+        .done();
+}

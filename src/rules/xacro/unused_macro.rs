@@ -1,0 +1,43 @@
+//! A macro that nothing calls.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::mentions::Mentions;
+use super::unused;
+use crate::expand::SymbolKind;
+
+pub(super) const RULE: Rule = Rule {
+    code: "XAC013",
+    name: "unused-macro",
+    category: Category::Xacro,
+    severity: Severity::Hint,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("unused-macro"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let found = unused::in_root(cx, &[SymbolKind::Macro]);
+    if found.is_empty() {
+        return;
+    }
+    let Some(mentions) = Mentions::of(cx) else { return };
+    for (_, definition, place) in found {
+        let name = definition.name.as_str();
+        if mentions.computed || mentions.tags.contains(name) {
+            continue;
+        }
+        let message = format!("macro `{name}` is never called");
+        let report =
+            out.report_in(place.file, place.range, message).help("remove it, or begin its name with `_`");
+        match unused::removal(cx, definition) {
+            Some(range) => {
+                report.fix(Safety::Unsafe, "remove it", place.file, [(range, String::new())]).done();
+            }
+            None => report.done(),
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! A parameter that its macro does not use.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::mentions::Mentions;
+use super::{source, unused};
+use crate::base::{FastMap, FastSet};
+use crate::expand::{Definition, DefinitionId, Problem, SymbolKind};
+use crate::xml::{Node, NodeKind};
+
+pub(super) const RULE: Rule = Rule {
+    code: "XAC015",
+    name: "unused-macro-param",
+    category: Category::Xacro,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("unused-macro-param"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    if !source::is_main(cx) {
+        return;
+    }
+    let used = unused::used(cx);
+    let forwards = Forwards::of(cx);
+    let mut bodies: FastMap<DefinitionId, Option<Mentions>> = FastMap::default();
+    for (id, definition) in cx.expansion.symbols.iter() {
+        let Some(of) = definition.of.filter(|_| !used.contains(&id) && !definition.name.starts_with('_'))
+        else {
+            continue;
+        };
+        let body = bodies.entry(of).or_insert_with(|| body(cx, of, &forwards));
+        if body.as_ref().is_some_and(|body| !is_mentioned(body, definition, &forwards)) {
+            report(cx, of, definition, out);
+        }
+    }
+}
+
+/// What the body of a macro mentions; none, when that cannot be told: it is empty, includes a file, calls what
+/// is not known, or a name in it is misspelt.
+fn body(cx: &DocumentCx<'_>, of: DefinitionId, forwards: &Forwards) -> Option<Mentions> {
+    let place = cx.expansion.symbols.get(of)?.place;
+    let (base, node) = source::tag(cx.expansion, place)?;
+    let (file, range) = (source::place(cx.expansion, place)?.file, node.range().shift(base));
+    let misspelt = |found: &Problem| {
+        let undefined = matches!(found.code, "XAC001" | "XAC004");
+        undefined && found.place.file == file && range.contains_range(found.place.range)
+    };
+    if cx.expansion.problems.iter().any(misspelt) {
+        return None;
+    }
+    node.children()
+        .find(|child| matches!(child.kind(), NodeKind::Element | NodeKind::Text) && !is_blank(*child))?;
+    let body = Mentions::inside(node);
+    let known =
+        |tag: &String| is_keyword(tag) || forwards.macros.contains(tag.rsplit('.').next().unwrap_or(tag));
+    (!body.tags.contains("include") && body.tags.iter().all(known)).then_some(body)
+}
+
+fn is_blank(node: Node<'_>) -> bool {
+    node.kind() == NodeKind::Text && node.raw().trim().is_empty()
+}
+
+fn is_keyword(tag: &str) -> bool {
+    const KEYWORDS: [&str; 9] =
+        ["arg", "attribute", "element", "if", "insert_block", "macro", "property", "unless", "call"];
+    KEYWORDS.contains(&tag)
+}
+
+fn is_mentioned(body: &Mentions, param: &Definition, forwards: &Forwards) -> bool {
+    let name = param.name.as_str();
+    let forwarded = || {
+        let mut tags = body.tags.iter().map(|tag| tag.rsplit('.').next().unwrap_or(tag));
+        body.computed || tags.any(|tag| forwards.forwards.contains(&(tag.to_owned(), name.to_owned())))
+    };
+    match param.kind {
+        SymbolKind::BlockParameter => body.computed || body.blocks.contains(name),
+        _ => body.word(name) || forwarded(),
+    }
+}
+
+/// The macros of all files, and the parameters that they take from their callers.
+#[derive(Default)]
+struct Forwards {
+    macros: FastSet<String>,
+    /// Macro and parameter.
+    forwards: FastSet<(String, String)>,
+}
+
+impl Forwards {
+    fn of(cx: &DocumentCx<'_>) -> Self {
+        let mut found = Self::default();
+        let items = cx.expansion.files.iter().flat_map(|file| file.source.document.parts());
+        let macros = items.flat_map(|(_, item)| item.all_nodes()).filter(|node| node.name() == "xacro:macro");
+        for node in macros {
+            let Some(name) = node.attr("name") else { continue };
+            let name = name.raw().trim_start_matches("xacro:");
+            found.macros.insert(name.to_owned());
+            let params = node.attr("params").map_or("", |params| params.raw());
+            for (param, value) in params.split_whitespace().filter_map(|word| word.split_once('=')) {
+                if value.starts_with('^') {
+                    found.forwards.insert((name.to_owned(), param.trim_end_matches(':').to_owned()));
+                }
+            }
+        }
+        found
+    }
+}
+
+fn report(cx: &DocumentCx<'_>, of: DefinitionId, param: &Definition, out: &mut Sink<'_>) {
+    let Some(place) = source::place(cx.expansion, param.place) else { return };
+    let owner = cx.expansion.symbols.get(of).map_or("", |owner| owner.name.as_str());
+    let (what, verb) = match param.kind {
+        SymbolKind::BlockParameter => ("block", "inserted"),
+        _ => ("parameter", "used"),
+    };
+    let message = format!("{what} `{}` of macro `{owner}` is never {verb}", param.name);
+    out.report_in(place.file, place.range, message)
+        .help(
+            "remove it from the macro and its calls; a parameter whose name begins with `_` is not reported",
+        )
+        .done();
+}

@@ -1,0 +1,59 @@
+//! A second element where parsers read one.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::walk;
+use crate::base::FastMap;
+use crate::expand::XId;
+use crate::model::tag_start;
+
+pub(super) const RULE: Rule = Rule {
+    code: "XML012",
+    name: "duplicate-element",
+    category: Category::Xml,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("duplicate-element"),
+    check: Check::Document(check),
+};
+
+/// The elements that count once.
+const SINGLE: [&str; 12] = [
+    "axis",
+    "child",
+    "dynamics",
+    "geometry",
+    "inertia",
+    "inertial",
+    "limit",
+    "mass",
+    "mimic",
+    "origin",
+    "parent",
+    "safety_controller",
+];
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let tree = &cx.expansion.tree;
+    for (id, _) in walk::known(cx).filter(|(_, spec)| spec.name != "robot") {
+        let mut first: FastMap<&str, XId> = FastMap::default();
+        for child in tree.elements(id) {
+            let name = tree.get(child).text.as_str();
+            if !SINGLE.contains(&name) {
+                continue;
+            }
+            if let Some(&earlier) = first.get(name) {
+                let message = format!("{} has a second `{name}`", walk::described(cx, id));
+                out.report(tag_start(cx.expansion, child), message)
+                    .also(tag_start(cx.expansion, earlier), "the first one is here")
+                    .help("urdfdom takes the first one, other readers refuse the file: keep one")
+                    .done();
+            } else {
+                first.insert(name, child);
+            }
+        }
+    }
+}

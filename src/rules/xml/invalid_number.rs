@@ -1,0 +1,92 @@
+//! A value that should be a number and is none.
+
+use std::ops::Range;
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::walk;
+use crate::expand::{Place, XId};
+use crate::model::{Text, decimal};
+
+pub(super) const RULE: Rule = Rule {
+    code: "XML010",
+    name: "invalid-number",
+    category: Category::Xml,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("invalid-number"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for (id, name, count, text) in numeric(cx) {
+        let bad = bad_words(&text, count);
+        for range in bad {
+            report(cx, id, name, &text, range, out);
+        }
+    }
+}
+
+/// Attributes that hold numbers: element, name, how many numbers, value. Those not known are left out.
+pub(super) fn numeric(cx: &DocumentCx<'_>) -> Vec<(XId, &'static str, usize, Text)> {
+    let mut found = Vec::new();
+    for (id, spec) in walk::known(cx) {
+        for attribute in spec.attributes {
+            let text = attribute.numbers().zip(Text::attr(&cx.expansion.tree, id, attribute.name));
+            let judged = |text: &Text| {
+                let open = text.value.contains("${") || text.value.contains("$(");
+                text.known && !open && !is_reported(cx, text)
+            };
+            found.extend(
+                text.filter(|(_, text)| judged(text)).map(|(count, text)| (id, attribute.name, count, text)),
+            );
+        }
+    }
+    found
+}
+
+/// Whether expansion had something to say about a value.
+fn is_reported(cx: &DocumentCx<'_>, text: &Text) -> bool {
+    let Some(place) = cx.expansion.place(text.origin) else { return false };
+    let inside = |at: Place| at.file == place.file && place.range.contains_range(at.range);
+    cx.expansion.problems.iter().any(|problem| inside(problem.place))
+}
+
+/// The words that are no numbers. Of a single number also what follows it; an empty range when there is none.
+pub(super) fn bad_words(text: &Text, count: usize) -> Vec<Range<usize>> {
+    let is_bad = |range: &Range<usize>| text.value.get(range.clone()).and_then(decimal).is_none();
+    let bad: Vec<Range<usize>> = text.words().filter(is_bad).collect();
+    if count > 1 || !bad.is_empty() {
+        return bad;
+    }
+    let whole = 0..text.value.len();
+    let surplus = text.words().nth(1);
+    let wrong = if text.words().next().is_none() { Some(whole) } else { surplus };
+    wrong.into_iter().collect()
+}
+
+fn report(cx: &DocumentCx<'_>, id: XId, name: &str, text: &Text, range: Range<usize>, out: &mut Sink<'_>) {
+    let element = walk::described(cx, id);
+    let word = text.value.get(range.clone()).unwrap_or_default();
+    let origin = if word.is_empty() { text.origin } else { text.part(range.clone()) };
+    let message = match word {
+        "" | " " => format!("{element}: `{name}` is empty instead of a number"),
+        word => format!("{element}: `{word}` in `{name}` is not a number"),
+    };
+    let report = out.report(origin, message);
+    let repaired = word.replace(',', ".");
+    let is_written = text.literal && origin.range.len() as usize == word.len();
+    if decimal(&repaired).is_some() && word.contains(',') && is_written {
+        let report = report.help("decimals are written with a point");
+        return report.replace_with(Safety::Unsafe, format!("write `{repaired}`"), repaired).done();
+    }
+    let help = match word.trim_start_matches(['+', '-']).to_ascii_lowercase().as_str() {
+        "nan" | "inf" | "infinity" => "write a finite number",
+        lower if lower.starts_with("0x") => "write it as a decimal number",
+        _ => "write a decimal number such as 0.25 or 2.5e-3, without a unit",
+    };
+    report.help(help).done();
+}

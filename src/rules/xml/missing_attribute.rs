@@ -1,0 +1,50 @@
+//! An element without an attribute that parsers insist on.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::schema::ElementSpec;
+use super::super::sink::Sink;
+use super::{unknown_attribute, walk};
+use crate::expand::XId;
+use crate::model::tag_start;
+
+pub(super) const RULE: Rule = Rule {
+    code: "XML008",
+    name: "missing-attribute",
+    category: Category::Xml,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("missing-attribute"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    // the name of the robot has a rule of its own
+    for (id, spec) in walk::known(cx).filter(|(_, spec)| spec.name != "robot") {
+        let missing = missing(cx, id, spec);
+        if missing.is_empty() || walk::may_get_more(cx, id) {
+            continue;
+        }
+        let plural = if missing.len() == 1 { "attribute" } else { "attributes" };
+        let message = format!("{} lacks the {plural} `{}`", walk::described(cx, id), missing.join("`, `"));
+        let add: Vec<String> = missing.iter().map(|name| format!("{name}=\"...\"")).collect();
+        out.report(tag_start(cx.expansion, id), message).help(format!("add {}", add.join(" "))).done();
+    }
+}
+
+/// The required attributes that are absent and not misspelt either.
+fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str> {
+    const MOST: usize = 50;
+    let absent = unknown_attribute::absent(cx, id, spec);
+    let required = |name: &&str| spec.attribute(name).is_some_and(|attribute| attribute.required);
+    if !absent.iter().any(|name| required(&name)) {
+        return Vec::new();
+    }
+    let attrs = &cx.expansion.tree.get(id).attrs;
+    let unknown = attrs.iter().filter(|attr| spec.attribute(&attr.name).is_none()).take(MOST);
+    let misspelt: Vec<&str> =
+        unknown.filter_map(|attr| Some(walk::meant(&attr.name, absent.iter().copied())?.0)).collect();
+    absent.into_iter().filter(|name| required(name) && !misspelt.contains(name)).collect()
+}

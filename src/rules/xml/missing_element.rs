@@ -1,0 +1,59 @@
+//! An element without a child that parsers insist on.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::run::is_whole;
+use super::super::schema::ElementSpec;
+use super::super::sink::Sink;
+use super::walk;
+use crate::base::FastSet;
+use crate::expand::XId;
+use crate::model::tag_start;
+
+pub(super) const RULE: Rule = Rule {
+    code: "XML009",
+    name: "missing-element",
+    category: Category::Xml,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("missing-element"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    if !is_whole(cx.expansion) {
+        return;
+    }
+    let macros = walk::macros(cx.expansion);
+    for (id, spec) in walk::known(cx) {
+        let missing = missing(cx, id, spec, &macros);
+        if missing.is_empty() || walk::may_get_more(cx, id) {
+            continue;
+        }
+        let message = format!("{} has no `{}`", walk::described(cx, id), missing.join("` and no `"));
+        let add: Vec<String> = missing.iter().map(|name| format!("<{name} .../>")).collect();
+        out.report(tag_start(cx.expansion, id), message).help(format!("add {}", add.join(" and "))).done();
+    }
+}
+
+/// The required children that are absent, not misspelt, and in no tag that lacks its prefix.
+fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec, macros: &FastSet<&str>) -> Vec<&'static str> {
+    let tree = &cx.expansion.tree;
+    let mut misspelt = Vec::new();
+    for child in tree.elements(id) {
+        if walk::lacks_prefix(cx, child, macros) {
+            return Vec::new();
+        }
+        let name = tree.get(child).text.as_str();
+        if spec.child(name).is_none() {
+            misspelt.extend(walk::meant(name, spec.children().map(|child| child.name)));
+        }
+    }
+    let absent = |name: &&str| {
+        let there = tree.elements(id).any(|child| tree.get(child).text == **name);
+        !there && !misspelt.iter().any(|(meant, _)| meant == name)
+    };
+    spec.required.iter().copied().filter(absent).collect()
+}

@@ -1,0 +1,57 @@
+//! Text where URDF has elements only.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::walk;
+use crate::base::TextRange;
+use crate::expand::{Origin, XId, XKind};
+
+pub(super) const RULE: Rule = Rule {
+    code: "XML013",
+    name: "unexpected-text",
+    category: Category::Xml,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("unexpected-text"),
+    check: Check::Document(check),
+};
+
+/// Where text is nobody's.
+const PLACES: [&str; 7] = ["robot", "link", "joint", "visual", "collision", "geometry", "inertial"];
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let tree = &cx.expansion.tree;
+    for (id, _) in walk::known(cx).filter(|(_, spec)| PLACES.contains(&spec.name)) {
+        for text in tree.children(id) {
+            let node = tree.get(text);
+            let is_text = matches!(node.kind, XKind::Text | XKind::CData);
+            if is_text && !node.text.trim().is_empty() {
+                report(cx, id, text, out);
+            }
+        }
+    }
+}
+
+fn report(cx: &DocumentCx<'_>, parent: XId, text: XId, out: &mut Sink<'_>) {
+    let node = cx.expansion.tree.get(text);
+    let shown: String = node.text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let shown = match shown.char_indices().nth(30) {
+        Some((end, _)) => format!("{}...", shown.get(..end).unwrap_or_default()),
+        None => shown,
+    };
+    let message = format!("the text `{shown}` in {} belongs to no element", walk::described(cx, parent));
+    out.report(trimmed(cx, node.origin), message)
+        .help("readers skip it: remove it, or make it a comment")
+        .done();
+}
+
+/// A place without the blanks around its text.
+fn trimmed(cx: &DocumentCx<'_>, origin: Origin) -> Origin {
+    let Some(source) = cx.expansion.sources.get(origin.src.0 as usize) else { return origin };
+    let text = origin.range.slice(source.item.text());
+    let start = origin.range.start + (text.len() - text.trim_start().len()) as u32;
+    Origin { range: TextRange::new(start, start + text.trim().len() as u32), ..origin }
+}

@@ -1,0 +1,92 @@
+//! An attribute that URDF does not know on its element.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::schema::ElementSpec;
+use super::super::sink::Sink;
+use super::walk;
+use crate::expand::{Origin, XAttr, XId};
+use crate::xml::Node;
+
+pub(super) const RULE: Rule = Rule {
+    code: "XML007",
+    name: "unknown-attribute",
+    category: Category::Xml,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Safe),
+    docs: page!("unknown-attribute"),
+    check: Check::Document(check),
+};
+
+/// Findings about one element.
+const MOST: usize = 50;
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for (id, spec) in walk::known(cx) {
+        let attrs = &cx.expansion.tree.get(id).attrs;
+        let unknown: Vec<&XAttr> = attrs
+            .iter()
+            .filter(|attr| spec.attribute(&attr.name).is_none() && !is_admitted(cx, &attr.name))
+            .take(MOST)
+            .collect();
+        if !unknown.is_empty() {
+            let absent = absent(cx, id, spec);
+            unknown.into_iter().for_each(|attr| report(cx, id, spec, &absent, attr, out));
+        }
+    }
+}
+
+/// Names that any element may have.
+fn is_admitted(cx: &DocumentCx<'_>, name: &str) -> bool {
+    let allowed = || cx.world.config.allow_attributes.iter().any(|allowed| allowed == name);
+    name.contains(':') || matches!(name, "id" | "xmlns") || allowed()
+}
+
+/// The attributes that an element could have and does not.
+pub(super) fn absent(cx: &DocumentCx<'_>, element: XId, spec: &ElementSpec) -> Vec<&'static str> {
+    let names = spec.attributes.iter().map(|attribute| attribute.name);
+    names.filter(|name| cx.expansion.tree.attr(element, name).is_none()).collect()
+}
+
+fn report(
+    cx: &DocumentCx<'_>,
+    id: XId,
+    spec: &ElementSpec,
+    absent: &[&'static str],
+    attr: &XAttr,
+    out: &mut Sink<'_>,
+) {
+    let name = &attr.name;
+    let message = format!("{}: URDF knows no attribute `{name}` here", walk::described(cx, id));
+    let report = out.report(name_of(cx, attr), message);
+    let taken: Vec<String> = spec.attributes.iter().map(|known| format!("`{}`", known.name)).collect();
+    match walk::meant(name, absent.iter().copied()) {
+        Some((near, sure)) => {
+            let safety = if sure { Safety::Safe } else { Safety::Unsafe };
+            report
+                .help(format!("`{near}` is meant, it seems; readers skip `{name}` in silence"))
+                .replace_with(safety, format!("rename it to `{near}`"), near)
+                .done();
+        }
+        None if taken.is_empty() => {
+            report.help(format!("`{}` has no attributes; readers skip it in silence", spec.name)).done();
+        }
+        None => {
+            let help = format!("readers skip it in silence; `{}` has {}", spec.name, taken.join(", "));
+            report.help(help).done();
+        }
+    }
+}
+
+/// The name of an attribute in the source; its value, where the name stands somewhere else.
+fn name_of(cx: &DocumentCx<'_>, attr: &XAttr) -> Origin {
+    let origin = attr.origin;
+    let source = cx.expansion.sources.get(origin.src.0 as usize);
+    let holds = |node: &Node<'_>| node.start_tag_range().contains_range(origin.range);
+    let node = source.and_then(|source| source.item.all_nodes().find(holds));
+    let mut attrs = node.into_iter().flat_map(|node| node.attrs());
+    let named = attrs.find(|other| other.value_range() == origin.range && other.name() == attr.name);
+    named.map_or(origin, |named| Origin { range: named.name_range(), ..origin })
+}

@@ -1,0 +1,81 @@
+//! An element that URDF does not know at its place.
+
+use super::super::context::{DocumentCx, RootKind};
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::schema::ElementSpec;
+use super::super::sink::Sink;
+use super::walk::{self, Seen};
+use crate::base::TextRange;
+use crate::expand::{FileIdx, XId};
+use crate::model::tag_start;
+
+pub(super) const RULE: Rule = Rule {
+    code: "XML006",
+    name: "unknown-element",
+    category: Category::Xml,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Safe),
+    docs: page!("unknown-element"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let macros = walk::macros(cx.expansion);
+    for Seen { id, spec, parent } in walk::elements(cx) {
+        let (None, Some(parent)) = (spec, parent) else { continue };
+        let name = cx.expansion.tree.get(id).text.as_str();
+        // shapes have a rule of their own
+        let elsewhere = name.contains(':') || parent.name == "geometry";
+        if elsewhere || is_allowed(cx, name) || walk::lacks_prefix(cx, id, &macros) {
+            continue;
+        }
+        let near = walk::meant(name, parent.children().map(|child| child.name));
+        if cx.kind == RootKind::Library && parent.name == "robot" && near.is_none() {
+            continue; // the file may be meant for the inside of a free zone
+        }
+        report(cx, id, parent, near, out);
+    }
+}
+
+fn is_allowed(cx: &DocumentCx<'_>, name: &str) -> bool {
+    cx.world.config.allow_elements.iter().any(|allowed| allowed == name)
+}
+
+fn report(
+    cx: &DocumentCx<'_>,
+    id: XId,
+    parent: &ElementSpec,
+    near: Option<(&str, bool)>,
+    out: &mut Sink<'_>,
+) {
+    let name = &cx.expansion.tree.get(id).text;
+    let around = cx.expansion.tree.parent(id).map_or(String::new(), |id| walk::described(cx, id));
+    let message = format!("URDF knows no `{name}` in {around}");
+    let report = out.report(tag_start(cx.expansion, id), message);
+    let Some((near, sure)) = near else {
+        let children: Vec<String> = parent.children().map(|child| format!("`{}`", child.name)).collect();
+        let help = if children.is_empty() {
+            format!("`{}` has no content; readers skip this in silence", parent.name)
+        } else {
+            format!("readers skip it in silence; `{}` may hold {}", parent.name, children.join(", "))
+        };
+        return report.help(help).done();
+    };
+    let report = report.help(format!("`{near}` is meant, it seems; readers skip `{name}` in silence"));
+    let Some((file, names)) = names(cx, id) else { return report.done() };
+    let safety = if sure { Safety::Safe } else { Safety::Unsafe };
+    let edits = names.into_iter().map(|range| (range, near.to_owned()));
+    report.fix(safety, format!("rename it to `{near}`"), file, edits).done();
+}
+
+/// Where the name stands in the start tag and in the end tag, when the source spells it.
+fn names(cx: &DocumentCx<'_>, id: XId) -> Option<(FileIdx, Vec<TextRange>)> {
+    let node = cx.expansion.tree.get(id);
+    let source = walk::source_node(cx.expansion, node.origin).filter(|source| source.name() == node.text)?;
+    let base = cx.expansion.sources.get(node.origin.src.0 as usize)?.base;
+    let names = [Some(source.name_range()), source.end_name_range()];
+    let file = cx.expansion.place(node.origin)?.file;
+    Some((file, names.into_iter().flatten().map(|range| range.shift(base)).collect()))
+}

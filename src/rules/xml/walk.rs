@@ -1,0 +1,166 @@
+//! The expanded document seen through the schema.
+
+use super::super::context::{DocumentCx, RootKind};
+use super::super::schema::{self, ElementSpec};
+use super::super::vocabulary::is_free_zone;
+use crate::base::FastSet;
+use crate::expand::{Expansion, Origin, XId, XKind};
+use crate::model::Text;
+use crate::workspace::edit_distance;
+use crate::xml::Node;
+
+/// An element outside of the free zones.
+pub(super) struct Seen {
+    pub id: XId,
+    /// What the schema says about it; none: it may not stand there.
+    pub spec: Option<&'static ElementSpec>,
+    /// What the schema says about the element around it.
+    pub parent: Option<&'static ElementSpec>,
+}
+
+/// All elements of a robot, or of what a library gives by itself, except what stands inside of unknown
+/// elements and free zones; parents first.
+pub(super) fn elements(cx: &DocumentCx<'_>) -> Vec<Seen> {
+    let tree = &cx.expansion.tree;
+    let root = tree.get(cx.element);
+    let is_robot = root.kind == XKind::Container || root.text == schema::robot().name;
+    let mut open =
+        vec![Seen { id: cx.element, spec: Some(schema::robot()).filter(|_| is_robot), parent: None }];
+    let mut seen = Vec::new();
+    while let Some(element) = open.pop() {
+        if let Some(spec) = element.spec.filter(|spec| !is_free_zone(spec.name)) {
+            let children = tree.elements(element.id).map(|id| {
+                let name = tree.get(id).text.as_str();
+                // a library may be meant for the inside of a link or a joint
+                let anywhere = cx.kind == RootKind::Library && element.parent.is_none();
+                let elsewhere = || schema::urdf_element(name).filter(|_| anywhere);
+                let spec_here = spec.child(name).or_else(elsewhere);
+                (Seen { id, spec: spec_here, parent: Some(spec) }, anywhere && is_foreign(cx, id))
+            });
+            let children = children.filter(|(_, foreign)| !foreign).map(|(child, _)| child);
+            let start = open.len();
+            open.extend(children);
+            open.get_mut(start..).into_iter().for_each(<[Seen]>::reverse);
+        }
+        seen.push(element);
+    }
+    seen
+}
+
+/// Whether an element of a library is meant for the inside of a free zone: SDF holds text, ros2_control
+/// interfaces, URDF neither.
+fn is_foreign(cx: &DocumentCx<'_>, element: XId) -> bool {
+    const INTERFACES: [&str; 3] = ["command_interface", "state_interface", "param"];
+    let tree = &cx.expansion.tree;
+    let mut open = vec![element];
+    while let Some(id) = open.pop() {
+        let node = tree.get(id);
+        let has_text = node.kind == XKind::Text && !node.text.trim().is_empty();
+        if has_text || INTERFACES.contains(&node.text.as_str()) {
+            return true;
+        }
+        open.extend(tree.children(id));
+    }
+    false
+}
+
+/// Those that the schema knows, without the blocks that are meant for other tools.
+pub(super) fn known(cx: &DocumentCx<'_>) -> impl Iterator<Item = (XId, &'static ElementSpec)> {
+    let known = elements(cx).into_iter().filter_map(|seen| Some((seen.id, seen.spec?)));
+    let is_element = |id: XId| cx.expansion.tree.get(id).kind == XKind::Element;
+    known.filter(move |&(id, spec)| is_element(id) && !is_free_zone(spec.name))
+}
+
+/// What an element belongs to, for messages: "joint `elbow`".
+pub(super) fn owner(cx: &DocumentCx<'_>, element: XId) -> String {
+    let tree = &cx.expansion.tree;
+    let around = std::iter::successors(Some(element), |&id| tree.parent(id));
+    let named = |id: XId| {
+        let node = tree.get(id);
+        let is_owner = matches!(node.text.as_str(), "link" | "joint" | "material" | "robot");
+        let name = Text::attr(tree, id, "name").filter(|_| is_owner)?;
+        Some(name.name().map_or_else(|| format!("a {}", node.text), |name| format!("{} `{name}`", node.text)))
+    };
+    around.filter_map(named).next().unwrap_or_else(|| "this file".to_owned())
+}
+
+/// The message's beginning for an element: "`limit` of joint `elbow`".
+pub(super) fn described(cx: &DocumentCx<'_>, element: XId) -> String {
+    let tree = &cx.expansion.tree;
+    let name = &tree.get(element).text;
+    let owner = owner(cx, element);
+    let kind = owner.split(" `").next().unwrap_or_default();
+    let own = tree.attr(element, "name").is_some() && kind.trim_start_matches("a ") == name.as_str();
+    if own { owner } else { format!("`{name}` of {owner}") }
+}
+
+/// Whether xacro may put something into an element that the tree does not show: in a macro that nothing calls,
+/// conditions and blocks are not known.
+pub(super) fn may_get_more(cx: &DocumentCx<'_>, element: XId) -> bool {
+    let node = source_node(cx.expansion, cx.expansion.tree.get(element).origin);
+    let is_probe = cx.expansion.tree.get(cx.element).kind == XKind::Container;
+    is_probe && node.is_none_or(|node| node.child_elements().any(|child| child.name().starts_with("xacro:")))
+}
+
+/// The element of the source whose start tag is at `origin`.
+pub(super) fn source_node(expansion: &Expansion, origin: Origin) -> Option<Node<'_>> {
+    let item = &expansion.sources.get(origin.src.0 as usize)?.item;
+    item.element_at(origin.range.start).filter(|node| node.start_tag_range() == origin.range)
+}
+
+/// The candidate that a wrong word is meant to be, and whether that is sure: the only one at distance 1.
+pub(super) fn meant<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<(&'a str, bool)> {
+    const LONGEST: usize = 40;
+    if word.len() > LONGEST {
+        return None;
+    }
+    let near: Vec<(usize, &str)> = candidates
+        .map(|candidate| (edit_distance(word, candidate), candidate))
+        .filter(|(distance, candidate)| *distance <= 2 && distance * 2 < candidate.len())
+        .collect();
+    let &(distance, best) = near.iter().min_by_key(|(distance, _)| *distance)?;
+    let sure = distance == 1 && near.iter().filter(|(distance, _)| *distance == 1).count() == 1;
+    Some((best, sure))
+}
+
+/// The macros that the files of an expansion define somewhere.
+pub(super) fn macros(expansion: &Expansion) -> FastSet<&str> {
+    let items = expansion.files.iter().flat_map(|file| file.source.document.parts());
+    let macros = items.flat_map(|(_, item)| item.all_nodes()).filter(|node| node.name() == "xacro:macro");
+    macros.filter_map(|node| Some(node.attr("name")?.raw())).collect()
+}
+
+/// Whether an element is one that a rule about forgotten `xacro:` speaks about.
+pub(super) fn lacks_prefix(cx: &DocumentCx<'_>, element: XId, macros: &FastSet<&str>) -> bool {
+    const TAGS: [&str; 7] = ["arg", "if", "include", "insert_block", "macro", "property", "unless"];
+    let node = cx.expansion.tree.get(element);
+    let declares = || {
+        let place = cx.expansion.place(node.origin)?;
+        let file = cx.expansion.files.get(place.file.0 as usize)?;
+        file.source.document.root()?.attr("xmlns:xacro")
+    };
+    let name = node.text.as_str();
+    macros.contains(name) || TAGS.contains(&name) && declares().is_some()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::meant;
+
+    #[test]
+    fn what_is_meant() {
+        let words = ["lower", "upper", "effort", "velocity", "xyz", "rpy"];
+        let table = [
+            ("lowr", Some(("lower", true))),
+            ("low", Some(("lower", false))),
+            ("xyzz", Some(("xyz", true))),
+            ("rxy", Some(("rpy", true))),
+            ("zyx", None),
+            ("speed", None),
+        ];
+        for (word, expected) in table {
+            assert_eq!(meant(word, words.into_iter()), expected, "{word}");
+        }
+        assert_eq!(meant("ab12", ["ab13", "ab14"].into_iter()), Some(("ab13", false)));
+    }
+}

@@ -1,0 +1,33 @@
+//! A vector of too few or too many numbers.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::invalid_number::{bad_words, numeric};
+use super::walk;
+
+pub(super) const RULE: Rule = Rule {
+    code: "XML011",
+    name: "wrong-vector-length",
+    category: Category::Xml,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("wrong-vector-length"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for (id, name, count, text) in numeric(cx) {
+        let found = text.words().count();
+        // what is no number is reported as such: it may well be two of them
+        if count == 1 || found == count || !bad_words(&text, count).is_empty() {
+            continue;
+        }
+        let plural = if found == 1 { "number" } else { "numbers" };
+        let message =
+            format!("{}: `{name}` has {found} {plural} instead of {count}", walk::described(cx, id));
+        out.report(text.origin, message).help("separate the numbers by blanks").done();
+    }
+}
