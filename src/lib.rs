@@ -10,6 +10,7 @@ pub mod cli;
 pub mod expand;
 pub mod expr;
 pub mod facts;
+pub mod ide;
 pub mod model;
 pub mod rules;
 #[cfg(feature = "lsp")]

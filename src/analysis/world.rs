@@ -179,7 +179,7 @@ impl World {
                 self.graph.update(&self.session.vfs, &self.session.packages, file);
             }
         }
-        if !self.scanned {
+        if !self.is_scanned() {
             self.scan_beside(path);
         }
     }

@@ -50,8 +50,19 @@ pub struct Interface {
     pub element: XId,
     /// Its `name`.
     pub name: Option<Text>,
-    /// Its `param`s: the element and its `name`.
-    pub params: Vec<(XId, Option<Text>)>,
+    /// Its `param`s.
+    pub params: Vec<Param>,
+}
+
+/// A `param` of an interface.
+#[derive(Clone, Debug)]
+pub struct Param {
+    /// Its element.
+    pub element: XId,
+    /// Its `name`.
+    pub name: Option<Text>,
+    /// The text inside.
+    pub value: Option<Text>,
 }
 
 /// A `transmission` of the robot.
@@ -102,10 +113,39 @@ impl ControlJoint {
     }
 }
 
+impl ControlJoint {
+    /// Its interfaces, those for commands first.
+    pub fn interfaces(&self) -> impl Iterator<Item = &Interface> {
+        self.commands.iter().chain(&self.states)
+    }
+
+    /// Its name for messages.
+    pub fn shown(&self) -> &str {
+        self.name.as_ref().map_or("", |name| name.value.as_str())
+    }
+}
+
 impl Interface {
     fn of(tree: &XTree, element: XId) -> Self {
-        let params = children(tree, element, "param").map(|param| (param, Text::attr(tree, param, "name")));
+        let params = children(tree, element, "param").map(|param| Param::of(tree, param));
         Self { element, name: Text::attr(tree, element, "name"), params: params.collect() }
+    }
+
+    /// Whether it has this name.
+    pub fn is(&self, name: &str) -> bool {
+        self.name.as_ref().and_then(Text::name).is_some_and(|own| own == name)
+    }
+
+    /// The text of its first `param` of a name.
+    pub fn param(&self, name: &str) -> Option<&Text> {
+        let is_named = |param: &&Param| param.name.as_ref().is_some_and(|own| own.value == name);
+        self.params.iter().find(is_named)?.value.as_ref()
+    }
+}
+
+impl Param {
+    fn of(tree: &XTree, element: XId) -> Self {
+        Self { element, name: Text::attr(tree, element, "name"), value: Text::content(tree, element) }
     }
 }
 

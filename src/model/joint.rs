@@ -182,6 +182,16 @@ impl Joint {
         JointType::of(self.kind.as_ref()?.name()?)
     }
 
+    /// Whether it is of one of these types; false when its type is not known.
+    pub fn is(&self, kinds: &[JointType]) -> bool {
+        self.joint_type().is_some_and(|kind| kinds.contains(&kind))
+    }
+
+    /// Whether it moves along or about one axis by itself, not with another joint.
+    pub fn is_driven(&self) -> bool {
+        self.joint_type().is_some_and(JointType::has_axis) && self.mimic.is_none()
+    }
+
     /// Its axis in its own frame, 1 0 0 where none is written; none when it is no known vector.
     pub fn axis(&self) -> Option<[f64; 3]> {
         let text = self.axis.as_ref().and_then(|axis| axis.xyz.as_ref());

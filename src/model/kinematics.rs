@@ -70,6 +70,27 @@ impl Kinematics {
         self.up.get(link).map_or(&[], Vec::as_slice)
     }
 
+    /// The joints above a link, the nearest first; of several parents the first counts. A circle ends it.
+    pub fn above(&self, link: usize) -> impl Iterator<Item = usize> + '_ {
+        let up = |link: usize| self.up(link).first().copied();
+        let next = move |&joint: &usize| up(self.ends(joint)?.0);
+        std::iter::successors(up(link), next).take(self.down.len())
+    }
+
+    /// The joints between two links, those above `from` first; none when they hang on nothing in common.
+    pub fn path(&self, from: usize, to: usize) -> Option<Vec<usize>> {
+        let from_root: Vec<usize> = self.above(from).collect::<Vec<_>>().into_iter().rev().collect();
+        let to_root: Vec<usize> = self.above(to).collect::<Vec<_>>().into_iter().rev().collect();
+        let root =
+            |link: usize, way: &[usize]| way.first().map_or(Some(link), |&joint| Some(self.ends(joint)?.0));
+        if root(from, &from_root)? != root(to, &to_root)? {
+            return None;
+        }
+        let common = from_root.iter().zip(&to_root).take_while(|(a, b)| a == b).count();
+        let up = from_root.into_iter().skip(common).rev();
+        Some(up.chain(to_root.into_iter().skip(common)).collect())
+    }
+
     /// The links that are no child of any joint, in document order; links of a name that an earlier link has
     /// are left out.
     pub fn roots(&self, robot: &Robot) -> Vec<usize> {

@@ -12,12 +12,14 @@ mod source;
 mod tests;
 mod text;
 
-pub use blocks::{ControlJoint, Gazebo, Interface, Ros2Control, Transmission};
+pub use blocks::{ControlJoint, Gazebo, Interface, Param, Ros2Control, Transmission};
 pub use joint::{Axis, Dynamics, Joint, JointType, Limit, Mimic, Safety};
 pub use kinematics::Kinematics;
 pub use link::{Body, Geometry, Inertial, Link, Material, Shape, ShapeKind};
-pub use mesh::Meshes;
+pub use mesh::{
+    Bounds, Defect, DefectKind, Dependency, Edges, Mesh, MeshFormat, Meshes, Missing, Surface, UpAxis,
+};
 pub use pose::{Pose, transform};
 pub use robot::Robot;
-pub use source::tag_start;
+pub use source::{attr_range, element_range, source_has_elements, tag_start};
 pub use text::{Text, decimal};

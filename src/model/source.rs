@@ -13,6 +13,24 @@ pub fn tag_start(expansion: &Expansion, element: XId) -> Origin {
     }
 }
 
+/// A whole element, from `<` to the `>` that ends it.
+pub fn element_range(expansion: &Expansion, element: XId) -> Origin {
+    let origin = expansion.tree.get(element).origin;
+    node(expansion, origin).map_or(origin, |node| Origin { range: node.range(), ..origin })
+}
+
+/// An attribute of an element, from its name to the closing quote; none when the source has no such attribute.
+pub fn attr_range(expansion: &Expansion, element: XId, name: &str) -> Option<Origin> {
+    let origin = expansion.tree.get(element).origin;
+    Some(Origin { range: node(expansion, origin)?.attr(name)?.range(), ..origin })
+}
+
+/// Whether the source of an element has elements inside, whatever became of them.
+pub fn source_has_elements(expansion: &Expansion, element: XId) -> bool {
+    let origin = expansion.tree.get(element).origin;
+    node(expansion, origin).is_none_or(|node| node.child_elements().next().is_some())
+}
+
 /// The source element whose start tag is at `origin`.
 fn node(expansion: &Expansion, origin: Origin) -> Option<Node<'_>> {
     let item = &expansion.sources.get(origin.src.0 as usize)?.item;

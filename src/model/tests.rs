@@ -95,6 +95,31 @@ fn cycles_are_found_beside_a_root() {
 }
 
 #[test]
+fn paths_go_up_and_down_and_end_in_circles() {
+    let (robot, kinematics) = chain("r a b c d", "x:r>a y:a>b z:r>c");
+    let link = |name| kinematics.link(name).unwrap();
+    let names = |path: Vec<usize>| path.into_iter().map(|i| robot.joints[i].shown()).collect::<String>();
+    assert_eq!(names(kinematics.above(link("b")).collect()), "yx");
+    assert_eq!(kinematics.path(link("b"), link("c")).map(names).as_deref(), Some("yxz"));
+    assert_eq!(kinematics.path(link("b"), link("a")).map(names).as_deref(), Some("y"));
+    assert_eq!(kinematics.path(link("b"), link("d")), None);
+    let (_, kinematics) = chain("a b", "x:a>b y:b>a");
+    assert_eq!(kinematics.above(0).count(), 2);
+}
+
+#[test]
+fn params_of_interfaces_have_their_text_without_blanks() {
+    let (expansion, robot) = robot(
+        "<ros2_control><joint name='j'><state_interface name='position'><param name='initial_value'>\n 1.5 \n\
+         </param></state_interface></joint></ros2_control>",
+    );
+    let text = robot.controls[0].joints[0].states[0].param("initial_value").unwrap();
+    assert_eq!(text.number(), Some(1.5));
+    let place = expansion.place(text.origin).unwrap();
+    assert_eq!(expansion.files[0].source.document.slice(place.range), "1.5");
+}
+
+#[test]
 fn a_long_chain_needs_no_stack() {
     let links: Vec<String> = (0..5_000).map(|i| format!("l{i}")).collect();
     let joints: Vec<String> = (1..5_000).map(|i| format!("j{i}:l{}>l{i}", i - 1)).collect();

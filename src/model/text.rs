@@ -5,7 +5,7 @@ use std::ops::Range;
 use ecow::EcoString;
 
 use crate::base::TextRange;
-use crate::expand::{Origin, Piece, XAttr, XId, XTree};
+use crate::expand::{Origin, Piece, XAttr, XId, XKind, XTree};
 
 /// The value of an attribute, and where it stands in the source.
 #[derive(Clone, Debug)]
@@ -33,6 +33,23 @@ impl Text {
     /// An attribute of an element.
     pub fn attr(tree: &XTree, element: XId, name: &str) -> Option<Self> {
         tree.attr(element, name).map(Text::of)
+    }
+
+    /// The first text inside an element that is not blank, without the blanks around it.
+    pub fn content(tree: &XTree, element: XId) -> Option<Self> {
+        let texts = tree.children(element).map(|id| tree.get(id)).filter(|node| node.kind == XKind::Text);
+        let node = texts.into_iter().find(|node| !node.text.trim_matches(is_blank).is_empty())?;
+        let value: EcoString = node.text.trim_matches(is_blank).into();
+        let literal = node.origin.range.len() as usize == node.text.len();
+        let mut origin = node.origin;
+        if literal {
+            let before = node.text.len() - node.text.trim_start_matches(is_blank).len();
+            let start = origin.range.start + before as u32;
+            origin.range = TextRange::new(start, start + value.len() as u32);
+        }
+        // what could not be computed reads `?`
+        let known = literal || !value.contains('?');
+        Some(Self { value, origin, known, literal, pieces: Box::default() })
     }
 
     /// The value, when all of it is known and it is not empty.
@@ -68,6 +85,12 @@ impl Text {
         text.split(is_blank).filter(|word| !word.is_empty()).map(word)
     }
 
+    /// Whether the source spells the part `range` of the value: no expression had a hand in it.
+    pub fn is_written(&self, range: Range<usize>) -> bool {
+        let (start, end) = (range.start as u32, range.end as u32);
+        !self.pieces.iter().any(|piece| piece.out.start < end && start < piece.out.end)
+    }
+
     /// Where the part `range` of the value stands in the source: that text itself when it is written there,
     /// the expression that made it, or the whole value when it comes from several places.
     pub fn part(&self, range: Range<usize>) -> Origin {
@@ -90,6 +113,14 @@ impl Text {
                 .map_or(self.origin, |start| at(start, start + (end - range.start as u32))),
             _ => self.origin,
         }
+    }
+
+    /// What the expressions read that made the part `range` of the value: indices of
+    /// [`Expansion::bindings`](crate::expand::Expansion::bindings).
+    pub fn reads(&self, range: Range<usize>) -> impl Iterator<Item = u32> + '_ {
+        let (start, end) = (range.start as u32, range.end as u32);
+        let touching = self.pieces.iter().filter(move |piece| piece.out.start < end && start < piece.out.end);
+        touching.flat_map(|piece| piece.reads.iter().copied())
     }
 
     /// The offset in the source of a part that no expression made.

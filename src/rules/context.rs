@@ -1,8 +1,11 @@
 //! What rules see.
 
+use std::cell::OnceCell;
+
+use super::geometry::Resources;
 use crate::base::FastSet;
 use crate::expand::{Expansion, FileIdx, XId};
-use crate::model::{Kinematics, Meshes, Robot};
+use crate::model::{Joint, Kinematics, Link, Meshes, Robot};
 use crate::vfs::{SourceFile, Vfs};
 use crate::workspace::Packages;
 use crate::workspace::config::Config;
@@ -66,6 +69,27 @@ pub struct DocumentCx<'a> {
     pub robot: Option<&'a Robot>,
     /// What lies around it.
     pub world: Surroundings<'a>,
+    /// The meshes that the robot names, once a rule has asked.
+    pub(super) resources: OnceCell<Resources>,
+}
+
+impl DocumentCx<'_> {
+    /// The links of the document.
+    pub fn links(&self) -> &[Link] {
+        self.robot.map_or(&[], |robot| &robot.links)
+    }
+
+    /// The joints of the document.
+    pub fn joints(&self) -> &[Joint] {
+        self.robot.map_or(&[], |robot| &robot.joints)
+    }
+
+    /// Whether every element of the document is there: nothing may be said about what is missing otherwise. In
+    /// a macro that nothing calls, blocks and conditions are not known.
+    pub fn whole(&self) -> bool {
+        let is_root = self.expansion.tree.root() == Some(self.element);
+        is_root && self.expansion.whole && !super::run::lost_content(self.expansion)
+    }
 }
 
 /// What lies around a description: packages, files, settings.

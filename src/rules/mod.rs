@@ -3,10 +3,12 @@
 //! A rule is a file here, a line in the list of its category and a page in `docs/rules/`. Rules that the
 //! expander finds on its way have no file: they are lines of a table and a page.
 
+mod arms;
 mod catalogue;
 mod context;
 mod control;
 mod conventions;
+mod edits;
 mod finding;
 mod frames;
 mod geometry;
@@ -14,6 +16,7 @@ mod inertia;
 mod joint;
 mod linter;
 mod mend;
+mod numbers;
 mod package;
 mod place;
 mod registry;

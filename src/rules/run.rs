@@ -1,5 +1,7 @@
 //! Running rules.
 
+use std::cell::OnceCell;
+
 use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings};
 use super::finding::{Edit, Finding, Fix, Related};
 use super::mend;
@@ -19,8 +21,7 @@ const LOSES_CONTENT: [&str; 8] =
 
 /// Whether all elements of an expansion are there.
 pub(super) fn is_whole(expansion: &Expansion) -> bool {
-    let loses = |problem: &Problem| !problem.probed && LOSES_CONTENT.contains(&problem.code);
-    expansion.whole && !expansion.problems.iter().any(loses)
+    expansion.whole && !lost_content(expansion)
 }
 
 /// What expansion reported, and what the rules say about the expanded document.
@@ -45,7 +46,8 @@ pub fn check_expansion(
         .iter()
         .map(|probe| (probe.content, RootKind::Library, Some(Robot::below(&expansion.tree, probe.content))));
     for (element, kind, robot) in whole.into_iter().chain(probes) {
-        let document = DocumentCx { expansion, element, kind, explicit, robot: robot.as_ref(), world };
+        let (robot, resources) = (robot.as_ref(), OnceCell::new());
+        let document = DocumentCx { expansion, element, kind, explicit, robot, world, resources };
         run(&mut sink, |rule, sink| {
             if let Check::Document(check) = rule.check {
                 check(&document, sink);
@@ -67,6 +69,12 @@ pub fn check_expansion(
     let broken: Vec<FileId> = expansion.files.iter().filter(broken).map(|file| file.source.id).collect();
     findings.extend(sink.finish().into_iter().filter(|finding| !broken.contains(&finding.span.file)));
     findings
+}
+
+/// Whether links, joints or parts of them may be missing from an expansion.
+pub(super) fn lost_content(expansion: &Expansion) -> bool {
+    let loses = |problem: &Problem| !problem.probed && LOSES_CONTENT.contains(&problem.code);
+    expansion.problems.iter().any(loses)
 }
 
 /// What the rules say about the source files of an expansion. Of a file that is not well-formed, only that

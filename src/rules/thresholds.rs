@@ -16,7 +16,45 @@ pub struct Threshold {
 }
 
 /// All thresholds, by name.
-pub static THRESHOLDS: &[Threshold] = &[];
+pub static THRESHOLDS: &[Threshold] =
+    &[MAX_COLLISION_TRIANGLES, MAX_EXTENT, MAX_JOINT_OFFSET, MAX_JOINT_VELOCITY, MIN_EXTENT];
+
+/// The longest way from one joint to the next, metres.
+pub(super) const MAX_JOINT_OFFSET: Threshold = Threshold {
+    name: "max-joint-offset-m",
+    rule: "origin-units-mm",
+    default: 20.0,
+    docs: "the longest origin of a joint, in metres",
+};
+
+/// The fastest revolute joint, rad/s.
+pub(super) const MAX_JOINT_VELOCITY: Threshold = Threshold {
+    name: "max-joint-velocity-rad-per-s",
+    rule: "joint-velocity-degrees",
+    default: 50.0,
+    docs: "the highest velocity of a revolute joint, in rad/s",
+};
+
+pub(super) const MAX_COLLISION_TRIANGLES: Threshold = Threshold {
+    name: "max-collision-triangles",
+    rule: "collision-mesh-too-detailed",
+    default: 5000.0,
+    docs: "Triangles that a collision mesh may have.",
+};
+
+pub(super) const MAX_EXTENT: Threshold = Threshold {
+    name: "max-extent-m",
+    rule: "mesh-scale-suspicious",
+    default: 10.0,
+    docs: "Greatest length of a mesh along an axis, in metres.",
+};
+
+pub(super) const MIN_EXTENT: Threshold = Threshold {
+    name: "min-extent-m",
+    rule: "mesh-scale-suspicious",
+    default: 1e-4,
+    docs: "Least length of a mesh along its longest axis, in metres.",
+};
 
 impl Threshold {
     /// The value that holds under a configuration.

@@ -20,19 +20,14 @@ pub(super) struct ClientFacts {
     pub registers_settings: bool,
     /// It shows progress.
     pub progress: bool,
-    /// It inserts snippets.
-    pub snippets: bool,
     /// It takes links with the range they start from.
     pub links: bool,
-    /// It takes edits with versions, and files made and renamed.
-    pub document_changes: bool,
 }
 
 impl ClientFacts {
     pub fn of(capabilities: &ClientCapabilities) -> Self {
         let workspace = capabilities.workspace.clone().unwrap_or_default();
         let text = capabilities.text_document.clone().unwrap_or_default();
-        let item = text.completion.as_ref().and_then(|c| c.completion_item.as_ref());
         let yes = |flag: Option<Option<bool>>| flag.flatten().unwrap_or(false);
         Self {
             pulls_diagnostics: text.diagnostic.is_some(),
@@ -47,13 +42,7 @@ impl ClientFacts {
                 .as_ref()
                 .map(|w| w.dynamic_registration)),
             progress: capabilities.window.as_ref().and_then(|w| w.work_done_progress).unwrap_or(false),
-            snippets: item.and_then(|item| item.snippet_support).unwrap_or(false),
             links: text.definition.as_ref().and_then(|d| d.link_support).unwrap_or(false),
-            document_changes: workspace
-                .workspace_edit
-                .as_ref()
-                .and_then(|e| e.document_changes)
-                .unwrap_or(false),
         }
     }
 }

@@ -30,7 +30,6 @@ pub(super) struct OpenDocument {
 /// The state of the server.
 pub(super) struct Engine {
     pub world: World,
-    pub env: Environment,
     pub client: ClientFacts,
     pub encoding: Encoding,
     pub outbox: Outbox,
@@ -57,8 +56,7 @@ impl Engine {
 
     pub fn new(env: Environment, outbox: Outbox, pressure: Pressure) -> Self {
         Self {
-            world: World::new(env.clone(), Vec::new()),
-            env,
+            world: World::new(env, Vec::new()),
             client: ClientFacts::default(),
             encoding: Encoding::Utf16,
             outbox,

@@ -85,6 +85,11 @@ fn checked(body: &[u8]) -> Vec<u8> {
         return bad("it is no message of JSON-RPC 2.0".to_owned()).to_string().into_bytes();
     }
     match (head.method.as_deref(), &head.id) {
+        // some clients send `null` for no parameters, which the service would refuse
+        (Some("shutdown"), Some(id)) => {
+            json!({ "jsonrpc": "2.0", "id": id, "method": "shutdown" }).to_string().into_bytes()
+        }
+        (Some("exit"), _) => json!({ "jsonrpc": "2.0", "method": "exit" }).to_string().into_bytes(),
         // requests with `$/` that are not known must be answered all the same
         (Some(method), Some(id)) if method.starts_with("$/") => {
             json!({ "jsonrpc": "2.0", "id": id, "method": format!("unknown{method}") })

@@ -42,7 +42,6 @@ impl Engine {
                 name: "xacro-lsp".to_owned(),
                 version: Some(env!("CARGO_PKG_VERSION").to_owned()),
             }),
-            ..InitializeResult::default()
         })
     }
 

@@ -16,7 +16,9 @@ mod framing;
 mod handlers;
 mod letterbox;
 mod lifecycle;
+mod navigation;
 mod outbox;
+mod structure;
 mod sync;
 
 use tokio::runtime::Builder;

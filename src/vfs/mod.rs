@@ -9,6 +9,7 @@
 mod buffer;
 mod cache;
 mod decode;
+mod derived;
 mod environment;
 mod error;
 mod glob;
@@ -25,6 +26,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, PoisonError, RwLock};
 
+pub use derived::{FileCache, text_of};
 pub use environment::Environment;
 pub use error::{LoadError, LoadErrorKind};
 pub use glob::{Wildcard, covers, has_magic};
@@ -135,6 +137,7 @@ pub struct Vfs {
     texts: Cache<TextFile>,
     sources: Cache<SourceFile>,
     yaml: Cache<YamlFile>,
+    folders: Cache<Vec<DirEntry>>,
 }
 
 impl Vfs {
@@ -155,6 +158,7 @@ impl Vfs {
             texts: Cache::default(),
             sources: Cache::default(),
             yaml: Cache::default(),
+            folders: Cache::default(),
         }
     }
 

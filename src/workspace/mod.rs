@@ -3,6 +3,7 @@
 pub mod config;
 mod manifest;
 mod memo;
+mod namesakes;
 mod packages;
 mod root;
 mod scan;
@@ -17,4 +18,4 @@ pub use packages::{Entry, Found, NotFound, Package, PackageOptions, Packages, Ta
 pub use root::workspace_root;
 pub use similar::{edit_distance, nearest};
 pub use steps::Step;
-pub use uri::{UriKind, UriOutcome, UriResult};
+pub use uri::{UriKind, UriOutcome, UriResult, percent_decoded};

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::manifest::{MANIFEST, is_package_name, package_name};
 use super::memo::Memo;
+use super::namesakes::Index;
 use super::root::workspace_root;
 use super::scan::{Rules, Tree, scan};
 use super::similar::nearest;
@@ -109,6 +110,7 @@ pub struct Packages {
     owners: Memo<PathBuf, Option<Package>>,
     roots: Memo<PathBuf, Option<PathBuf>>,
     installed: Memo<Prefix, Arc<Vec<String>>>,
+    pub(super) indexes: Memo<PathBuf, Arc<Index>>,
 }
 
 impl Packages {
@@ -122,6 +124,7 @@ impl Packages {
             owners: Memo::default(),
             roots: Memo::default(),
             installed: Memo::default(),
+            indexes: Memo::default(),
         }
     }
 
@@ -178,6 +181,7 @@ impl Packages {
         self.owners.clear();
         self.roots.clear();
         self.installed.clear();
+        self.indexes.clear();
     }
 
     fn order(&self) -> Vec<Step> {
@@ -283,7 +287,7 @@ impl Packages {
         folders
     }
 
-    fn root_above(&self, start: &Path) -> Option<PathBuf> {
+    pub(super) fn root_above(&self, start: &Path) -> Option<PathBuf> {
         let home = self.env.var("HOME").map(Path::new);
         self.roots.get(start.to_owned(), || workspace_root(&self.vfs, start, home))
     }
@@ -317,7 +321,7 @@ impl Packages {
 }
 
 /// The path with `folder/..` taken out, by its text alone.
-fn without_parents(path: &Path) -> PathBuf {
+pub(super) fn without_parents(path: &Path) -> PathBuf {
     let mut clean = PathBuf::new();
     for component in path.components() {
         match component {

@@ -1,14 +1,17 @@
 //! "Did you mean".
 
 /// The candidate closest to `word`, if any is close enough to be meant: at most a third of its letters
-/// differ, and never more than three. The first of equals wins.
+/// differ, and never more than three; of two letters, the second. The first of equals wins.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let letters: Vec<char> = word.chars().flat_map(char::to_lowercase).collect();
-    let limit = (letters.len() / 3).min(3);
+    let limit = if letters.len() == 2 { 1 } else { (letters.len() / 3).min(3) };
     let mut best: Option<(usize, &str)> = None;
     for candidate in candidates {
         let other: Vec<char> = candidate.chars().flat_map(char::to_lowercase).collect();
         if candidate == word || letters.len().abs_diff(other.len()) > limit {
+            continue;
+        }
+        if letters.len() == 2 && (other.len() != 2 || letters.first() != other.first()) {
             continue;
         }
         let distance = distance(&letters, &other);
@@ -51,13 +54,15 @@ mod tests {
 
     #[test]
     fn words() {
-        let known = ["ur_description", "pr2_description", "xacro", "origin"];
+        let known = ["ur_description", "pr2_description", "xacro", "origin", "m0"];
         let table = [
             ("ur_descripton", Some("ur_description")),
             ("ur_descritpion", Some("ur_description")),
             ("Xacro", Some("xacro")),
             ("orgin", Some("origin")),
             ("roigin", Some("origin")),
+            ("m1", Some("m0")),
+            ("n0", None),
             ("xaxrp", None),
             ("moveit", None),
             ("xacro", None),

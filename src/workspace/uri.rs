@@ -149,7 +149,7 @@ fn split_scheme(uri: &str) -> Option<(&str, &str)> {
 }
 
 /// The text with `%41` and the like replaced, if there is any.
-fn percent_decoded(text: &str) -> Option<String> {
+pub fn percent_decoded(text: &str) -> Option<String> {
     let mut parts = text.split('%');
     let mut bytes = parts.next()?.as_bytes().to_vec();
     let mut changed = false;

@@ -1,5 +1,119 @@
 //! Meshes: what the files say that visuals and collisions name.
+//!
+//! The readers are our own: they say what is wrong with a file, where a library would only refuse it, and they
+//! read no more than the triangles and the names of further files.
 
-/// Meshes that were read, by path; each is read once.
-#[derive(Debug, Default)]
-pub struct Meshes {}
+mod bounds;
+mod dae;
+mod dae_geometry;
+mod defect;
+mod draft;
+mod gltf;
+mod gltf_json;
+mod gltf_mesh;
+mod library;
+mod obj;
+mod placed;
+mod soup;
+mod stl;
+#[cfg(test)]
+mod tests;
+mod topology;
+
+pub use bounds::Bounds;
+pub use defect::{Defect, DefectKind};
+pub use draft::{Dependency, MeshFormat, UpAxis};
+pub use library::{Meshes, Missing};
+pub use topology::Edges;
+
+use draft::Draft;
+use gltf::Beside;
+use soup::Soup;
+
+/// A mesh file.
+#[derive(Clone, Debug)]
+pub struct Mesh {
+    /// Its format: by its ending, and for STL by its content.
+    pub format: MeshFormat,
+    /// Its triangles; none when it could not be read.
+    pub surface: Option<Surface>,
+    /// What is wrong with it.
+    pub defect: Option<Defect>,
+    /// Metres a unit, where the file says so.
+    pub unit: Option<f64>,
+    /// The axis that points up, where the file says so.
+    pub up_axis: Option<UpAxis>,
+    /// The files it needs.
+    pub dependencies: Vec<Dependency>,
+}
+
+/// The triangles of a mesh, taken together; metres, in the axes of the file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface {
+    /// Number of triangles.
+    pub triangles: usize,
+    /// The box around them.
+    pub bounds: Bounds,
+    /// How they hang together.
+    pub edges: Edges,
+    /// The volume they enclose when they are closed, cubic metres; negative when they face inward.
+    pub volume: f64,
+}
+
+impl Mesh {
+    /// Read a file from its ending (small letters, without point) and bytes.
+    fn read(ending: &str, bytes: &[u8], beside: Beside<'_>) -> Self {
+        let format = match ending {
+            "stl" => MeshFormat::StlBinary { solid: false },
+            "obj" => MeshFormat::Obj,
+            "dae" => MeshFormat::Dae,
+            "gltf" | "glb" => MeshFormat::Gltf,
+            _ => MeshFormat::Other,
+        };
+        let mut draft = Draft::new(format);
+        let read = match format {
+            _ if is_lfs_pointer(bytes) => Err(lfs_pointer()),
+            MeshFormat::StlAscii | MeshFormat::StlBinary { .. } => stl::read(bytes, &mut draft),
+            MeshFormat::Obj => obj::read(bytes, &mut draft),
+            MeshFormat::Dae => dae::read(&crate::vfs::text_of(bytes.to_vec()), &mut draft),
+            MeshFormat::Gltf => gltf::read(bytes, beside, &mut draft),
+            MeshFormat::Other => Err(Defect::unread("its format is not read")),
+        };
+        Self::of(draft, read)
+    }
+
+    fn of(draft: Draft, read: Result<(), Defect>) -> Self {
+        let Draft { format, soup, unit, up_axis, dependencies, defect } = draft;
+        let surface = read.as_ref().ok().and_then(|()| Surface::of(&soup.complete()));
+        let defect = match read {
+            Err(defect) => Some(defect),
+            Ok(()) if surface.is_none() => Some(Defect::corrupt("it has no triangles")),
+            Ok(()) => defect,
+        };
+        Self { format, surface, defect, unit, up_axis, dependencies }
+    }
+}
+
+impl Surface {
+    fn of(soup: &Soup) -> Option<Self> {
+        let bounds = Bounds::around(soup.points.iter().copied())?;
+        let edges = Edges::of(soup, bounds);
+        // measured from a corner of the box, numbers stay small
+        let [x, y, z] = bounds.min;
+        let volume = soup.triangles.iter().map(|&triangle| {
+            let [a, b, c] =
+                soup.corners(triangle).map(|[px, py, pz]| nalgebra::Vector3::new(px - x, py - y, pz - z));
+            a.dot(&b.cross(&c)) / 6.0
+        });
+        Some(Self { triangles: soup.triangles.len(), bounds, edges, volume: volume.sum() })
+    }
+}
+
+fn is_lfs_pointer(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"version https://git-lfs") && bytes.len() < 1024
+}
+
+fn lfs_pointer() -> Defect {
+    let message = "it is a pointer of Git LFS, not the mesh".to_owned();
+    Defect { kind: DefectKind::LfsPointer, message }
+}

@@ -1,6 +1,48 @@
 //! ros2_control, transmissions and Gazebo.
 
+mod gazebo_classic_plugin;
+mod gazebo_lumped_reference;
+mod gazebo_plugin_missing_filename;
+mod gazebo_unknown_reference;
+mod joints;
+mod plugins;
+mod ros2_control_duplicate_joint;
+mod ros2_control_duplicate_name;
+mod ros2_control_fixed_joint;
+mod ros2_control_initial_value_out_of_limits;
+mod ros2_control_invalid_type;
+mod ros2_control_limits_mismatch;
+mod ros2_control_mimic_command;
+mod ros2_control_missing_plugin;
+mod ros2_control_no_interfaces;
+mod ros2_control_param_nonpositive_size;
+mod ros2_control_unknown_interface;
+mod ros2_control_unknown_joint;
+mod ros2_control_unknown_tag;
+mod transmission_missing_hardware_interface;
+mod transmission_unknown_joint;
+
 use super::registry::Rule;
 
 /// The rules.
-pub(super) static RULES: &[Rule] = &[];
+pub(super) static RULES: &[Rule] = &[
+    ros2_control_unknown_joint::RULE,
+    ros2_control_missing_plugin::RULE,
+    ros2_control_unknown_interface::RULE,
+    ros2_control_fixed_joint::RULE,
+    ros2_control_invalid_type::RULE,
+    ros2_control_duplicate_name::RULE,
+    ros2_control_duplicate_joint::RULE,
+    ros2_control_mimic_command::RULE,
+    ros2_control_initial_value_out_of_limits::RULE,
+    ros2_control_limits_mismatch::RULE,
+    ros2_control_no_interfaces::RULE,
+    transmission_unknown_joint::RULE,
+    transmission_missing_hardware_interface::RULE,
+    gazebo_unknown_reference::RULE,
+    gazebo_lumped_reference::RULE,
+    gazebo_plugin_missing_filename::RULE,
+    ros2_control_param_nonpositive_size::RULE,
+    gazebo_classic_plugin::RULE,
+    ros2_control_unknown_tag::RULE,
+];

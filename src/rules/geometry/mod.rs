@@ -1,6 +1,82 @@
 //! Geometry, meshes and materials.
 
+mod absolute_mesh_path;
+mod ascii_stl;
+mod binary_stl_solid_header;
+mod bodies;
+mod collision_mesh_too_detailed;
+mod collision_same_as_visual;
+mod collision_smaller_than_visual;
+mod color_out_of_range;
+mod corrupt_mesh;
+mod dae_unit;
+mod dae_up_axis;
+mod duplicate_material;
+mod empty_geometry;
+mod malformed_resource_uri;
+mod material_redefinition;
+mod material_without_color;
+mod mesh_case_mismatch;
+mod mesh_inconsistent_normals;
+mod mesh_inverted_normals;
+mod mesh_missing_dependency;
+mod mesh_not_found;
+mod mesh_not_watertight;
+mod mesh_scale_suspicious;
+mod missing;
+mod missing_collision;
+mod multiple_geometries;
+mod negative_mesh_scale;
+mod non_positive_dimension;
+mod once_per_file;
+mod relative_mesh_path;
+mod resources;
+mod shapes;
+mod texture_not_found;
+mod undefined_material;
+mod unknown_geometry_type;
+mod unsupported_mesh_format;
+mod unused_material;
+mod zero_mesh_scale;
+
 use super::registry::Rule;
 
+pub(super) use bodies::{Extent, extent, extent_of, volume};
+pub(super) use resources::Resources;
+
 /// The rules.
-pub(super) static RULES: &[Rule] = &[];
+pub(super) static RULES: &[Rule] = &[
+    mesh_not_found::RULE,
+    mesh_case_mismatch::RULE,
+    unsupported_mesh_format::RULE,
+    ascii_stl::RULE,
+    binary_stl_solid_header::RULE,
+    corrupt_mesh::RULE,
+    mesh_scale_suspicious::RULE,
+    mesh_inverted_normals::RULE,
+    mesh_inconsistent_normals::RULE,
+    mesh_not_watertight::RULE,
+    collision_mesh_too_detailed::RULE,
+    collision_same_as_visual::RULE,
+    non_positive_dimension::RULE,
+    empty_geometry::RULE,
+    multiple_geometries::RULE,
+    unknown_geometry_type::RULE,
+    negative_mesh_scale::RULE,
+    zero_mesh_scale::RULE,
+    absolute_mesh_path::RULE,
+    relative_mesh_path::RULE,
+    malformed_resource_uri::RULE,
+    mesh_missing_dependency::RULE,
+    dae_up_axis::RULE,
+    dae_unit::RULE,
+    color_out_of_range::RULE,
+    undefined_material::RULE,
+    duplicate_material::RULE,
+    material_redefinition::RULE,
+    unused_material::RULE,
+    texture_not_found::RULE,
+    material_without_color::RULE,
+    missing_collision::RULE,
+    collision_smaller_than_visual::RULE,
+];

@@ -1,6 +1,33 @@
 //! Mass and inertia.
 
+mod com_outside_geometry;
+mod implausible_density;
+mod implausible_inertia;
+mod inertia_not_positive_definite;
+mod inertia_triangle_inequality;
+mod missing_inertial;
+mod moments;
+mod negative_mass;
+mod placeholder_inertia;
+mod root_link_inertia;
+mod tiny_inertia;
+mod zero_inertia;
+mod zero_mass;
+
 use super::registry::Rule;
 
 /// The rules.
-pub(super) static RULES: &[Rule] = &[];
+pub(super) static RULES: &[Rule] = &[
+    negative_mass::RULE,
+    zero_mass::RULE,
+    zero_inertia::RULE,
+    inertia_not_positive_definite::RULE,
+    inertia_triangle_inequality::RULE,
+    implausible_inertia::RULE,
+    implausible_density::RULE,
+    placeholder_inertia::RULE,
+    com_outside_geometry::RULE,
+    root_link_inertia::RULE,
+    missing_inertial::RULE,
+    tiny_inertia::RULE,
+];

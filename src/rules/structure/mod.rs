@@ -1,12 +1,15 @@
 //! The kinematic tree, judged on the expansion and reported at the source.
 
+mod duplicate_geometry_name;
 mod duplicate_joint_name;
 mod duplicate_link_name;
 mod joint_self_loop;
 mod link_cycle;
+mod link_joint_same_name;
 mod missing_links;
 mod multiple_parents;
 mod multiple_roots;
+mod names_differ_by_case;
 mod no_links;
 mod orphan_link;
 mod undefined_link;
@@ -24,4 +27,7 @@ pub(super) static RULES: &[Rule] = &[
     multiple_roots::RULE,
     orphan_link::RULE,
     no_links::RULE,
+    duplicate_geometry_name::RULE,
+    link_joint_same_name::RULE,
+    names_differ_by_case::RULE,
 ];

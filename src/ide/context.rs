@@ -1,0 +1,84 @@
+//! A file in the expansion of its active root.
+
+use crate::base::{FileId, Span, TextRange};
+use crate::expand::{DefinitionId, Expansion, FileIdx, SourceRange, SrcId, Use};
+use crate::model::{Kinematics, Robot};
+use crate::vfs::SourceFile;
+
+/// A file, and the expansion it is looked at in.
+#[derive(Clone, Copy)]
+pub struct Cx<'a> {
+    /// The file as it is now.
+    pub source: &'a SourceFile,
+    /// The expansion of its active root.
+    pub expansion: &'a Expansion,
+    /// The robot in it.
+    pub robot: Option<&'a Robot>,
+    /// How its links hang together.
+    pub kinematics: Option<&'a Kinematics>,
+}
+
+impl<'a> Cx<'a> {
+    /// The file's number in the expansion; none when it takes no part.
+    pub fn file(&self) -> Option<FileIdx> {
+        let own = |file: &crate::expand::FileUse| file.source.id == self.source.id;
+        self.expansion.files.iter().position(own).map(|index| FileIdx(index as u32))
+    }
+
+    /// The text of the expansion that stands at `range` of the file.
+    pub fn source_range(&self, range: TextRange) -> Option<SourceRange> {
+        let file = self.file()?;
+        let (src, source) = (0..).map(SrcId).zip(&self.expansion.sources).find(|(_, source)| {
+            let end = source.base + source.item.len();
+            source.file == file && source.base <= range.start && range.end <= end && range.start < end.max(1)
+        })?;
+        Some(SourceRange { src, range: TextRange::new(range.start - source.base, range.end - source.base) })
+    }
+
+    /// Where a text of the expansion stands.
+    pub fn span(&self, place: SourceRange) -> Option<Span> {
+        let source = self.expansion.sources.get(place.src.0 as usize)?;
+        let file = self.expansion.files.get(source.file.0 as usize)?.source.id;
+        Some(Span { file, range: place.range.shift(source.base) })
+    }
+
+    /// The source texts of the file, with their numbers.
+    fn sources(&self) -> impl Iterator<Item = SrcId> + 'a {
+        let file = self.file();
+        let all = (0..).map(SrcId).zip(&self.expansion.sources);
+        all.filter(move |(_, source)| Some(source.file) == file).map(|(src, _)| src)
+    }
+
+    /// The definition that the name at an offset of the file gives or refers to, with the name's range there.
+    pub fn symbol_at(&self, offset: u32) -> Option<(DefinitionId, TextRange)> {
+        let symbols = &self.expansion.symbols;
+        for src in self.sources() {
+            let source = self.expansion.sources.get(src.0 as usize)?;
+            let Some(inside) = offset.checked_sub(source.base).filter(|&inside| inside <= source.item.len())
+            else {
+                continue;
+            };
+            let here = |place: SourceRange| {
+                place.src == src && place.range.start <= inside && inside <= place.range.end
+            };
+            let used =
+                symbols.uses.iter().filter(|used| here(used.place)).min_by_key(|used| used.place.range.len());
+            let given = symbols.iter().find(|(_, definition)| here(definition.place));
+            let found = match (used, given) {
+                (_, Some((id, definition))) => Some((id, definition.place)),
+                (Some(Use { place, definition, .. }), None) => Some((*definition, *place)),
+                (None, None) => None,
+            };
+            if let Some((id, place)) = found {
+                return Some((id, place.range.shift(source.base)));
+            }
+        }
+        None
+    }
+
+    /// The file of the expansion with this number.
+    pub fn file_of(&self, id: FileId) -> Option<&'a SourceFile> {
+        let file = self.expansion.files.iter().find(|file| file.source.id == id)?;
+        Some(&file.source)
+    }
+}

@@ -1,0 +1,91 @@
+//! What stands at an offset of a file.
+
+use std::sync::Arc;
+
+use crate::base::TextRange;
+use crate::xml::{Attr, Document, Item, Node, NodeKind};
+
+/// What stands at an offset: the part of the document, its innermost node and what of it. All ranges of nodes
+/// and attributes count from `base`.
+pub struct At<'a> {
+    /// The offset asked for.
+    pub offset: u32,
+    /// Offset of the item.
+    pub base: u32,
+    /// The item.
+    pub item: &'a Arc<Item>,
+    /// The innermost node around the offset.
+    pub node: Option<Node<'a>>,
+    /// What of the node.
+    pub part: Part<'a>,
+}
+
+/// A part of a node.
+#[derive(Clone, Copy)]
+pub enum Part<'a> {
+    /// The name in the start tag.
+    StartName,
+    /// The name in the end tag.
+    EndName,
+    /// The name of an attribute.
+    AttrName(Attr<'a>),
+    /// The value of an attribute, without its quotes.
+    AttrValue(Attr<'a>),
+    /// Elsewhere inside of a start tag.
+    InTag,
+    /// Character data.
+    Text,
+    /// A comment or a CDATA section, an instruction, a document type.
+    Verbatim,
+    /// Between the children of an element, or outside of everything.
+    Between,
+}
+
+/// What stands at `offset` of a document.
+pub fn locate(document: &Document, offset: u32) -> At<'_> {
+    let place = document.item_at(offset);
+    let (base, item) = (place.start, place.item);
+    let inside = offset.saturating_sub(base);
+    let touches = |range: TextRange| range.start <= inside && inside <= range.end;
+    // parents come before their children: the last one around the offset is the innermost
+    let around = |node: &Node<'_>| {
+        let range = node.range();
+        range.start < inside && inside < range.end || touches(range) && node.kind() == NodeKind::Text
+    };
+    let node = item.all_nodes().filter(around).last();
+    let part = node.map_or(Part::Between, |node| part(node, inside));
+    At { offset, base, item, node, part }
+}
+
+fn part(node: Node<'_>, inside: u32) -> Part<'_> {
+    let touches = |range: TextRange| range.start <= inside && inside <= range.end;
+    match node.kind() {
+        NodeKind::Element => {}
+        NodeKind::Text => return Part::Text,
+        NodeKind::Junk => return Part::Between,
+        _ => return Part::Verbatim,
+    }
+    if touches(node.name_range()) {
+        return Part::StartName;
+    }
+    if node.end_name_range().is_some_and(touches) {
+        return Part::EndName;
+    }
+    for attr in node.attrs() {
+        if attr.has_equals() && touches(attr.value_range()) && inside > attr.name_range().end {
+            return Part::AttrValue(attr);
+        }
+        if touches(attr.name_range()) {
+            return Part::AttrName(attr);
+        }
+    }
+    let tag = node.start_tag_range();
+    if tag.start < inside && inside < tag.end { Part::InTag } else { Part::Between }
+}
+
+impl At<'_> {
+    /// A range of the item as a range of the file.
+    pub fn shift(&self, range: TextRange) -> TextRange {
+        range.shift(self.base)
+    }
+}

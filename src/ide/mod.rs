@@ -1,0 +1,20 @@
+//! What editors ask: answers in plain terms, byte offsets and spans, without any protocol.
+//!
+//! Every feature is a file. Those that need only the text of a file take its document; those that need the
+//! meaning of names take a [`Cx`]: the file in the expansion of its active root.
+
+mod context;
+mod folding;
+mod locate;
+mod names;
+mod outline;
+mod selection;
+mod tags;
+
+pub use context::Cx;
+pub use folding::{Fold, FoldKind, folds};
+pub use locate::{At, Part, locate};
+pub use names::{NameUse, Target, definition_of, definitions, occurrences};
+pub use outline::{Outline, OutlineKind, outline};
+pub use selection::selection;
+pub use tags::{matching_tags, same_tag_names};

@@ -1,0 +1,204 @@
+//! Collada.
+
+use nalgebra::{Matrix4, Rotation3, Translation3, Unit, Vector3};
+use roxmltree::{Document, Node, ParsingOptions};
+
+use super::dae_geometry::{Arrays, Triangles, numbers, triangles};
+use super::defect::{Defect, DefectKind};
+use super::draft::{Dependency, Draft, UpAxis};
+use super::placed::Placed;
+use crate::base::FastMap;
+
+/// Nodes of a file that are read.
+const MOST_NODES: u32 = 4_000_000;
+/// Elements of scenes that are visited, instances counted.
+const MOST_VISITS: usize = 1_000_000;
+
+/// Read a Collada file. Some exporters write `<` into attributes, and most readers do not mind.
+pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Defect> {
+    match parse(text) {
+        Ok(document) => document_of(&document, draft),
+        Err(defect) if defect.kind == DefectKind::Corrupt => {
+            let escaped = with_escaped_attributes(text);
+            let Ok(document) = parse(&escaped) else { return Err(defect) };
+            draft.defect = Some(Defect::untidy(defect.message));
+            document_of(&document, draft)
+        }
+        Err(defect) => Err(defect),
+    }
+}
+
+fn parse(text: &str) -> Result<Document<'_>, Defect> {
+    let options = ParsingOptions { nodes_limit: MOST_NODES, ..ParsingOptions::default() };
+    Document::parse_with_options(text, options).map_err(|error| match error {
+        roxmltree::Error::DtdDetected => Defect::unread("it has a document type"),
+        roxmltree::Error::NodesLimitReached => Defect::too_large("it has too many elements"),
+        error => Defect::corrupt(format!("it is not well-formed XML: {error}")),
+    })
+}
+
+/// The text with every `<` inside the quotes of a tag escaped.
+fn with_escaped_attributes(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len() + 64);
+    let (mut in_tag, mut quote) = (false, None);
+    for c in text.chars() {
+        match c {
+            '<' if quote.is_some() => {
+                escaped.push_str("&lt;");
+                continue;
+            }
+            '<' => in_tag = true,
+            '>' if quote.is_none() => in_tag = false,
+            '"' | '\'' if quote == Some(c) => quote = None,
+            '"' | '\'' if in_tag && quote.is_none() => quote = Some(c),
+            _ => {}
+        }
+        escaped.push(c);
+    }
+    escaped
+}
+
+fn document_of(document: &Document<'_>, draft: &mut Draft) -> Result<(), Defect> {
+    let root = document.root_element();
+    if root.tag_name().name() != "COLLADA" {
+        return Err(Defect::corrupt("its root element is not `COLLADA`"));
+    }
+    header(root, draft);
+    let mut scene =
+        Scene { ids: FastMap::default(), made: FastMap::default(), arrays: Arrays::default(), draft };
+    for node in root.descendants() {
+        if let Some(id) = node.attribute("id") {
+            scene.ids.entry(id).or_insert(node);
+        }
+    }
+    scene.read(root)
+}
+
+/// Unit, up axis and textures.
+fn header(root: Node<'_, '_>, draft: &mut Draft) {
+    if let Some(asset) = child(root, "asset") {
+        let unit = child(asset, "unit").and_then(|unit| unit.attribute("meter"));
+        draft.unit =
+            unit.and_then(|text| text.trim().parse().ok()).filter(|&unit| unit > 0.0 && f64::is_finite(unit));
+        draft.up_axis = match child(asset, "up_axis").and_then(|axis| axis.text()).map(str::trim) {
+            Some("X_UP") => Some(UpAxis::X),
+            Some("Y_UP") => Some(UpAxis::Y),
+            Some("Z_UP") => Some(UpAxis::Z),
+            _ => None,
+        };
+    }
+    let images = children(root, "library_images").flat_map(|library| children(library, "image"));
+    for source in images.filter_map(|image| child(image, "init_from")) {
+        // version 1.5 has one more element inside
+        let name = child(source, "ref").unwrap_or(source).text().unwrap_or_default().trim();
+        if !name.starts_with("data:") {
+            draft.needs(Dependency::file(name));
+        }
+    }
+}
+
+/// A file on its way to triangles.
+struct Scene<'a, 'input, 'd> {
+    ids: FastMap<&'a str, Node<'a, 'input>>,
+    made: FastMap<&'a str, Triangles>,
+    arrays: Arrays,
+    draft: &'d mut Draft,
+}
+
+impl<'a, 'input> Scene<'a, 'input, '_> {
+    fn read(&mut self, root: Node<'a, 'input>) -> Result<(), Defect> {
+        let unit = self.draft.unit.unwrap_or(1.0);
+        let start = Matrix4::new_scaling(unit);
+        let instance = child(root, "scene").and_then(|scene| child(scene, "instance_visual_scene"));
+        let Some(scene) = instance.and_then(|instance| self.target(instance)) else {
+            // without a scene, there is what is in the library
+            let geometries =
+                children(root, "library_geometries").flat_map(|library| children(library, "geometry"));
+            return geometries.into_iter().try_for_each(|geometry| self.place(geometry, &start));
+        };
+        let mut open = vec![(scene, start)];
+        let mut visits = 0;
+        while let Some((node, around)) = open.pop() {
+            visits += 1 + node.children().count();
+            if visits > MOST_VISITS {
+                return Err(Defect::too_large("its nodes contain each other, or are too many"));
+            }
+            let here = around * transform(node)?;
+            for part in node.children().filter(Node::is_element) {
+                match part.tag_name().name() {
+                    "node" => open.push((part, here)),
+                    "instance_node" => open.extend(self.target(part).map(|node| (node, here))),
+                    "instance_geometry" => {
+                        self.target(part).into_iter().try_for_each(|geometry| self.place(geometry, &here))?;
+                    }
+                    "instance_controller" => {
+                        let skin = self.target(part).and_then(|controller| child(controller, "skin"));
+                        let geometry =
+                            skin.and_then(|skin| self.ids.get(fragment(skin.attribute("source")?)?));
+                        geometry.copied().into_iter().try_for_each(|geometry| self.place(geometry, &here))?;
+                    }
+                    _ => {}
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// What the `url` of an instance means; none when it is in another file.
+    fn target(&self, instance: Node<'a, 'input>) -> Option<Node<'a, 'input>> {
+        self.ids.get(fragment(instance.attribute("url")?)?).copied()
+    }
+
+    fn place(&mut self, geometry: Node<'a, 'input>, at: &Matrix4<f64>) -> Result<(), Defect> {
+        let id = geometry.attribute("id").unwrap_or_default();
+        if !self.made.contains_key(id) || id.is_empty() {
+            self.made.insert(id, triangles(geometry, &self.ids, &mut self.arrays)?);
+        }
+        let placed = Placed::new(*at);
+        let triangles = self.made.get(id).map(Vec::as_slice).unwrap_or_default();
+        triangles.iter().try_for_each(|corners| self.draft.soup.push(placed.triangle(*corners)))
+    }
+}
+
+/// The transform of a node: its elements one after the other.
+fn transform(node: Node<'_, '_>) -> Result<Matrix4<f64>, Defect> {
+    let mut all = Matrix4::identity();
+    for part in node.children().filter(Node::is_element) {
+        let name = part.tag_name().name();
+        if !matches!(name, "matrix" | "translate" | "rotate" | "scale") {
+            continue;
+        }
+        let values: Vec<f64> = numbers(part)?;
+        all *= match (name, values.as_slice()) {
+            ("matrix", values) if values.len() == 16 => Matrix4::from_row_slice(values),
+            ("translate", &[x, y, z]) => Translation3::new(x, y, z).to_homogeneous(),
+            ("scale", &[x, y, z]) => Matrix4::new_nonuniform_scaling(&Vector3::new(x, y, z)),
+            ("rotate", &[x, y, z, degrees]) => match Unit::try_new(Vector3::new(x, y, z), 1e-12) {
+                Some(axis) => Rotation3::from_axis_angle(&axis, degrees.to_radians()).to_homogeneous(),
+                None => Matrix4::identity(),
+            },
+            (_, values) => {
+                return Err(Defect::corrupt(format!("`{name}` with {} numbers", values.len())));
+            }
+        };
+    }
+    Ok(all)
+}
+
+/// The id in a reference to the same file.
+pub(super) fn fragment(url: &str) -> Option<&str> {
+    url.strip_prefix('#')
+}
+
+/// The first child element of a name, in whatever namespace.
+pub(super) fn child<'a, 'input>(node: Node<'a, 'input>, name: &str) -> Option<Node<'a, 'input>> {
+    node.children().find(|child| child.is_element() && child.tag_name().name() == name)
+}
+
+/// The child elements of a name.
+pub(super) fn children<'a, 'input>(
+    node: Node<'a, 'input>,
+    name: &'static str,
+) -> impl Iterator<Item = Node<'a, 'input>> + use<'a, 'input> {
+    node.children().filter(move |child| child.is_element() && child.tag_name().name() == name)
+}

@@ -1,0 +1,155 @@
+//! The geometries of Collada.
+
+use std::rc::Rc;
+use std::str::FromStr;
+
+use roxmltree::{Node, NodeId};
+
+use super::dae::{child, children, fragment};
+use super::defect::Defect;
+use super::soup::Point;
+use crate::base::FastMap;
+
+/// Corners of triangles in the frame of a geometry.
+pub(super) type Triangles = Vec<[Point; 3]>;
+
+/// Arrays that were read, with their stride: a file may name the same large one again and again.
+pub(super) type Arrays = FastMap<(NodeId, usize), Rc<[Point]>>;
+
+/// The triangles of a `geometry`.
+pub(super) fn triangles<'a, 'input>(
+    geometry: Node<'a, 'input>,
+    ids: &FastMap<&'a str, Node<'a, 'input>>,
+    arrays: &mut Arrays,
+) -> Result<Triangles, Defect> {
+    let mut found = Vec::new();
+    let Some(mesh) = child(geometry, "mesh") else { return Ok(found) };
+    for part in mesh.children().filter(Node::is_element) {
+        let name = part.tag_name().name();
+        if !matches!(name, "triangles" | "polylist" | "polygons" | "trifans" | "tristrips") {
+            continue;
+        }
+        let Some((vertices, layout)) = layout(part) else { continue };
+        let vertices = ids.get(vertices).copied();
+        let vertices =
+            vertices.ok_or_else(|| Defect::corrupt(format!("`{name}` names vertices that are missing")))?;
+        let points = points(vertices, ids, arrays)?;
+        primitive(part, &layout, &points, &mut found)?;
+    }
+    Ok(found)
+}
+
+/// How the indices of a primitive are laid out.
+struct Layout {
+    /// Indices for each corner.
+    stride: usize,
+    /// Which of them is the vertex.
+    offset: usize,
+}
+
+/// The id of the vertices and the layout of a primitive.
+fn layout<'a>(part: Node<'a, '_>) -> Option<(&'a str, Layout)> {
+    let offset = |input: Node<'_, '_>| -> usize {
+        input.attribute("offset").and_then(|text| text.trim().parse().ok()).unwrap_or(0)
+    };
+    let vertex = children(part, "input").find(|input| input.attribute("semantic") == Some("VERTEX"))?;
+    let stride = children(part, "input").map(offset).max()?.checked_add(1)?;
+    Some((fragment(vertex.attribute("source")?)?, Layout { stride, offset: offset(vertex) }))
+}
+
+/// The positions of `vertices`.
+fn points<'a, 'input>(
+    vertices: Node<'a, 'input>,
+    ids: &FastMap<&'a str, Node<'a, 'input>>,
+    arrays: &mut Arrays,
+) -> Result<Rc<[Point]>, Defect> {
+    let missing = || Defect::corrupt("the positions of its vertices are missing");
+    let position = children(vertices, "input").find(|input| input.attribute("semantic") == Some("POSITION"));
+    let source = position.and_then(|input| ids.get(fragment(input.attribute("source")?)?));
+    let source = *source.ok_or_else(missing)?;
+    let array = child(source, "float_array").ok_or_else(missing)?;
+    let accessor = child(source, "technique_common").and_then(|common| child(common, "accessor"));
+    let stride = accessor.and_then(|accessor| accessor.attribute("stride")?.trim().parse().ok());
+    let stride = stride.filter(|&stride: &usize| stride >= 3).unwrap_or(3);
+    if let Some(known) = arrays.get(&(array.id(), stride)) {
+        return Ok(known.clone());
+    }
+    let values: Vec<f64> = numbers(array)?;
+    let points: Rc<[Point]> =
+        values.chunks(stride).filter_map(|chunk| chunk.first_chunk::<3>().copied()).collect();
+    arrays.insert((array.id(), stride), points.clone());
+    Ok(points)
+}
+
+/// The numbers in the text of an element.
+pub(super) fn numbers<T: FromStr>(element: Node<'_, '_>) -> Result<Vec<T>, Defect> {
+    let text = element.text().unwrap_or_default();
+    let parsed = text.split_ascii_whitespace().map(|word| {
+        let name = element.tag_name().name();
+        word.parse().map_err(|_| Defect::corrupt(format!("`{word:.20}` in `{name}` is no number")))
+    });
+    parsed.collect()
+}
+
+fn primitive(
+    part: Node<'_, '_>,
+    layout: &Layout,
+    points: &[Point],
+    found: &mut Triangles,
+) -> Result<(), Defect> {
+    let corners = |list: Node<'_, '_>| -> Result<Vec<Point>, Defect> {
+        let indices: Vec<i64> = numbers(list)?;
+        let vertices = indices.chunks_exact(layout.stride).filter_map(|chunk| chunk.get(layout.offset));
+        let point = |index: &i64| usize::try_from(*index).ok().and_then(|index| points.get(index)).copied();
+        let missing =
+            |index| Defect::corrupt(format!("vertex {index} is none of its {} vertices", points.len()));
+        vertices.map(|index| point(index).ok_or_else(|| missing(*index))).collect()
+    };
+    let lists = children(part, "p").chain(children(part, "ph").filter_map(|holes| child(holes, "p")));
+    match part.tag_name().name() {
+        "triangles" => {
+            for list in lists {
+                found.extend_from_slice(corners(list)?.as_chunks::<3>().0);
+            }
+        }
+        "polylist" => {
+            let counts: Vec<usize> = child(part, "vcount").map(numbers).transpose()?.unwrap_or_default();
+            let all = lists.map(corners).next().transpose()?.unwrap_or_default();
+            let mut rest = all.as_slice();
+            for count in counts {
+                let Some((polygon, behind)) = rest.split_at_checked(count) else {
+                    return Err(Defect::corrupt("its `vcount` wants more indices than there are"));
+                };
+                fan(polygon, found);
+                rest = behind;
+            }
+        }
+        "tristrips" => {
+            for list in lists {
+                strip(&corners(list)?, found);
+            }
+        }
+        _ => {
+            for list in lists {
+                fan(&corners(list)?, found);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A polygon, or a fan, as triangles around its first corner.
+pub(super) fn fan(corners: &[Point], found: &mut Triangles) {
+    if let Some((first, rest)) = corners.split_first() {
+        found.extend(rest.iter().zip(rest.iter().skip(1)).map(|(b, c)| [*first, *b, *c]));
+    }
+}
+
+/// A strip as triangles: every second one is turned.
+pub(super) fn strip(corners: &[Point], found: &mut Triangles) {
+    for (window, turned) in corners.windows(3).zip([false, true].into_iter().cycle()) {
+        if let &[a, b, c] = window {
+            found.push(if turned { [b, a, c] } else { [a, b, c] });
+        }
+    }
+}

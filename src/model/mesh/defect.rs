@@ -1,0 +1,43 @@
+//! What is wrong with a mesh file.
+
+/// Why a mesh cannot be used, or not be judged.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Defect {
+    /// How bad it is.
+    pub kind: DefectKind,
+    /// What is wrong, as the end of a sentence that begins with the file.
+    pub message: String,
+}
+
+/// Classes of defects.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DefectKind {
+    /// Readers refuse it, or show nothing.
+    Corrupt,
+    /// A note of Git LFS stands in its place.
+    LfsPointer,
+    /// It can be read, but strict readers refuse it.
+    Untidy,
+    /// It takes more to read than a mesh of a robot should, and was given up.
+    TooLarge,
+    /// It may be good: it uses what is not read here.
+    Unread,
+}
+
+impl Defect {
+    pub(super) fn corrupt(message: impl Into<String>) -> Self {
+        Self { kind: DefectKind::Corrupt, message: message.into() }
+    }
+
+    pub(super) fn untidy(message: impl Into<String>) -> Self {
+        Self { kind: DefectKind::Untidy, message: message.into() }
+    }
+
+    pub(super) fn too_large(message: impl Into<String>) -> Self {
+        Self { kind: DefectKind::TooLarge, message: message.into() }
+    }
+
+    pub(super) fn unread(message: impl Into<String>) -> Self {
+        Self { kind: DefectKind::Unread, message: message.into() }
+    }
+}

@@ -1,0 +1,165 @@
+//! glTF 2.0, as JSON with buffers beside it and as one binary file.
+
+use std::cell::Cell;
+
+use nalgebra::{Matrix4, Quaternion, Translation3, UnitQuaternion, Vector3};
+
+use super::defect::Defect;
+use super::draft::{Dependency, Draft, UpAxis};
+use super::gltf_json::{Buffer, Gltf, Node};
+use super::gltf_mesh::{Data, MOST_ELEMENTS, triangles};
+use super::placed::Placed;
+use crate::base::FastSet;
+
+/// Nodes that are visited, instances counted.
+const MOST_VISITS: usize = 1_000_000;
+
+/// Reads a file beside the mesh; none when it is not there.
+pub(super) type Beside<'a> = &'a dyn Fn(&str) -> Option<Vec<u8>>;
+
+/// Read a glTF file.
+pub(super) fn read(bytes: &[u8], beside: Beside<'_>, draft: &mut Draft) -> Result<(), Defect> {
+    let (json, binary) = if bytes.starts_with(b"glTF") { chunks(bytes)? } else { (bytes, None) };
+    let gltf: Gltf = serde_json::from_slice(json)
+        .map_err(|error| Defect::corrupt(format!("its JSON is not that of glTF: {error}")))?;
+    draft.up_axis = Some(UpAxis::Y);
+    draft.unit = Some(1.0);
+    for uri in gltf.images.iter().chain(&gltf.buffers).filter_map(|part| part.uri.as_deref()) {
+        if !uri.starts_with("data:") {
+            draft.needs(Dependency::file(uri));
+        }
+    }
+    if let Some(extension) = gltf.extensions_required.iter().find(|name| changes_geometry(name)) {
+        return Err(Defect::unread(format!("it needs the extension `{extension}`")));
+    }
+    let mut buffers = Vec::new();
+    for (index, buffer) in gltf.buffers.iter().enumerate() {
+        buffers.push(buffer_bytes(buffer, binary.filter(|_| index == 0), beside)?);
+    }
+    scene(&gltf, &Data { gltf: &gltf, buffers: &buffers, budget: Cell::new(MOST_ELEMENTS) }, draft)
+}
+
+/// Whether what is read here would not be the geometry.
+fn changes_geometry(extension: &str) -> bool {
+    ["draco", "meshopt", "quantization", "gpu_instancing"].iter().any(|word| extension.contains(word))
+}
+
+/// JSON and binary part of a GLB file.
+fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Defect> {
+    let number = |at: usize| {
+        let bytes = bytes.get(at..at.checked_add(4)?)?;
+        Some(u32::from_le_bytes(bytes.try_into().ok()?) as usize)
+    };
+    let cut = || Defect::corrupt("it is cut: a chunk is longer than the file");
+    let length = number(8).ok_or_else(cut)?;
+    if length > bytes.len() {
+        let size = bytes.len();
+        return Err(Defect::corrupt(format!("it claims {length} bytes, but has {size}")));
+    }
+    let (mut json, mut binary, mut at) = (None, None, 12);
+    while at < length {
+        let size = number(at).ok_or_else(cut)?;
+        let kind = bytes.get(at + 4..at + 8).ok_or_else(cut)?;
+        let content = bytes.get(at + 8..).and_then(|rest| rest.get(..size)).ok_or_else(cut)?;
+        match kind {
+            b"JSON" if json.is_none() => json = Some(content),
+            b"BIN\0" if binary.is_none() => binary = Some(content),
+            _ => {}
+        }
+        at += 8 + size;
+    }
+    Ok((json.ok_or_else(|| Defect::corrupt("it has no JSON"))?, binary))
+}
+
+/// The bytes of a buffer; none when its file is missing, which is a dependency of its own.
+fn buffer_bytes(
+    buffer: &Buffer,
+    binary: Option<&[u8]>,
+    beside: Beside<'_>,
+) -> Result<Option<Vec<u8>>, Defect> {
+    let Some(uri) = buffer.uri.as_deref() else {
+        let bytes =
+            binary.ok_or_else(|| Defect::corrupt("a buffer has neither a file nor a binary chunk"))?;
+        return Ok(Some(bytes.to_vec()));
+    };
+    match uri.strip_prefix("data:") {
+        None => Ok(beside(uri)),
+        Some(data) => {
+            let encoded = data.split_once("base64,").map(|(_, encoded)| encoded).unwrap_or_default();
+            let bytes =
+                base64(encoded).ok_or_else(|| Defect::corrupt("the data of a buffer are not base64"))?;
+            Ok(Some(bytes))
+        }
+    }
+}
+
+/// Take the triangles of the scene that is shown.
+fn scene(gltf: &Gltf, data: &Data<'_>, draft: &mut Draft) -> Result<(), Defect> {
+    let scene = gltf.scenes.get(gltf.scene.unwrap_or(0));
+    // without a scene, there is what is in the nodes that no node holds
+    let tops = match scene {
+        Some(scene) => scene.nodes.clone(),
+        None => {
+            let held: FastSet<usize> =
+                gltf.nodes.iter().flat_map(|node| node.children.iter().copied()).collect();
+            (0..gltf.nodes.len()).filter(|node| !held.contains(node)).collect()
+        }
+    };
+    let mut open: Vec<(usize, Matrix4<f64>)> =
+        tops.into_iter().map(|top| (top, Matrix4::identity())).collect();
+    let mut visits = 0;
+    while let Some((index, around)) = open.pop() {
+        let missing = || Defect::corrupt(format!("it names node {index}, which is missing"));
+        let node = gltf.nodes.get(index).ok_or_else(missing)?;
+        visits += 1 + node.children.len();
+        if visits > MOST_VISITS {
+            return Err(Defect::too_large("its nodes contain each other, or are too many"));
+        }
+        let here = around * transform(node);
+        open.extend(node.children.iter().map(|&child| (child, here)));
+        if let Some(mesh) = node.mesh {
+            let placed = Placed::new(here);
+            for corners in triangles(data, mesh)? {
+                draft.soup.push(placed.triangle(corners))?;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn transform(node: &Node) -> Matrix4<f64> {
+    if let Some(matrix) = &node.matrix {
+        return Matrix4::from_column_slice(matrix);
+    }
+    let [x, y, z] = node.translation.unwrap_or_default();
+    let [i, j, k, w] = node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]);
+    let rotation = UnitQuaternion::try_new(Quaternion::new(w, i, j, k), 1e-12).unwrap_or_default();
+    let scale = Vector3::from(node.scale.unwrap_or([1.0; 3]));
+    Translation3::new(x, y, z).to_homogeneous()
+        * rotation.to_homogeneous()
+        * Matrix4::new_nonuniform_scaling(&scale)
+}
+
+/// The bytes that base64 stands for.
+fn base64(text: &str) -> Option<Vec<u8>> {
+    let mut bytes = Vec::with_capacity(text.len() / 4 * 3);
+    let (mut held, mut bits) = (0u32, 0);
+    for letter in text.trim_end_matches('=').bytes() {
+        let value = match letter {
+            b'A'..=b'Z' => letter - b'A',
+            b'a'..=b'z' => letter - b'a' + 26,
+            b'0'..=b'9' => letter - b'0' + 52,
+            b'+' | b'-' => 62,
+            b'/' | b'_' => 63,
+            _ => return None,
+        };
+        held = held << 6 | u32::from(value);
+        bits += 6;
+        if bits >= 8 {
+            bits -= 8;
+            bytes.push((held >> bits) as u8);
+            held &= (1 << bits) - 1;
+        }
+    }
+    Some(bytes)
+}

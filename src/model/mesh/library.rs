@@ -1,0 +1,123 @@
+//! Meshes that were read.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::defect::Defect;
+use super::draft::{Dependency, MeshFormat};
+use super::{Mesh, obj};
+use crate::vfs::{FileCache, LoadErrorKind, Vfs};
+use crate::workspace::percent_decoded;
+
+/// Bytes of a mesh that are read at most.
+const MOST_BYTES: u64 = 100_000_000;
+/// Bytes of a material library that are read at most.
+const MOST_MATERIAL_BYTES: u64 = 10_000_000;
+
+/// Meshes by path; each is read once, and again when it has changed.
+#[derive(Default)]
+pub struct Meshes {
+    meshes: FileCache<Mesh>,
+    textures: FileCache<Vec<String>>,
+}
+
+/// A file that a mesh needs and that is not there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Missing {
+    /// Its name as it is written.
+    pub name: String,
+    /// Whether it is an absolute path of Windows.
+    pub is_windows_path: bool,
+    /// The material library that names it, when the mesh itself does not.
+    pub named_in: Option<String>,
+}
+
+impl Meshes {
+    /// The mesh in a file.
+    pub fn get(&self, vfs: &Vfs, path: &Path) -> Arc<Mesh> {
+        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+        let beside = |name: &str| {
+            let path = candidates(path, name).into_iter().find(|path| vfs.is_file(path))?;
+            vfs.bytes(&path, MOST_BYTES).ok()
+        };
+        let read = vfs.derive(&self.meshes, path, MOST_BYTES, |bytes| Mesh::read(&ending, &bytes, &beside));
+        read.unwrap_or_else(|error| {
+            let defect = match error.kind {
+                LoadErrorKind::TooLarge { limit } => {
+                    Defect::too_large(format!("it has more than {} megabytes", limit / 1_000_000))
+                }
+                LoadErrorKind::PermissionDenied | LoadErrorKind::Other => {
+                    Defect::unread(format!("it cannot be read: {}", error.strerror))
+                }
+                _ => Defect::corrupt(format!("it cannot be read: {}", error.strerror)),
+            };
+            let (format, dependencies) = (MeshFormat::Other, Vec::new());
+            Arc::new(Mesh {
+                format,
+                surface: None,
+                defect: Some(defect),
+                unit: None,
+                up_axis: None,
+                dependencies,
+            })
+        })
+    }
+
+    /// The files that the mesh at `path` needs and that are not there.
+    pub fn missing(&self, vfs: &Vfs, path: &Path, mesh: &Mesh) -> Vec<Missing> {
+        let mut missing = Vec::new();
+        for Dependency { name, is_material_library } in &mesh.dependencies {
+            // several libraries may be named in one line; a name may have blanks
+            let words = name.split_whitespace().collect::<Vec<_>>();
+            let is_list = *is_material_library
+                && find(vfs, path, name).is_none()
+                && words.iter().any(|word| find(vfs, path, word).is_some());
+            for name in if is_list { words } else { vec![name.as_str()] } {
+                match find(vfs, path, name) {
+                    None => missing.push(Missing::new(name, None)),
+                    Some(library) if *is_material_library => {
+                        missing.extend(self.missing_textures(vfs, &library, name));
+                    }
+                    Some(_) => {}
+                }
+            }
+        }
+        missing
+    }
+
+    fn missing_textures(&self, vfs: &Vfs, library: &Path, name: &str) -> Vec<Missing> {
+        let make = |bytes: Vec<u8>| obj::textures(&bytes);
+        let textures = vfs.derive(&self.textures, library, MOST_MATERIAL_BYTES, make).unwrap_or_default();
+        let gone = textures.iter().filter(|texture| find(vfs, library, texture).is_none());
+        gone.map(|texture| Missing::new(texture, Some(name))).collect()
+    }
+}
+
+impl Missing {
+    fn new(name: &str, named_in: Option<&str>) -> Self {
+        let path = name.trim_start_matches("file:").trim_start_matches('/');
+        let drive = path
+            .split_once(':')
+            .is_some_and(|(drive, rest)| drive.len() == 1 && rest.starts_with(['/', '\\']));
+        let is_windows_path = drive || name.starts_with("\\\\");
+        Self { name: name.to_owned(), is_windows_path, named_in: named_in.map(str::to_owned) }
+    }
+}
+
+/// The file that `name` means in the file at `path`; names on other machines or in packages count as found.
+fn find(vfs: &Vfs, path: &Path, name: &str) -> Option<PathBuf> {
+    let elsewhere = ["http:", "https:", "package:", "model:"].iter().any(|scheme| name.starts_with(scheme));
+    if elsewhere {
+        return Some(PathBuf::from(name));
+    }
+    candidates(path, name).into_iter().find(|path| vfs.is_file(path))
+}
+
+/// The places where a file named in another one may be.
+fn candidates(path: &Path, name: &str) -> Vec<PathBuf> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let plain = name.strip_prefix("file://").unwrap_or(name);
+    let mut spellings = vec![plain.to_owned(), plain.replace('\\', "/")];
+    spellings.extend(percent_decoded(plain));
+    spellings.into_iter().map(|spelling| folder.join(spelling)).collect()
+}

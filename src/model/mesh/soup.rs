@@ -1,0 +1,59 @@
+//! Triangles as a reader finds them.
+
+use super::defect::Defect;
+use crate::base::FastMap;
+
+/// Triangles taken at most: instances of instances can make a small file a large mesh.
+const MOST_TRIANGLES: usize = 2_500_000;
+
+/// A point, metres.
+pub(super) type Point = [f64; 3];
+
+/// Triangles over points that are stored once each.
+#[derive(Debug, Default)]
+pub(super) struct Soup {
+    /// The points, each different from the others.
+    pub(super) points: Vec<Point>,
+    /// Corners as indices of points, counter-clockwise seen from outside.
+    pub(super) triangles: Vec<[u32; 3]>,
+    known: FastMap<[u64; 3], u32>,
+}
+
+impl Soup {
+    /// Take a triangle.
+    ///
+    /// # Errors
+    /// When a corner is no finite point, and when there are too many triangles.
+    pub(super) fn push(&mut self, corners: [Point; 3]) -> Result<(), Defect> {
+        if corners.iter().flatten().any(|number| !number.is_finite()) {
+            let number = self.triangles.len() + 1;
+            return Err(Defect::corrupt(format!("a corner of triangle {number} is not a finite point")));
+        }
+        if self.triangles.len() >= MOST_TRIANGLES {
+            return Err(Defect::too_large(format!("it has more than {MOST_TRIANGLES} triangles")));
+        }
+        let triangle = corners.map(|corner| self.point(corner));
+        self.triangles.push(triangle);
+        Ok(())
+    }
+
+    fn point(&mut self, point: Point) -> u32 {
+        // adding zero makes minus zero zero
+        let key = point.map(|number| (number + 0.0).to_bits());
+        *self.known.entry(key).or_insert_with(|| {
+            self.points.push(point);
+            self.points.len() as u32 - 1
+        })
+    }
+
+    /// All triangles are there: what only serves to find equal points is given back.
+    pub(super) fn complete(mut self) -> Self {
+        self.known = FastMap::default();
+        self
+    }
+
+    /// The corners of a triangle.
+    pub(super) fn corners(&self, triangle: [u32; 3]) -> [Point; 3] {
+        triangle.map(|index| self.points.get(index as usize).copied().unwrap_or_default())
+    }
+}

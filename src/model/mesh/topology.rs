@@ -1,0 +1,100 @@
+//! How the triangles of a mesh hang together.
+
+use super::bounds::Bounds;
+use super::soup::{Point, Soup};
+use crate::base::FastMap;
+
+/// Points nearer than this part of the greatest length are one.
+const WELDING: f64 = 1e-6;
+
+/// The edges of a mesh after points that lie together were made one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Edges {
+    /// All different edges.
+    pub total: usize,
+    /// Edges of one triangle only.
+    pub boundary: usize,
+    /// Edges of two triangles that both run along them in the same direction: one of the two is turned.
+    pub same_direction: usize,
+    /// Edges of more than two triangles.
+    pub non_manifold: usize,
+    /// Whether every edge is run along as often in one direction as in the other: then the mesh encloses a volume.
+    pub closed: bool,
+}
+
+impl Edges {
+    /// The edges of triangles within `bounds`.
+    pub(super) fn of(soup: &Soup, bounds: Bounds) -> Self {
+        let welded = weld(&soup.points, bounds);
+        let mut ways: Vec<(u32, u32, bool)> = Vec::with_capacity(soup.triangles.len() * 3);
+        for triangle in &soup.triangles {
+            let [a, b, c] = triangle.map(|index| welded.get(index as usize).copied().unwrap_or(index));
+            // what has no area has no sides
+            if a != b && b != c && a != c {
+                ways.extend(
+                    [(a, b), (b, c), (c, a)].map(|(from, to)| (from.min(to), from.max(to), from < to)),
+                );
+            }
+        }
+        ways.sort_unstable();
+        let mut edges = Self { closed: !ways.is_empty(), ..Self::default() };
+        for uses in ways.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
+            let forward = uses.iter().filter(|(_, _, forward)| *forward).count();
+            let backward = uses.len() - forward;
+            edges.total += 1;
+            edges.closed &= forward == backward;
+            edges.boundary += usize::from(uses.len() == 1);
+            edges.non_manifold += usize::from(uses.len() > 2);
+            edges.same_direction += usize::from(uses.len() == 2 && forward != backward);
+        }
+        edges
+    }
+}
+
+/// For each point the first point that lies together with it.
+fn weld(points: &[Point], bounds: Bounds) -> Vec<u32> {
+    let distance = bounds.extent() * WELDING;
+    // in a grid of twice the distance, what is near lies in the cell or in those on the nearer sides
+    let cell = (distance * 2.0).max(f64::MIN_POSITIVE);
+    let mut grid: FastMap<[i64; 3], u32> = FastMap::default();
+    let mut next: Vec<Option<u32>> = Vec::with_capacity(points.len());
+    let mut welded = Vec::with_capacity(points.len());
+    for (index, point) in (0u32..).zip(points) {
+        let (home, sides) = place(*point, bounds.min, cell);
+        let found = cells(home, sides).find_map(|cell| {
+            let chain = std::iter::successors(grid.get(&cell).copied(), |&at| *next.get(at as usize)?);
+            chain
+                .into_iter()
+                .find(|&at| points.get(at as usize).is_some_and(|other| near(*other, *point, distance)))
+        });
+        welded.push(found.unwrap_or(index));
+        next.push(None);
+        if found.is_none() {
+            let before = grid.insert(home, index);
+            next.last_mut().into_iter().for_each(|slot| *slot = before);
+        }
+    }
+    welded
+}
+
+/// The cell of a point, and along each axis the side on which the next cell is nearer.
+fn place([x, y, z]: Point, [ox, oy, oz]: Point, cell: f64) -> ([i64; 3], [i64; 3]) {
+    let along = |at: f64, from: f64| {
+        let steps = (at - from) / cell;
+        let side = if steps - steps.floor() < 0.5 { -1 } else { 1 };
+        (steps.floor() as i64, side)
+    };
+    let ((x, i), (y, j), (z, k)) = (along(x, ox), along(y, oy), along(z, oz));
+    ([x, y, z], [i, j, k])
+}
+
+fn cells([x, y, z]: [i64; 3], [i, j, k]: [i64; 3]) -> impl Iterator<Item = [i64; 3]> {
+    (0..8i64).map(move |bits| {
+        let step = |at: i64, side: i64, bit: i64| at.saturating_add(side * (bits >> bit & 1));
+        [step(x, i, 0), step(y, j, 1), step(z, k, 2)]
+    })
+}
+
+fn near(a: Point, b: Point, distance: f64) -> bool {
+    a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= distance)
+}

@@ -1,0 +1,34 @@
+//! A plugin of Gazebo Classic.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::plugins::plugins;
+use crate::model::Text;
+use crate::workspace::Target;
+
+pub(super) const RULE: Rule = Rule {
+    code: "CTL018",
+    name: "gazebo-classic-plugin",
+    category: Category::Control,
+    severity: Severity::Info,
+    default: Activation::Off,
+    since: "0.1",
+    fix: None,
+    docs: page!("gazebo-classic-plugin"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    if cx.world.config.target != Target::Ros2 {
+        return;
+    }
+    let tree = &cx.expansion.tree;
+    for file in plugins(cx).into_iter().filter_map(|plugin| Text::attr(tree, plugin, "filename")) {
+        if file.known && file.value.starts_with("libgazebo_ros") {
+            out.report(file.origin, format!("`{}` belongs to Gazebo Classic", file.value))
+                .help("from Jazzy on, there is only the new Gazebo: use its systems or gz_ros2_control")
+                .done();
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! A sensor or plugin on a link that becomes part of its parent.
+
+use super::super::context::RobotCx;
+use super::super::edits::{indent, is_called, source_text};
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::{Reported, Sink};
+use crate::base::TextRange;
+use crate::expand::{XId, XTree};
+use crate::model::{Gazebo, Joint, JointType, Text, element_range};
+
+pub(super) const RULE: Rule = Rule {
+    code: "CTL015",
+    name: "gazebo-lumped-reference",
+    category: Category::Control,
+    severity: Severity::Info,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("gazebo-lumped-reference"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    let tree = &cx.expansion.tree;
+    for block in cx.robot.gazebo.iter().filter(|block| has_content(tree, block.element)) {
+        let Some((text, name)) = block.reference.as_ref().and_then(|text| Some((text, text.name()?))) else {
+            continue;
+        };
+        let up = cx.kinematics.link(name).and_then(|link| cx.kinematics.up(link).first().copied());
+        let Some(joint) = up.and_then(|joint| cx.robot.joints.get(joint)) else { continue };
+        let held = joint.ends().is_some_and(|(parent, _)| parent != "world");
+        if !held || !joint.is(&[JointType::Fixed]) || is_kept(cx, joint) {
+            continue;
+        }
+        let message =
+            format!("link `{name}` becomes part of its parent, because joint `{}` is fixed", joint.shown());
+        let report = out
+            .report(text.origin, message)
+            .help("what stands here moves to the parent link, under its name");
+        kept(report, cx, block, joint).done();
+    }
+}
+
+/// Whether a block says more than a few parameters of contact.
+fn has_content(tree: &XTree, block: XId) -> bool {
+    tree.elements(block).any(|id| ["sensor", "plugin", "visual"].contains(&tree.get(id).text.as_str()))
+}
+
+/// Whether a `gazebo` element keeps a joint from being reduced.
+fn is_kept(cx: &RobotCx<'_>, joint: &Joint) -> bool {
+    let tree = &cx.expansion.tree;
+    let keeps = |id: XId| {
+        let name = tree.get(id).text.as_str();
+        ["preserveFixedJoint", "disableFixedJointLumping"].contains(&name)
+            && Text::content(tree, id).is_some_and(|text| text.value == "true" || text.value == "1")
+    };
+    let about = |block: &&Gazebo| block.reference.as_ref().is_none_or(|text| text.value == joint.shown());
+    cx.robot.gazebo.iter().filter(about).any(|block| tree.elements(block.element).any(keeps))
+}
+
+/// With the fix to keep the joint.
+fn kept<'s, 'a>(
+    report: Reported<'s, 'a>,
+    cx: &RobotCx<'_>,
+    block: &Gazebo,
+    joint: &Joint,
+) -> Reported<'s, 'a> {
+    let at = element_range(cx.expansion, block.element);
+    if is_called(cx.expansion, at) {
+        return report;
+    }
+    let Some((file, range, _)) = source_text(cx.expansion, at) else { return report };
+    let line = indent(cx.expansion, file, range);
+    let name = joint.shown();
+    let new = format!(
+        "{line}<gazebo reference=\"{name}\">{line}  <preserveFixedJoint>true</preserveFixedJoint>{line}</gazebo>"
+    );
+    report.fix(Safety::Unsafe, format!("keep joint `{name}`"), file, [(TextRange::empty(range.end), new)])
+}

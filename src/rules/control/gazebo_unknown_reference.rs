@@ -1,0 +1,44 @@
+//! A gazebo element about nothing.
+
+use super::super::context::RobotCx;
+use super::super::edits::rename;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use crate::base::FastSet;
+use crate::workspace::nearest;
+
+pub(super) const RULE: Rule = Rule {
+    code: "CTL014",
+    name: "gazebo-unknown-reference",
+    category: Category::Control,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("gazebo-unknown-reference"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    if !cx.whole {
+        return;
+    }
+    let joints: FastSet<&str> = cx.robot.joints.iter().map(|joint| joint.shown()).collect();
+    for text in cx.robot.gazebo.iter().filter_map(|block| block.reference.as_ref()) {
+        let Some(name) = text.name() else { continue };
+        if cx.kinematics.link(name).is_some() || joints.contains(name.as_str()) {
+            continue;
+        }
+        let links = cx.robot.links.iter().map(|link| link.shown());
+        let names = links.chain(cx.robot.joints.iter().map(|joint| joint.shown()));
+        let report = out.report(text.origin, format!("no link or joint is named `{name}`"));
+        match nearest(name, names) {
+            Some(near) => {
+                let report =
+                    report.help(format!("SDFormat drops the element; a similar name exists: `{near}`"));
+                rename(report, cx.expansion, text, near).done();
+            }
+            None => report.help("SDFormat drops the element: name a link or a joint of this robot").done(),
+        }
+    }
+}

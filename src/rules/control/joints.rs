@@ -1,0 +1,60 @@
+//! From blocks about joints to the joints of the robot.
+
+use super::super::context::{DocumentCx, RobotCx};
+use super::super::edits::{rename, source_text};
+use super::super::sink::Sink;
+use crate::base::{FastMap, FastSet, TextRange};
+use crate::expand::{Expansion, Origin};
+use crate::model::JointType::{Prismatic, Revolute};
+use crate::model::{ControlJoint, Joint, Text};
+use crate::workspace::nearest;
+
+/// The joints that ros2_control lists, each with that of the robot.
+pub(super) fn controlled<'a>(cx: &DocumentCx<'a>) -> Vec<(&'a ControlJoint, &'a Joint)> {
+    let Some(robot) = cx.robot else { return Vec::new() };
+    let mut named: FastMap<&str, &Joint> = FastMap::default();
+    for joint in &robot.joints {
+        named.entry(joint.shown()).or_insert(joint);
+    }
+    let listed = robot.controls.iter().flat_map(|control| &control.joints);
+    listed.filter_map(|listed| Some((listed, *named.get(listed.name.as_ref()?.name()?.as_str())?))).collect()
+}
+
+/// Report the names of joints in blocks of a kind that the robot does not have.
+pub(super) fn unknown_joints<'t>(
+    cx: &RobotCx<'_>,
+    out: &mut Sink<'_>,
+    texts: impl Iterator<Item = &'t Text>,
+    block: &str,
+) {
+    let known: FastSet<&str> = cx.robot.joints.iter().map(|joint| joint.shown()).collect();
+    for text in texts {
+        let Some(name) = text.name().filter(|name| !known.contains(name.as_str())) else { continue };
+        let report = out.report(text.origin, format!("{block} names joint `{name}`, which does not exist"));
+        match nearest(name, cx.robot.joints.iter().map(|joint| joint.shown())) {
+            Some(near) => {
+                let report = report.help(format!("a joint with a similar name exists: `{near}`"));
+                rename(report, cx.expansion, text, near).done();
+            }
+            None => report.help("name a joint of this robot, with its prefix").done(),
+        }
+    }
+}
+
+/// The limits of a joint that has some, radians or metres.
+pub(super) fn range(joint: &Joint) -> Option<(f64, f64)> {
+    joint
+        .limit
+        .as_ref()
+        .filter(|_| joint.is(&[Revolute, Prismatic]))?
+        .range()
+        .filter(|(lower, upper)| lower <= upper)
+}
+
+/// Where the text inside of an element stands, without the blanks around it.
+pub(super) fn value_place(expansion: &Expansion, text: &Text) -> Origin {
+    let Some((_, _, source)) = source_text(expansion, text.origin) else { return text.origin };
+    let trimmed = source.trim();
+    let start = text.origin.range.start + (source.len() - source.trim_start().len()) as u32;
+    Origin { range: TextRange::new(start, start + trimmed.len() as u32), ..text.origin }
+}

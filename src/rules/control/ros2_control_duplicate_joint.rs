@@ -1,0 +1,58 @@
+//! One interface of a joint in two ros2_control blocks.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use crate::base::FastMap;
+use crate::model::{ControlJoint, Interface};
+
+pub(super) const RULE: Rule = Rule {
+    code: "CTL007",
+    name: "ros2-control-duplicate-joint",
+    category: Category::Control,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("ros2-control-duplicate-joint"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let mut seen: FastMap<&str, Vec<(usize, &ControlJoint)>> = FastMap::default();
+    let controls = cx.robot.into_iter().flat_map(|robot| &robot.controls).enumerate();
+    for (block, joint) in controls.flat_map(|(i, control)| control.joints.iter().map(move |joint| (i, joint)))
+    {
+        let Some((text, name)) = joint.name.as_ref().and_then(|text| Some((text, text.name()?))) else {
+            continue;
+        };
+        let earlier = seen.entry(name.as_str()).or_default();
+        let twice = earlier.iter().filter(|(other, _)| *other != block).find_map(|(_, other)| {
+            let shared =
+                shared(&other.commands, &joint.commands).map(|name| (name, Severity::Error, "command"));
+            let shared = shared.or_else(|| Some((shared_states(other, joint)?, Severity::Warning, "state")));
+            shared.map(|shared| (other.name.as_ref(), shared))
+        });
+        if let Some((Some(other), (interface, severity, kind))) = twice {
+            out.report(
+                text.origin,
+                format!("the {kind} interface `{interface}` of joint `{name}` is in two ros2_control blocks"),
+            )
+            .also(other.origin, format!("joint `{name}` in the first block"))
+            .severity(severity)
+            .help("every interface belongs to one hardware: take it out of one block")
+            .done();
+        }
+        earlier.push((block, joint));
+    }
+}
+
+/// The name of an interface that both have.
+fn shared<'a>(a: &'a [Interface], b: &[Interface]) -> Option<&'a str> {
+    let names = a.iter().filter_map(|interface| interface.name.as_ref()?.name());
+    names.into_iter().find(|name| b.iter().any(|interface| interface.is(name))).map(|name| name.as_str())
+}
+
+fn shared_states<'a>(a: &'a ControlJoint, b: &ControlJoint) -> Option<&'a str> {
+    shared(&a.states, &b.states)
+}

@@ -1,0 +1,34 @@
+//! A fixed joint in ros2_control.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::joints::controlled;
+use crate::model::JointType;
+
+pub(super) const RULE: Rule = Rule {
+    code: "CTL004",
+    name: "ros2-control-fixed-joint",
+    category: Category::Control,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("ros2-control-fixed-joint"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for (control, joint) in controlled(cx) {
+        let (Some(text), Some(kind)) = (&control.name, &joint.kind) else { continue };
+        if joint.is(&[JointType::Fixed]) {
+            out.report(
+                text.origin,
+                format!("joint `{}` is fixed, and nothing can control it", joint.shown()),
+            )
+            .also(kind.origin, format!("the type of joint `{}`", joint.shown()))
+            .help("ros2_control refuses the robot: take the joint out, or give it a type that moves")
+            .done();
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! Command limits beyond the limits of the joint.
+
+use super::super::context::DocumentCx;
+use super::super::numbers::{UNLIMITED, short};
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::joints::{controlled, range, value_place};
+
+pub(super) const RULE: Rule = Rule {
+    code: "CTL010",
+    name: "ros2-control-limits-mismatch",
+    category: Category::Control,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("ros2-control-limits-mismatch"),
+    check: Check::Document(check),
+};
+
+/// Digits that people leave out when they copy a limit.
+const ROUNDING: f64 = 1e-3;
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for (control, joint) in controlled(cx) {
+        let Some((lower, upper)) = range(joint) else { continue };
+        for command in control.commands.iter().filter(|command| command.is("position")) {
+            for name in ["min", "max"] {
+                let Some((text, value)) = command.param(name).and_then(|text| Some((text, text.number()?)))
+                else {
+                    continue;
+                };
+                let beyond = if name == "min" { value < lower - ROUNDING } else { value > upper + ROUNDING };
+                if beyond && value.abs() < UNLIMITED {
+                    let message =
+                        format!("{name} {} of joint `{}` is beyond its limits", text.value, joint.shown());
+                    out.report(value_place(cx.expansion, text), message)
+                        .help(format!("the limits of the joint are {} ... {}", short(lower), short(upper)))
+                        .done();
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! A joint that mimics another one, and takes commands.
+
+use super::super::context::DocumentCx;
+use super::super::edits::delete_element;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::joints::controlled;
+use crate::model::tag_start;
+
+pub(super) const RULE: Rule = Rule {
+    code: "CTL008",
+    name: "ros2-control-mimic-command",
+    category: Category::Control,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Safe),
+    docs: page!("ros2-control-mimic-command"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for (control, joint) in controlled(cx) {
+        let released = control
+            .mimic
+            .as_ref()
+            .is_some_and(|text| !text.known || text.value.eq_ignore_ascii_case("false"));
+        if joint.mimic.is_none() || released {
+            continue;
+        }
+        for command in &control.commands {
+            let message = format!("joint `{}` mimics another joint and cannot take commands", joint.shown());
+            let report = out
+                .report(tag_start(cx.expansion, command.element), message)
+                .help("remove the command interface, or write mimic=\"false\" at the joint of ros2_control");
+            delete_element(report, cx.expansion, command.element, "remove the command interface").done();
+        }
+    }
+}

@@ -1,0 +1,38 @@
+//! Hardware of ros2_control without a plugin.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use crate::model::Text;
+use crate::model::tag_start;
+
+pub(super) const RULE: Rule = Rule {
+    code: "CTL002",
+    name: "ros2-control-missing-plugin",
+    category: Category::Control,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("ros2-control-missing-plugin"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let Some(robot) = cx.robot.filter(|_| cx.whole()) else { return };
+    let tree = &cx.expansion.tree;
+    for control in &robot.controls {
+        let name = control.name.as_ref().map_or("", |name| name.value.as_str());
+        for &hardware in &control.hardware {
+            let mut plugins = tree.elements(hardware).filter(|&id| tree.get(id).text == "plugin");
+            if !plugins.any(|plugin| Text::content(tree, plugin).is_some()) {
+                out.report(
+                    tag_start(cx.expansion, hardware),
+                    format!("the hardware of ros2_control `{name}` has no plugin"),
+                )
+                .help("add <plugin>package/Class</plugin>; for tries, mock_components/GenericSystem")
+                .done();
+            }
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! A joint of ros2_control without interfaces.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use crate::model::tag_start;
+
+pub(super) const RULE: Rule = Rule {
+    code: "CTL011",
+    name: "ros2-control-no-interfaces",
+    category: Category::Control,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("ros2-control-no-interfaces"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let Some(robot) = cx.robot.filter(|_| cx.whole()) else { return };
+    for joint in robot.controls.iter().flat_map(|control| &control.joints) {
+        if joint.interfaces().next().is_none() {
+            out.report(
+                tag_start(cx.expansion, joint.element),
+                format!("joint `{}` has no interface", joint.shown()),
+            )
+            .help("add <command_interface> and <state_interface> elements, or take the joint out")
+            .done();
+        }
+    }
+}

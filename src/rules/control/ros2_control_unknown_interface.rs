@@ -1,0 +1,41 @@
+//! An interface whose name looks misspelt.
+
+use super::super::context::DocumentCx;
+use super::super::numbers::rewrite;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use crate::workspace::nearest;
+
+pub(super) const RULE: Rule = Rule {
+    code: "CTL003",
+    name: "ros2-control-unknown-interface",
+    category: Category::Control,
+    severity: Severity::Info,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("ros2-control-unknown-interface"),
+    check: Check::Document(check),
+};
+
+/// The interfaces that controllers know by name.
+const KNOWN: [&str; 4] = ["position", "velocity", "acceleration", "effort"];
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let joints = cx.robot.into_iter().flat_map(|robot| &robot.controls).flat_map(|control| &control.joints);
+    for (joint, interface) in
+        joints.flat_map(|joint| joint.interfaces().map(move |interface| (joint, interface)))
+    {
+        let Some((text, name)) = interface.name.as_ref().and_then(|text| Some((text, text.name()?))) else {
+            continue;
+        };
+        if KNOWN.contains(&name.as_str()) {
+            continue;
+        }
+        if let Some(near) = nearest(name, KNOWN) {
+            let message = format!("joint `{}` has the interface `{name}`", joint.shown());
+            let report = out.report(text.origin, message).help(format!("did you mean `{near}`?"));
+            rewrite(report, Safety::Unsafe, text, near.to_owned()).done();
+        }
+    }
+}

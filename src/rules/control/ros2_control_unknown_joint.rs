@@ -1,0 +1,25 @@
+//! A joint of ros2_control that the robot does not have.
+
+use super::super::context::RobotCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::joints::unknown_joints;
+
+pub(super) const RULE: Rule = Rule {
+    code: "CTL001",
+    name: "ros2-control-unknown-joint",
+    category: Category::Control,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("ros2-control-unknown-joint"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    let joints = cx.robot.controls.iter().flat_map(|control| &control.joints);
+    if cx.whole {
+        unknown_joints(cx, out, joints.filter_map(|joint| joint.name.as_ref()), "ros2_control");
+    }
+}

@@ -1,0 +1,41 @@
+//! A simple transmission that does not say what it commands.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use crate::expand::XTree;
+use crate::model::Text;
+use crate::model::{Transmission, tag_start};
+
+pub(super) const RULE: Rule = Rule {
+    code: "CTL013",
+    name: "transmission-missing-hardware-interface",
+    category: Category::Control,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("transmission-missing-hardware-interface"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let Some(robot) = cx.robot.filter(|_| cx.whole()) else { return };
+    let tree = &cx.expansion.tree;
+    for transmission in robot.transmissions.iter().filter(|transmission| is_simple(tree, transmission)) {
+        for (joint, name) in &transmission.joints {
+            if !tree.elements(*joint).any(|id| tree.get(id).text == "hardwareInterface") {
+                let name = name.as_ref().map_or("", |name| name.value.as_str());
+                out.report(tag_start(cx.expansion, *joint), format!("joint `{name}` of a transmission has no hardware interface"))
+                    .help("add <hardwareInterface>hardware_interface/PositionJointInterface</hardwareInterface>, or that of velocity or effort")
+                    .done();
+            }
+        }
+    }
+}
+
+/// Whether a transmission is ROS 1's simple one.
+fn is_simple(tree: &XTree, transmission: &Transmission) -> bool {
+    let mut types = tree.elements(transmission.element).filter(|&id| tree.get(id).text == "type");
+    types.any(|id| Text::content(tree, id).is_some_and(|text| text.value.ends_with("SimpleTransmission")))
+}

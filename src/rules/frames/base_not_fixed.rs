@@ -1,0 +1,36 @@
+//! A joint moves between base_link and base.
+
+use super::super::context::RobotCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::names::prefix_of;
+use crate::model::JointType;
+
+pub(super) const RULE: Rule = Rule {
+    code: "FRM007",
+    name: "base-not-fixed",
+    category: Category::Frames,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("base-not-fixed"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    for link in &cx.robot.links {
+        let Some(name) = link.name.as_ref().and_then(|name| name.name()) else { continue };
+        let Some(prefix) = prefix_of(name, "base_link") else { continue };
+        let base = cx.kinematics.link(&format!("{prefix}base"));
+        let (Some(base), Some(base_link)) = (base, cx.kinematics.link(name)) else { continue };
+        let path = cx.kinematics.path(base_link, base).unwrap_or_default();
+        let mut joints = path.into_iter().filter_map(|joint| cx.robot.joints.get(joint));
+        let moving = joints.find(|joint| joint.joint_type().is_some_and(|kind| kind != JointType::Fixed));
+        let Some((joint, kind)) = moving.and_then(|joint| Some((joint, joint.kind.as_ref()?))) else {
+            continue;
+        };
+        let message = format!("joint `{}` moves `{prefix}base` against `{name}`", joint.shown());
+        out.report(kind.origin, message).help("both are frames of one body: fix one to the other").done();
+    }
+}

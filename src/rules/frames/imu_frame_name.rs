@@ -1,0 +1,41 @@
+//! An IMU in a frame of an unusual name.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::names::prefix_of;
+use crate::expand::{XId, XTree};
+
+pub(super) const RULE: Rule = Rule {
+    code: "FRM016",
+    name: "imu-frame-name",
+    category: Category::Frames,
+    severity: Severity::Info,
+    default: Activation::Off,
+    since: "0.1",
+    fix: None,
+    docs: page!("imu-frame-name"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let Some(robot) = cx.robot else { return };
+    let tree = &cx.expansion.tree;
+    for block in robot.gazebo.iter().filter(|block| has_imu(tree, block.element)) {
+        let Some(name) = block.reference.as_ref().and_then(|reference| reference.name()) else { continue };
+        let link = robot.link(name).and_then(|link| link.name.as_ref());
+        if let Some(link) = link.filter(|_| prefix_of(name, "imu_link").is_none()) {
+            out.report(link.origin, format!("the IMU is in frame `{name}`, not in `imu_link`"))
+                .help("drivers use `imu_link` unless told otherwise")
+                .done();
+        }
+    }
+}
+
+/// Whether a `gazebo` element has a sensor of the type IMU.
+fn has_imu(tree: &XTree, gazebo: XId) -> bool {
+    let is_imu = |id: XId| {
+        tree.attr(id, "type").is_some_and(|kind| ["imu", "imu_sensor"].contains(&kind.value.as_str()))
+    };
+    tree.elements(gazebo).any(|id| tree.get(id).text == "sensor" && is_imu(id))
+}

@@ -1,0 +1,28 @@
+//! An arm without a base frame.
+
+use super::super::context::RobotCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::names::can_move;
+use crate::model::tag_start;
+
+pub(super) const RULE: Rule = Rule {
+    code: "FRM012",
+    name: "missing-base-frame",
+    category: Category::Frames,
+    severity: Severity::Warning,
+    default: Activation::Profiles(&["ros-industrial"]),
+    since: "0.1",
+    fix: None,
+    docs: page!("missing-base-frame"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    let has_base = cx.robot.links.iter().any(|link| link.shown().ends_with("base"));
+    if cx.whole && !has_base && can_move(cx.robot) {
+        out.report(tag_start(cx.expansion, cx.robot.element), "the robot has no frame `base`")
+            .help("add a link `base` without geometry, fixed to `base_link`, where the controller has its coordinate system")
+            .done();
+    }
+}

@@ -1,0 +1,31 @@
+//! A robot without a base_link.
+
+use super::super::context::RobotCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::names::can_move;
+
+pub(super) const RULE: Rule = Rule {
+    code: "FRM013",
+    name: "missing-base-link",
+    category: Category::Frames,
+    severity: Severity::Warning,
+    default: Activation::Profiles(&["ros-industrial", "mobile"]),
+    since: "0.1",
+    fix: None,
+    docs: page!("missing-base-link"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    let has_base = cx.robot.links.iter().any(|link| link.shown().ends_with("base_link"));
+    if !cx.whole || has_base || !can_move(cx.robot) {
+        return;
+    }
+    let root =
+        cx.kinematics.roots(cx.robot).first().and_then(|&root| cx.robot.links.get(root)?.name.as_ref());
+    let Some(root) = root else { return };
+    out.report(root.origin, format!("the robot has no link `base_link`; its root is `{}`", root.value))
+        .help("navigation and planning look for `base_link`: rename the root, or add a link")
+        .done();
+}

@@ -1,0 +1,31 @@
+//! The frame of a moving joint is turned about several axes.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+
+pub(super) const RULE: Rule = Rule {
+    code: "FRM014",
+    name: "multi-axis-rpy",
+    category: Category::Frames,
+    severity: Severity::Info,
+    default: Activation::Profiles(&["ros-industrial"]),
+    since: "0.1",
+    fix: None,
+    docs: page!("multi-axis-rpy"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for joint in cx.joints().iter().filter(|joint| joint.joint_type().is_some_and(|kind| kind.has_axis())) {
+        let Some(text) = joint.origin.as_ref().and_then(|origin| origin.rpy.as_ref()) else { continue };
+        let turned =
+            text.numbers::<3>().map_or(0, |angles| angles.iter().filter(|angle| angle.abs() > 1e-6).count());
+        if turned > 1 {
+            let message = format!("the frame of joint `{}` is turned about {turned} axes", joint.shown());
+            out.report(text.origin, message)
+                .help("keep two of the three angles 0: turn the axis instead of the frame")
+                .done();
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! An optical frame that is not turned as cameras expect.
+
+use std::f64::consts::FRAC_PI_2;
+
+use nalgebra::UnitQuaternion;
+
+use super::super::context::DocumentCx;
+use super::super::edits::speaks_xacro;
+use super::super::numbers::rewrite;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use crate::model::{Joint, tag_start};
+
+pub(super) const RULE: Rule = Rule {
+    code: "FRM004",
+    name: "optical-frame-orientation",
+    category: Category::Frames,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("optical-frame-orientation"),
+    check: Check::Document(check),
+};
+
+/// Rounding of what people write for half of pi.
+const TOLERANCE: f64 = 0.01;
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let usual = UnitQuaternion::from_euler_angles(-FRAC_PI_2, 0.0, -FRAC_PI_2);
+    for joint in cx.joints() {
+        let Some((parent, child)) = joint.ends() else { continue };
+        // between two optical frames, there is no turn
+        if !is_optical(child) || parent.to_lowercase().contains("optical") {
+            continue;
+        }
+        let [roll, pitch, yaw] = match joint.origin.as_ref().map(|origin| origin.angles()) {
+            Some(Some(angles)) => angles,
+            Some(None) => continue,
+            None => [0.0; 3],
+        };
+        let turned = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
+        // on a part that is no camera, the joint holds the pose of the camera as well
+        let is_mounted = turned.angle() > TOLERANCE && first_word(parent) != first_word(child);
+        if turned.angle_to(&usual) > TOLERANCE && !is_mounted {
+            report(cx, out, joint, child);
+        }
+    }
+}
+
+fn report(cx: &DocumentCx<'_>, out: &mut Sink<'_>, joint: &Joint, child: &str) {
+    let rpy = joint.origin.as_ref().and_then(|origin| origin.rpy.as_ref());
+    let at = rpy.map_or_else(|| tag_start(cx.expansion, joint.element), |text| text.origin);
+    let report = out
+        .report(at, format!("optical frame `{child}` is not turned by -pi/2 0 -pi/2"))
+        .help("an optical frame looks along z, with x to the right and y down; its camera looks along x");
+    let Some(text) = rpy else { return report.done() };
+    let xacro = speaks_xacro(cx.expansion, text.origin);
+    let new = if xacro { "${-pi/2} 0 ${-pi/2}" } else { "-1.5707963267948966 0 -1.5707963267948966" };
+    rewrite(report, Safety::Unsafe, text, new.to_owned()).done();
+}
+
+/// What a link is called after.
+fn first_word(name: &str) -> &str {
+    name.split('_').find(|word| !word.is_empty()).unwrap_or_default()
+}
+
+/// Whether a link is an optical frame by its name.
+fn is_optical(name: &str) -> bool {
+    name.ends_with("_optical_frame") || name.ends_with("_optical")
+}

@@ -1,0 +1,65 @@
+//! The origin of a joint looks like millimetres.
+
+use super::super::context::DocumentCx;
+use super::super::numbers::{rewrite, short, vector};
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::super::thresholds::MAX_JOINT_OFFSET;
+use crate::base::FastSet;
+use crate::model::{Joint, Robot};
+
+pub(super) const RULE: Rule = Rule {
+    code: "FRM003",
+    name: "origin-units-mm",
+    category: Category::Frames,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("origin-units-mm"),
+    check: Check::Document(check),
+};
+
+/// Links that stand for the surroundings.
+const SURROUNDINGS: [&str; 4] = ["world", "map", "odom", "earth"];
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let Some(robot) = cx.robot else { return };
+    let most = MAX_JOINT_OFFSET.value(cx.world.config);
+    let mut offsets: Vec<f64> =
+        cx.joints().iter().filter_map(offset).filter(|offset| *offset > 1e-9).collect();
+    offsets.sort_by(f64::total_cmp);
+    let median = offsets.get(offsets.len() / 2).copied().unwrap_or(0.0);
+    let held: FastSet<&str> =
+        cx.joints().iter().filter_map(|joint| Some(joint.child.as_ref()?.value.as_str())).collect();
+    for joint in cx.joints() {
+        let Some(length) = offset(joint) else { continue };
+        let far = length > most || (length > 1000.0 * median && length > 5.0);
+        if !far || is_placed(robot, joint, &held) {
+            continue;
+        }
+        let Some(text) = joint.origin.as_ref().and_then(|origin| origin.xyz.as_ref()) else { continue };
+        let message = format!("joint `{}` is {} m away from its parent", joint.shown(), short(length));
+        let report =
+            out.report(text.origin, message).help("lengths are in metres; this looks like millimetres");
+        let metres = text.numbers::<3>().map(|numbers| vector(&numbers.map(|number| number / 1000.0)));
+        match metres {
+            Some(metres) => rewrite(report, Safety::Unsafe, text, metres).done(),
+            None => report.done(),
+        }
+    }
+}
+
+/// How far a joint is from the frame of its parent, metres.
+fn offset(joint: &Joint) -> Option<f64> {
+    let [x, y, z] = joint.origin.as_ref()?.translation()?;
+    Some((x * x + y * y + z * z).sqrt())
+}
+
+/// Whether a joint places the robot in its surroundings: that may be anywhere.
+fn is_placed(robot: &Robot, joint: &Joint, held: &FastSet<&str>) -> bool {
+    let Some(parent) = &joint.parent else { return false };
+    let empty_root =
+        |parent: &str| !held.contains(parent) && robot.link(parent).is_some_and(|link| !link.has_geometry());
+    SURROUNDINGS.contains(&parent.value.as_str()) || empty_root(&parent.value)
+}

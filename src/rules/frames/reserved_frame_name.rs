@@ -1,0 +1,39 @@
+//! A link with the name of a frame that localisation publishes.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::names::prefix_of;
+
+pub(super) const RULE: Rule = Rule {
+    code: "FRM005",
+    name: "reserved-frame-name",
+    category: Category::Frames,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("reserved-frame-name"),
+    check: Check::Document(check),
+};
+
+/// The frames of REP-105 that no robot has among its links.
+const RESERVED: [&str; 3] = ["map", "odom", "earth"];
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for link in cx.links() {
+        let Some((text, name)) = link.name.as_ref().and_then(|text| Some((text, text.name()?))) else {
+            continue;
+        };
+        if let Some(word) = RESERVED.iter().find(|word| prefix_of(name, word).is_some()) {
+            out.report(
+                text.origin,
+                format!("link `{name}` has the name of a frame that localisation publishes"),
+            )
+            .help(format!(
+                "`{word}` is no part of the robot: remove the link, or rename it (`world` is fine)"
+            ))
+            .done();
+        }
+    }
+}

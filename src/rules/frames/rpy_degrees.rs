@@ -1,0 +1,40 @@
+//! Angles of an orientation that look like degrees.
+
+use super::super::context::DocumentCx;
+use super::super::numbers::from_degrees;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::poses::{ANGLES, poses};
+
+pub(super) const RULE: Rule = Rule {
+    code: "FRM001",
+    name: "rpy-degrees",
+    category: Category::Frames,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("rpy-degrees"),
+    check: Check::Document(check),
+};
+
+/// A full turn and some.
+const MOST: f64 = std::f64::consts::TAU + 0.01;
+
+/// Angles that people write in degrees.
+const ROUND: [f64; 10] = [30.0, 45.0, 60.0, 90.0, 120.0, 135.0, 150.0, 180.0, 270.0, 360.0];
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for placed in poses(cx) {
+        let Some(text) = &placed.pose.rpy else { continue };
+        let Some(angles) = placed.pose.angles() else { continue };
+        for ((angle, name), range) in angles.into_iter().zip(ANGLES).zip(text.words()) {
+            if angle.abs() > MOST || ROUND.contains(&angle.abs()) {
+                let shown = text.value.get(range.clone()).unwrap_or_default();
+                let message = format!("{name} {shown} of {} looks like degrees", placed.owner());
+                let report = out.report(text.part(range.clone()), message).help("angles are in radians");
+                from_degrees(report, cx.expansion, text, range).done();
+            }
+        }
+    }
+}

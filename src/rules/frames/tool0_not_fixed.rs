@@ -1,0 +1,35 @@
+//! A tool frame that moves against the last link.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::names::prefix_of;
+use crate::model::JointType;
+
+pub(super) const RULE: Rule = Rule {
+    code: "FRM006",
+    name: "tool0-not-fixed",
+    category: Category::Frames,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("tool0-not-fixed"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for joint in cx.joints() {
+        let Some((_, child)) = joint.ends() else { continue };
+        let is_frame = ["tool0", "flange"].iter().any(|name| prefix_of(child, name).is_some());
+        let Some(kind) = joint.kind.as_ref().filter(|_| is_frame) else { continue };
+        if joint.joint_type().is_some_and(|kind| kind != JointType::Fixed) {
+            out.report(
+                kind.origin,
+                format!("joint `{}` above `{child}` is {}, not fixed", joint.shown(), kind.value),
+            )
+            .help(format!("let the joint move a link, and fix `{child}` to that link"))
+            .done();
+        }
+    }
+}

@@ -1,0 +1,34 @@
+//! Numbered tool frames.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+
+pub(super) const RULE: Rule = Rule {
+    code: "FRM009",
+    name: "tool-frame-name",
+    category: Category::Frames,
+    severity: Severity::Info,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("tool-frame-name"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for link in cx.links() {
+        let Some((text, name)) = link.name.as_ref().and_then(|text| Some((text, text.name()?))) else {
+            continue;
+        };
+        let last = name.rsplit(['_', '/']).next().unwrap_or_default();
+        let number = last
+            .strip_prefix("tool")
+            .filter(|digits| !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit()));
+        if number.is_some_and(|number| !number.trim_start_matches('0').is_empty()) {
+            out.report(text.origin, format!("link `{name}` is a numbered tool frame"))
+                .help("only `tool0` has a meaning of its own; name the others after the tool")
+                .done();
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! STL as text.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use crate::model::MeshFormat;
+
+pub(super) const RULE: Rule = Rule {
+    code: "GEO004",
+    name: "ascii-stl",
+    category: Category::Geometry,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("ascii-stl"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for mesh in cx.meshes() {
+        if mesh.mesh.is_some_and(|mesh| mesh.format == MeshFormat::StlAscii) {
+            let message =
+                format!("mesh `{}` of link `{}` is an STL file as text", mesh.name(), mesh.link.shown());
+            out.report(mesh.file.origin, message)
+                .help("export it as binary STL: a fifth of the size, and read by every program")
+                .done();
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! A visual mesh used for collision.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::collision_mesh_too_detailed::is_too_detailed;
+use super::resources::MeshUse;
+
+pub(super) const RULE: Rule = Rule {
+    code: "GEO012",
+    name: "collision-same-as-visual",
+    category: Category::Geometry,
+    severity: Severity::Info,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("collision-same-as-visual"),
+    check: Check::Document(check),
+};
+
+/// Meshes of at most this many triangles may serve for both.
+const FEW: usize = 1000;
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let meshes: Vec<_> = cx.meshes().collect();
+    for collision in meshes.iter().filter(|mesh| mesh.is_collision) {
+        let Some(surface) = collision.mesh.and_then(|mesh| mesh.surface) else { continue };
+        if surface.triangles <= FEW || is_too_detailed(cx, surface.triangles) {
+            continue;
+        }
+        let is_same = |visual: &&MeshUse<'_>| {
+            !visual.is_collision
+                && visual.link.element == collision.link.element
+                && visual.target == collision.target
+        };
+        if let Some(visual) = meshes.iter().find(is_same) {
+            let (name, link, count) = (collision.name(), collision.link.shown(), surface.triangles);
+            let message =
+                format!("link `{link}` collides with its visual mesh `{name}` of {count} triangles");
+            out.report(collision.file.origin, message)
+                .also(visual.file.origin, "the visual")
+                .help("use its convex hull or a few boxes and cylinders")
+                .done();
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! A colour outside of 0 to 1.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::shapes::materials;
+
+pub(super) const RULE: Rule = Rule {
+    code: "GEO025",
+    name: "color-out-of-range",
+    category: Category::Geometry,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("color-out-of-range"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for material in materials(cx) {
+        let Some(text) = &material.rgba else { continue };
+        let Some(numbers) = text.numbers::<4>() else { continue };
+        if numbers.iter().all(|number| (0.0..=1.0).contains(number)) {
+            continue;
+        }
+        let name = material.name.as_ref().map_or("", |name| name.value.as_str());
+        let message = format!("colour of material `{name}` is outside of 0 to 1");
+        let report = out.report(text.origin, message).help("red, green, blue and alpha go from 0 to 1");
+        match from_bytes(numbers).filter(|_| text.literal) {
+            Some(content) => report.replace_with(Safety::Unsafe, "divide by 255", content).done(),
+            None => report.done(),
+        }
+    }
+}
+
+/// The colour when it was given as 0 to 255; an alpha of at most 1 stays.
+fn from_bytes([red, green, blue, alpha]: [f64; 4]) -> Option<String> {
+    let colours = [red, green, blue];
+    let fits = |number: &f64| (0.0..=255.0).contains(number) && number.fract() == 0.0;
+    let alpha = if alpha > 1.0 { alpha / 255.0 } else { alpha };
+    let meant = colours.iter().all(fits) && (0.0..=1.0).contains(&alpha);
+    let part = |number: f64| format!("{}", (number * 1e4).round() / 1e4);
+    let [red, green, blue] = colours.map(|colour| part(colour / 255.0));
+    meant.then(|| format!("{red} {green} {blue} {}", part(alpha)))
+}

@@ -1,0 +1,38 @@
+//! Two materials of one name.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use crate::base::FastMap;
+use crate::model::Text;
+
+pub(super) const RULE: Rule = Rule {
+    code: "GEO027",
+    name: "duplicate-material",
+    category: Category::Geometry,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("duplicate-material"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let mut first: FastMap<&str, &Text> = FastMap::default();
+    for name in
+        cx.robot.into_iter().flat_map(|robot| &robot.materials).filter_map(|material| material.name.as_ref())
+    {
+        let Some(value) = name.name() else { continue };
+        match first.get(value.as_str()) {
+            None => {
+                first.insert(value, name);
+            }
+            Some(earlier) => out
+                .report(name.origin, format!("material `{value}` is defined twice"))
+                .also(earlier.origin, "defined here first")
+                .help("urdfdom refuses the robot, even if both are equal: keep one")
+                .done(),
+        }
+    }
+}

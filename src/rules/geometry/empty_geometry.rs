@@ -1,0 +1,34 @@
+//! A geometry without shape.
+
+use super::super::context::{DocumentCx, RootKind};
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::shapes::bodies;
+use crate::model::{source_has_elements, tag_start};
+
+pub(super) const RULE: Rule = Rule {
+    code: "GEO014",
+    name: "empty-geometry",
+    category: Category::Geometry,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("empty-geometry"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for (link, body, _) in bodies(cx) {
+        let Some(geometry) = body.geometry.as_ref().filter(|geometry| geometry.shapes.is_empty()) else {
+            continue;
+        };
+        // what xacro tags inside would have given may be lost
+        let certain = cx.kind == RootKind::Robot && cx.expansion.whole && cx.expansion.problems.is_empty();
+        if certain || !source_has_elements(cx.expansion, geometry.element) {
+            let message = format!("link `{}`: `geometry` is empty", link.shown());
+            let origin = tag_start(cx.expansion, geometry.element);
+            out.report(origin, message).help("put a box, cylinder, sphere or mesh inside").done();
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! A URI of a mesh or texture that cannot be resolved.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::shapes::{is_replaceable, resource_names};
+use crate::model::Text;
+
+pub(super) const RULE: Rule = Rule {
+    code: "GEO021",
+    name: "malformed-resource-uri",
+    category: Category::Geometry,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Safe),
+    docs: page!("malformed-resource-uri"),
+    check: Check::Document(check),
+};
+
+/// Characters of a URI that a message shows.
+const MOST_SHOWN: usize = 80;
+
+/// What is wrong with a URI, and how it was meant.
+pub(super) struct UriDefect {
+    message: &'static str,
+    meant: Option<String>,
+}
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for name in resource_names(cx).into_iter().filter(|name| name.known) {
+        let Some(UriDefect { message, meant }) = defect(&name.value) else { continue };
+        let report = out
+            .report(name.origin, format!("`{}`: {message}", shortened(&name.value)))
+            .help("URIs are written package://PACKAGE/PATH, with slashes and without spaces");
+        match meant.filter(|meant| is_replaceable(name, meant) && leads_to_package(cx, name, meant)) {
+            Some(meant) => report.replace_with(Safety::Safe, format!("write `{meant}`"), meant).done(),
+            None => report.done(),
+        }
+    }
+}
+
+/// Whether the first name is a package that is known; with a slash too many, it may be a folder of one.
+fn leads_to_package(cx: &DocumentCx<'_>, name: &Text, meant: &str) -> bool {
+    let package = meant.strip_prefix("package://").and_then(|rest| rest.split('/').next());
+    let certain = !name.value.starts_with("package:///");
+    let place = cx.expansion.place(name.origin);
+    let source = place.and_then(|place| cx.expansion.files.get(place.file.0 as usize));
+    let known =
+        |package| source.is_some_and(|file| cx.world.packages.find(package, &file.source.path).is_ok());
+    certain || package.is_some_and(known)
+}
+
+/// What is wrong with a URI or path.
+pub(super) fn defect(value: &str) -> Option<UriDefect> {
+    let found = |message, meant| Some(UriDefect { message, meant });
+    let slashed = value.replace('\\', "/");
+    if let Some(rest) = slashed.strip_prefix("package:") {
+        let path = rest.trim_start_matches('/');
+        let slashes = rest.len() - path.len();
+        let meant = path.contains('/').then(|| format!("package://{path}"));
+        return match path.split_once('/') {
+            _ if slashes == 2 && slashed != value => found("backslashes in a URI", meant),
+            _ if slashes < 2 => found("two slashes belong behind `package:`", meant),
+            _ if slashes > 2 => found("the package name is missing behind `package://`", meant),
+            None | Some((_, "")) => found("a path is missing behind the package name", None),
+            _ if has_space(value) => found("spaces in a URI", None),
+            _ => None,
+        };
+    }
+    let file = slashed.strip_prefix("file:").map(|rest| rest.strip_prefix("//").unwrap_or(rest));
+    match value {
+        _ if file.is_some_and(|path| !path.starts_with('/') && !path.starts_with("localhost/")) => {
+            found("the path of a file URI is absolute: three slashes behind the colon", None)
+        }
+        _ if slashed != value => {
+            let drive = value.get(1..2) == Some(":") || value.starts_with("\\\\");
+            found("backslashes in a path", (!drive).then_some(slashed))
+        }
+        _ if value.contains("://") && has_space(value) => found("spaces in a URI", None),
+        _ if value.trim() != value => {
+            found("spaces around a path", Some(value.trim().to_owned()).filter(|path| !path.is_empty()))
+        }
+        _ => None,
+    }
+}
+
+fn has_space(value: &str) -> bool {
+    value.contains(|c: char| c.is_ascii_whitespace())
+}
+
+fn shortened(value: &str) -> String {
+    let mut short: String =
+        value.chars().map(|c| if c.is_control() { ' ' } else { c }).take(MOST_SHOWN).collect();
+    if value.chars().count() > MOST_SHOWN {
+        short.push_str("...");
+    }
+    short
+}
+
+#[cfg(test)]
+mod tests {
+    use super::defect;
+
+    #[test]
+    fn uris() {
+        let meant = |value: &str| defect(value).map(|defect| defect.meant.unwrap_or_default());
+        let good = [
+            "package://a/b.stl",
+            "file:///a/b.stl",
+            "file:/a/b.stl",
+            "file://localhost/a.stl",
+            "a b.stl",
+            "/a/b.stl",
+            "http://x/y",
+            "",
+        ];
+        assert!(good.iter().all(|value| defect(value).is_none()));
+        let bad = [
+            ("package:/a/b.stl", "package://a/b.stl"),
+            ("package:a/b.stl", "package://a/b.stl"),
+            ("package:///a/b.stl", "package://a/b.stl"),
+            ("package://a", ""),
+            ("package://a/", ""),
+            ("package://", ""),
+            (r"package://a\b.stl", "package://a/b.stl"),
+            (r"package:\\a\b.stl", "package://a/b.stl"),
+            ("package://a/b c.stl", ""),
+            ("file://a/b.stl", ""),
+            (r"meshes\a.stl", "meshes/a.stl"),
+            (r"C:\a.stl", ""),
+            (r"\\server\a.stl", ""),
+            (" a.stl ", "a.stl"),
+        ];
+        for (value, expected) in bad {
+            assert_eq!(meant(value).as_deref(), Some(expected), "{value}");
+        }
+    }
+}

@@ -1,0 +1,52 @@
+//! A material with two colours.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::shapes::{is_defined, visual_materials};
+use crate::base::FastMap;
+use crate::model::Material;
+
+pub(super) const RULE: Rule = Rule {
+    code: "GEO028",
+    name: "material-redefinition",
+    category: Category::Geometry,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("material-redefinition"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let Some(robot) = cx.robot else { return };
+    let mut first: FastMap<&str, &Material> = FastMap::default();
+    for material in robot.materials.iter().filter(|material| is_defined(material)) {
+        if let Some(name) = material.name.as_ref().and_then(|name| name.name()) {
+            first.entry(name).or_insert(material);
+        }
+    }
+    for (link, material) in visual_materials(robot).filter(|(_, material)| is_defined(material)) {
+        let Some(text) = &material.name else { continue };
+        let Some(name) = text.name() else { continue };
+        let earlier = *first.entry(name).or_insert(material);
+        let Some(earlier_name) = earlier.name.as_ref().filter(|_| differ(earlier, material)) else {
+            continue;
+        };
+        let message = format!("link `{}` gives material `{name}` another colour", link.shown());
+        out.report(text.origin, message)
+            .also(earlier_name.origin, "this one is taken everywhere")
+            .help("use another name for the other colour")
+            .done();
+    }
+}
+
+/// Whether two materials are known to look different.
+fn differ(a: &Material, b: &Material) -> bool {
+    let colours = |material: &Material| material.rgba.as_ref().and_then(|rgba| rgba.numbers::<4>());
+    let texture = |material: &Material| material.texture_file.as_ref().and_then(|file| file.name().cloned());
+    let different = |x: Option<bool>| x.unwrap_or(false);
+    different(colours(a).zip(colours(b)).map(|(a, b)| a != b))
+        || different(texture(a).zip(texture(b)).map(|(a, b)| a != b))
+}

@@ -1,0 +1,34 @@
+//! A material that says nothing.
+
+use super::super::context::{DocumentCx, RootKind};
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::shapes::is_defined;
+use crate::model::{source_has_elements, tag_start};
+
+pub(super) const RULE: Rule = Rule {
+    code: "GEO031",
+    name: "material-without-color",
+    category: Category::Geometry,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("material-without-color"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for material in
+        cx.robot.into_iter().flat_map(|robot| &robot.materials).filter(|material| !is_defined(material))
+    {
+        // what xacro tags inside would have given may be lost
+        let certain = cx.kind == RootKind::Robot && cx.expansion.whole && cx.expansion.problems.is_empty();
+        if certain || !source_has_elements(cx.expansion, material.element) {
+            let name = material.name.as_ref().map_or("", |name| name.value.as_str());
+            let message = format!("material `{name}` has neither colour nor texture");
+            let origin = tag_start(cx.expansion, material.element);
+            out.report(origin, message).help("urdfdom refuses the robot: add a `color`").done();
+        }
+    }
+}

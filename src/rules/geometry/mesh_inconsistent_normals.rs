@@ -1,0 +1,33 @@
+//! A mesh of which some triangles face the wrong way.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+
+pub(super) const RULE: Rule = Rule {
+    code: "GEO009",
+    name: "mesh-inconsistent-normals",
+    category: Category::Geometry,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("mesh-inconsistent-normals"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for mesh in cx.meshes() {
+        let Some(edges) = mesh.mesh.and_then(|mesh| mesh.surface).map(|surface| surface.edges) else {
+            continue;
+        };
+        let wrong = edges.same_direction;
+        let counts = if mesh.is_collision { wrong > 0 } else { wrong * 100 > edges.total };
+        if counts {
+            let (name, link) = (mesh.name(), mesh.link.shown());
+            let message =
+                format!("mesh `{name}` of link `{link}`: neighbours at {wrong} edges face opposite ways");
+            out.report(mesh.file.origin, message).help("orient all faces coherently in a mesh editor").done();
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! A mesh whose textures, materials or buffers are missing.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use crate::model::Missing;
+
+pub(super) const RULE: Rule = Rule {
+    code: "GEO022",
+    name: "mesh-missing-dependency",
+    category: Category::Geometry,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("mesh-missing-dependency"),
+    check: Check::Document(check),
+};
+
+/// Missing files named in one message.
+const MOST_NAMES: usize = 3;
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for mesh in cx.meshes() {
+        let (Some(path), Some(content)) = (mesh.target.file(), mesh.mesh) else { continue };
+        let missing = cx.world.meshes.missing(cx.world.vfs, path, content);
+        if missing.is_empty() {
+            continue;
+        }
+        let windows_only = missing.iter().all(|missing| missing.is_windows_path);
+        let severity = if windows_only { Severity::Info } else { Severity::Warning };
+        let message =
+            format!("mesh `{}` of link `{}` needs {}", mesh.name(), mesh.link.shown(), names(&missing));
+        let help = "put it beside the mesh, or remove the reference from the mesh";
+        out.report(mesh.file.origin, message).severity(severity).help(help).done();
+    }
+}
+
+fn names(missing: &[Missing]) -> String {
+    let name = |missing: &Missing| match &missing.named_in {
+        Some(library) => format!("`{}` (named in `{library}`)", missing.name),
+        None => format!("`{}`", missing.name),
+    };
+    let listed: Vec<String> = missing.iter().take(MOST_NAMES).map(name).collect();
+    let more = match missing.len().saturating_sub(MOST_NAMES) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let verb = if missing.len() == 1 { "is" } else { "are" };
+    format!("{}{more}, which {verb} missing", listed.join(", "))
+}

@@ -1,0 +1,39 @@
+//! A mesh that is not there.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::absolute_mesh_path::is_absolute;
+use super::missing::report;
+use super::resources::Target;
+
+pub(super) const RULE: Rule = Rule {
+    code: "GEO001",
+    name: "mesh-not-found",
+    category: Category::Geometry,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("mesh-not-found"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for mesh in cx.meshes() {
+        let link = mesh.link.shown();
+        match mesh.target {
+            // that it is absolute is said by another rule: on the machine it was written on, it may be there
+            Target::Missing(..) if is_absolute(&mesh) => {}
+            Target::Missing(path, package) => {
+                let what = format!("mesh `{}` of link `{link}`", mesh.name());
+                report(cx, out, mesh.file, &what, path, package.as_deref());
+            }
+            Target::NoFile(path) => {
+                let message = format!("mesh of link `{link}`: `{}` is no file", path.display());
+                out.report(mesh.file.origin, message).help("name the mesh file itself").done();
+            }
+            _ => {}
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! A second shape in one geometry.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::shapes::bodies;
+use crate::model::tag_start;
+
+pub(super) const RULE: Rule = Rule {
+    code: "GEO015",
+    name: "multiple-geometries",
+    category: Category::Geometry,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("multiple-geometries"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for (link, body, _) in bodies(cx) {
+        let Some(geometry) = &body.geometry else { continue };
+        if let [first, second, ..] = geometry.shapes.as_slice() {
+            let message = format!("link `{}`: a second shape in one `geometry`", link.shown());
+            out.report(tag_start(cx.expansion, second.element), message)
+                .also(tag_start(cx.expansion, first.element), "parsers take this one")
+                .help("give each shape a visual or collision of its own")
+                .done();
+        }
+    }
+}

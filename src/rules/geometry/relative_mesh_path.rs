@@ -1,0 +1,49 @@
+//! A mesh by a relative path.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::malformed_resource_uri::defect;
+use super::shapes::is_replaceable;
+
+pub(super) const RULE: Rule = Rule {
+    code: "GEO020",
+    name: "relative-mesh-path",
+    category: Category::Geometry,
+    severity: Severity::Info,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("relative-mesh-path"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for mesh in cx.meshes() {
+        let value = mesh.file.value.as_str();
+        let is_path = mesh.file.known && !value.is_empty() && !value.starts_with('/') && !value.contains(':');
+        if !is_path || defect(value).is_some() {
+            continue;
+        }
+        let place = cx.expansion.place(mesh.file.origin);
+        let source = place.and_then(|place| cx.expansion.files.get(place.file.0 as usize));
+        let Some(package) = source.and_then(|file| cx.world.packages.containing(&file.source.path)) else {
+            continue;
+        };
+        let message =
+            format!("mesh `{}` of link `{}` is named by a relative path", mesh.name(), mesh.link.shown());
+        let report =
+            out.report(mesh.file.origin, message).help("RViz does not find it; write package://PACKAGE/PATH");
+        let inside = mesh
+            .target
+            .file()
+            .and_then(|path| Some(path.strip_prefix(&package.folder).ok()?.to_str()?.to_owned()));
+        match inside.filter(|inside| is_replaceable(mesh.file, inside) && !inside.contains("..")) {
+            Some(inside) => {
+                let uri = format!("package://{}/{inside}", package.name);
+                report.replace_with(Safety::Unsafe, format!("write `{uri}`"), uri).done();
+            }
+            None => report.done(),
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! The files that a description names: where they are, and the meshes in them.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use rayon::prelude::*;
+
+use super::super::context::{DocumentCx, Surroundings};
+use super::malformed_resource_uri::defect;
+use crate::base::FastMap;
+use crate::expand::{Expansion, FileIdx, XId};
+use crate::model::{Link, Mesh, Shape, ShapeKind, Text};
+use crate::workspace::{UriKind, UriOutcome};
+
+/// Where the text of a file name leads.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// Nothing can be said: the text is not known, or speaks of a package or machine that is not at hand.
+    Unknown,
+    /// To no place at all.
+    Malformed,
+    /// To a file.
+    File(PathBuf),
+    /// To a folder, or something else that is no file.
+    NoFile(PathBuf),
+    /// To a file whose name has other letter cases.
+    OtherCase(PathBuf),
+    /// To nothing: the place, and the folder of the package it names.
+    Missing(PathBuf, Option<PathBuf>),
+}
+
+/// The meshes of a robot by the element that names them.
+#[derive(Debug, Default)]
+pub struct Resources {
+    meshes: FastMap<XId, (Target, Option<Arc<Mesh>>)>,
+}
+
+/// A mesh that a visual or collision names.
+pub struct MeshUse<'a> {
+    /// The link.
+    pub link: &'a Link,
+    /// Whether it is a collision.
+    pub is_collision: bool,
+    /// The element `mesh`.
+    pub element: XId,
+    /// Its `filename`.
+    pub file: &'a Text,
+    /// Its `scale`.
+    pub scale: Option<&'a Text>,
+    /// Where the name leads.
+    pub target: &'a Target,
+    /// The mesh, when there is a file.
+    pub mesh: Option<&'a Mesh>,
+}
+
+impl MeshUse<'_> {
+    /// The factors along the axes; none when they are not known.
+    pub fn factors(&self) -> Option<[f64; 3]> {
+        factors(self.scale)
+    }
+
+    /// The name of the file for messages, without folders.
+    pub fn name(&self) -> &str {
+        self.file.value.rsplit(['/', '\\']).next().unwrap_or_default()
+    }
+}
+
+/// The factors of a scale that may be absent; none when they are not known.
+pub fn factors(scale: Option<&Text>) -> Option<[f64; 3]> {
+    scale.map_or(Some([1.0; 3]), Text::numbers)
+}
+
+impl DocumentCx<'_> {
+    /// The meshes that visuals and collisions name, in document order.
+    pub(in super::super) fn meshes(&self) -> impl Iterator<Item = MeshUse<'_>> {
+        let resources = self.resources.get_or_init(|| Resources::of(self));
+        named(self).filter_map(|named| {
+            let (target, mesh) = resources.meshes.get(&named.element)?;
+            let Named { link, is_collision, element, file, scale } = named;
+            let mesh = mesh.as_deref();
+            Some(MeshUse { link, is_collision, element, file, scale, target, mesh })
+        })
+    }
+
+    /// The mesh of a shape, when its file could be read.
+    pub(in super::super) fn mesh(&self, shape: &Shape) -> Option<&Mesh> {
+        let resources = self.resources.get_or_init(|| Resources::of(self));
+        resources.meshes.get(&shape.element)?.1.as_deref()
+    }
+}
+
+/// A mesh before its file is looked for.
+struct Named<'a> {
+    link: &'a Link,
+    is_collision: bool,
+    element: XId,
+    file: &'a Text,
+    scale: Option<&'a Text>,
+}
+
+fn named<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = Named<'a>> {
+    let links = cx.robot.into_iter().flat_map(|robot| &robot.links);
+    let bodies = links.flat_map(|link| {
+        let visuals = link.visuals.iter().map(|body| (body, false));
+        let all = visuals.chain(link.collisions.iter().map(|body| (body, true)));
+        all.map(move |(body, is_collision)| (link, body, is_collision))
+    });
+    bodies.filter_map(|(link, body, is_collision)| {
+        let shape = body.shape()?;
+        let ShapeKind::Mesh { filename: Some(file), scale } = &shape.kind else { return None };
+        Some(Named { link, is_collision, element: shape.element, file, scale: scale.as_ref() })
+    })
+}
+
+impl Resources {
+    fn of(cx: &DocumentCx<'_>) -> Self {
+        let mut known: FastMap<(Option<FileIdx>, &str), Target> = FastMap::default();
+        let mut targets = Vec::new();
+        for named in named(cx) {
+            let file = cx.expansion.place(named.file.origin).map(|place| place.file);
+            let target = if named.file.known {
+                let key = (file, named.file.value.as_str());
+                known.entry(key).or_insert_with(|| resolve(cx.expansion, cx.world, named.file)).clone()
+            } else {
+                Target::Unknown
+            };
+            targets.push((named.element, target));
+        }
+        let mut paths: Vec<&Path> = targets.iter().filter_map(|(_, target)| target.file()).collect();
+        paths.sort_unstable();
+        paths.dedup();
+        let (meshes, vfs) = (cx.world.meshes, cx.world.vfs);
+        let read: Vec<Arc<Mesh>> = paths.par_iter().map(|path| meshes.get(vfs, path)).collect();
+        let read: FastMap<&Path, Arc<Mesh>> = paths.into_iter().zip(read).collect();
+        let mesh = |target: &Target| read.get(target.file()?).cloned();
+        Self { meshes: targets.iter().map(|(id, target)| (*id, (target.clone(), mesh(target)))).collect() }
+    }
+}
+
+impl Target {
+    /// The file it leads to.
+    pub fn file(&self) -> Option<&Path> {
+        match self {
+            Target::File(path) => Some(path),
+            _ => None,
+        }
+    }
+}
+
+/// Find the file that an attribute names.
+pub fn resolve(expansion: &Expansion, world: Surroundings<'_>, name: &Text) -> Target {
+    let place = expansion.place(name.origin).filter(|_| name.known && !name.value.trim().is_empty());
+    let Some(place) = place else { return Target::Unknown };
+    let files = [place.file, FileIdx(0)];
+    let from = files.map(|file| expansion.files.get(file.0 as usize).map(|file| file.source.path.as_ref()));
+    let mut first = None;
+    // a relative path counts from the file it stands in, or from the file that is loaded
+    for from in from.into_iter().flatten() {
+        let target = resolve_from(world, &name.value, from);
+        if !matches!(target, Target::Missing(..) | Target::OtherCase(_)) {
+            return target;
+        }
+        first.get_or_insert(target);
+    }
+    // a path with such faults leads nowhere because of them
+    let faulty = matches!(first, Some(Target::Missing(..))) && defect(&name.value).is_some();
+    if faulty { Target::Malformed } else { first.unwrap_or(Target::Unknown) }
+}
+
+fn resolve_from(world: Surroundings<'_>, uri: &str, from: &Path) -> Target {
+    let result = world.packages.resolve_uri(uri, from);
+    let package = uri.strip_prefix("package://").and_then(|rest| rest.split('/').next());
+    let package = package
+        .and_then(|name| world.packages.find(name, from).ok())
+        .map(|found| world.vfs.absolute(&found.path));
+    let base = match result.kind {
+        UriKind::Package | UriKind::Model => package.clone(),
+        UriKind::Relative => from.parent().map(Path::to_owned),
+        _ => None,
+    };
+    match result.outcome {
+        UriOutcome::Elsewhere => Target::Unknown,
+        UriOutcome::UnknownPackage(_) => Target::Unknown,
+        UriOutcome::Malformed(_) => Target::Malformed,
+        UriOutcome::Found(path) => {
+            let path = world.vfs.absolute(&path);
+            let listed = base.and_then(|base| world.vfs.as_listed(&base, &path));
+            match listed.filter(|listed| *listed != path) {
+                Some(listed) => Target::OtherCase(listed),
+                None if world.vfs.is_file(&path) => Target::File(path),
+                None => Target::NoFile(path),
+            }
+        }
+        UriOutcome::Missing(path) => {
+            let path = world.vfs.absolute(&path);
+            let base = base.unwrap_or_else(|| PathBuf::from("/"));
+            match world.vfs.as_listed(&base, &path).filter(|listed| world.vfs.is_file(listed)) {
+                Some(listed) if listed != path => Target::OtherCase(listed),
+                _ => Target::Missing(path, package),
+            }
+        }
+    }
+}

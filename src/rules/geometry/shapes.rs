@@ -1,0 +1,47 @@
+//! The bodies and materials of a robot.
+
+use super::super::context::DocumentCx;
+use crate::model::{Body, Link, Material, Robot, ShapeKind, Text};
+
+/// All visuals and collisions with their link, and whether it is a collision.
+pub(super) fn bodies<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = (&'a Link, &'a Body, bool)> {
+    cx.robot.into_iter().flat_map(|robot| &robot.links).flat_map(|link| {
+        let visuals = link.visuals.iter().map(move |body| (link, body, false));
+        visuals.chain(link.collisions.iter().map(move |body| (link, body, true)))
+    })
+}
+
+/// The materials inside visuals, with their link.
+pub(super) fn visual_materials(robot: &Robot) -> impl Iterator<Item = (&Link, &Material)> {
+    let visuals = robot.links.iter().flat_map(|link| link.visuals.iter().map(move |body| (link, body)));
+    visuals.filter_map(|(link, body)| Some((link, body.material.as_ref()?)))
+}
+
+/// The materials of the robot and of its visuals.
+pub(super) fn materials<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = &'a Material> {
+    cx.robot
+        .into_iter()
+        .flat_map(|robot| robot.materials.iter().chain(visual_materials(robot).map(|(_, material)| material)))
+}
+
+/// Whether a material says how it looks.
+pub(super) fn is_defined(material: &Material) -> bool {
+    material.color.is_some() || material.texture.is_some()
+}
+
+/// The names of all meshes and textures.
+pub(super) fn resource_names<'a>(cx: &'a DocumentCx<'_>) -> Vec<&'a Text> {
+    let shapes =
+        bodies(cx).flat_map(|(_, body, _)| body.geometry.iter().flat_map(|geometry| &geometry.shapes));
+    let meshes = shapes.filter_map(|shape| match &shape.kind {
+        ShapeKind::Mesh { filename, .. } => filename.as_ref(),
+        _ => None,
+    });
+    meshes.chain(materials(cx).filter_map(|material| material.texture_file.as_ref())).collect()
+}
+
+/// Whether a value may be replaced by `content`: the source spells it, and neither needs entities.
+pub(super) fn is_replaceable(text: &Text, content: &str) -> bool {
+    let is_plain = |text: &str| !text.contains(['&', '<', '"', '\'', '$']);
+    text.literal && is_plain(&text.value) && is_plain(content)
+}

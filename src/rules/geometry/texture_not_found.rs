@@ -1,0 +1,38 @@
+//! A texture that is not there.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::missing::report;
+use super::resources::{Target, resolve};
+use super::shapes::materials;
+
+pub(super) const RULE: Rule = Rule {
+    code: "GEO030",
+    name: "texture-not-found",
+    category: Category::Geometry,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("texture-not-found"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for material in materials(cx) {
+        let Some(file) = material.texture_file.as_ref().filter(|file| file.known) else { continue };
+        let name = material.name.as_ref().map_or("", |name| name.value.as_str());
+        match resolve(cx.expansion, cx.world, file) {
+            Target::Missing(path, package) => {
+                let what = format!("texture of material `{name}`");
+                report(cx, out, file, &what, &path, package.as_deref());
+            }
+            Target::OtherCase(found) => {
+                let message = format!("texture of material `{name}` is spelled otherwise on disk");
+                out.report(file.origin, message).help(format!("the file is `{}`", found.display())).done();
+            }
+            _ => {}
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! A material that is defined nowhere.
+
+use super::super::context::RobotCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::shapes::{is_defined, is_replaceable, visual_materials};
+use crate::base::FastSet;
+use crate::workspace::nearest;
+
+pub(super) const RULE: Rule = Rule {
+    code: "GEO026",
+    name: "undefined-material",
+    category: Category::Geometry,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("undefined-material"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    if !cx.whole {
+        return;
+    }
+    let visuals = || visual_materials(cx.robot);
+    let inline = visuals().map(|(_, material)| material).filter(|material| is_defined(material));
+    let names = cx.robot.materials.iter().chain(inline).filter_map(|material| material.name.as_ref());
+    let defined: Vec<&str> = names.map(|name| name.value.as_str()).collect();
+    let known: FastSet<&str> = defined.iter().copied().collect();
+    for (link, material) in visuals().filter(|(_, material)| !is_defined(material)) {
+        let Some(text) = &material.name else { continue };
+        let Some(name) = text.name().filter(|name| !known.contains(name.as_str())) else { continue };
+        if name.starts_with("Gazebo/") {
+            continue;
+        }
+        let report = out
+            .report(text.origin, format!("material `{name}` of link `{}` is defined nowhere", link.shown()));
+        match nearest(name, defined.iter().copied()).filter(|near| is_replaceable(text, near)) {
+            Some(near) => {
+                let report = report.help(format!("a material with a similar name exists: `{near}`"));
+                report.replace_with(Safety::Unsafe, format!("rename it to `{near}`"), near).done();
+            }
+            None => report.help("give it a colour or texture, here or as a child of `robot`").done(),
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! A shape that URDF does not know.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::shapes::bodies;
+use crate::model::{ShapeKind, tag_start};
+
+pub(super) const RULE: Rule = Rule {
+    code: "GEO016",
+    name: "unknown-geometry-type",
+    category: Category::Geometry,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("unknown-geometry-type"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for (link, body, _) in bodies(cx) {
+        for shape in body.geometry.iter().flat_map(|geometry| &geometry.shapes) {
+            let name = cx.expansion.tree.get(shape.element).text.as_str();
+            let extension =
+                name.contains(':') || cx.world.config.allow_elements.iter().any(|known| known == name);
+            if !matches!(shape.kind, ShapeKind::Other) || extension {
+                continue;
+            }
+            let help = match name {
+                "capsule" => "urdfdom refuses it; Drake, MuJoCo, Bullet and Gazebo's SDF take capsules",
+                "ellipsoid" => "urdfdom refuses it; Drake, MuJoCo and Gazebo's SDF take ellipsoids",
+                "plane" => "urdfdom refuses it; MuJoCo, Bullet and Gazebo's SDF take planes",
+                _ => "URDF has box, cylinder, sphere and mesh",
+            };
+            let message = format!("link `{}`: `{name}` is no shape of URDF", link.shown());
+            out.report(tag_start(cx.expansion, shape.element), message).help(help).done();
+        }
+    }
+}

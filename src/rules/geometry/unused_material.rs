@@ -1,0 +1,58 @@
+//! A material that nothing uses.
+
+use super::super::context::RobotCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::shapes::visual_materials;
+use crate::base::FastSet;
+use crate::expand::FileIdx;
+use crate::model::element_range;
+use crate::xml::Node;
+
+pub(super) const RULE: Rule = Rule {
+    code: "GEO029",
+    name: "unused-material",
+    category: Category::Geometry,
+    severity: Severity::Info,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("unused-material"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    if !cx.whole {
+        return;
+    }
+    let used: FastSet<&str> = visual_materials(cx.robot)
+        .filter_map(|(_, material)| Some(material.name.as_ref()?.value.as_str()))
+        .collect();
+    for material in &cx.robot.materials {
+        let Some(text) = &material.name else { continue };
+        let Some(name) = text.name().filter(|name| !used.contains(name.as_str())) else { continue };
+        // files of materials are shared; what a condition left out may need the material
+        let place = cx.expansion.place(text.origin);
+        if place.is_none_or(|place| place.file != FileIdx(0)) || is_mentioned(cx, name) {
+            continue;
+        }
+        let whole = element_range(cx.expansion, material.element);
+        let report = out.report(text.origin, format!("material `{name}` is never used")).help("remove it");
+        match cx.expansion.place(whole) {
+            Some(place) => {
+                report.fix(Safety::Unsafe, "remove it", place.file, [(place.range, String::new())]).done();
+            }
+            None => report.done(),
+        }
+    }
+}
+
+/// Whether a value in the sources is `name`, but for the definition of the material itself.
+fn is_mentioned(cx: &RobotCx<'_>, name: &str) -> bool {
+    let items = cx.expansion.files.iter().flat_map(|file| file.source.document.parts());
+    let nodes = items.flat_map(|(_, item)| item.all_nodes());
+    let attrs = nodes.flat_map(|node| node.attrs().map(move |attr| (node, attr)));
+    let mentions = attrs.filter(|(_, attr)| attr.raw() == name);
+    let is_definition = |node: Node<'_>| node.name() == "material" && node.child_elements().next().is_some();
+    mentions.filter(|(node, _)| !is_definition(*node)).count() > 0
+}

@@ -1,0 +1,40 @@
+//! A mass that does not fit the volume of the link.
+
+use super::super::context::DocumentCx;
+use super::super::geometry::volume;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::moments::{inertials, short};
+
+pub(super) const RULE: Rule = Rule {
+    code: "INR007",
+    name: "implausible-density",
+    category: Category::Inertia,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("implausible-density"),
+    check: Check::Document(check),
+};
+
+/// Smaller volumes say nothing, cubic metres.
+const LEAST_VOLUME: f64 = 1e-7;
+/// Foam is heavier, kg/m^3.
+const LIGHT: f64 = 5.0;
+/// Every metal is lighter, kg/m^3.
+const HEAVY: f64 = 25_000.0;
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for (link, inertial) in inertials(cx) {
+        let Some(text) = &inertial.mass else { continue };
+        let Some(mass) = text.number().filter(|&mass| mass > 0.0) else { continue };
+        let Some(volume) = volume(cx, link).filter(|&volume| volume >= LEAST_VOLUME) else { continue };
+        let density = mass / volume;
+        if (LIGHT..=HEAVY).contains(&density) {
+            continue;
+        }
+        let message = format!("link `{}` has a density of {} kg/m^3", link.shown(), short(density));
+        out.report(text.origin, message).help("check units: kilograms, and metres for the geometry").done();
+    }
+}

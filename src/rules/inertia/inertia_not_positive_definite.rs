@@ -1,0 +1,35 @@
+//! An inertia that no body has.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::moments::{Verdict, inertia_tag, inertials, verdict};
+
+pub(super) const RULE: Rule = Rule {
+    code: "INR004",
+    name: "inertia-not-positive-definite",
+    category: Category::Inertia,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("inertia-not-positive-definite"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for (link, inertial) in inertials(cx) {
+        let (severity, message) = match inertial.entries().map(verdict) {
+            Some(Verdict::Negative) => (Severity::Error, "has a negative principal moment"),
+            Some(Verdict::Singular) => {
+                (Severity::Warning, "has a principal moment of zero, as only a line has")
+            }
+            _ => continue,
+        };
+        let message = format!("inertia of link `{}` {message}", link.shown());
+        out.report(inertia_tag(cx.expansion, inertial), message)
+            .severity(severity)
+            .help("check the signs of the products and the frame it is given in")
+            .done();
+    }
+}

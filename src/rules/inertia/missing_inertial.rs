@@ -1,0 +1,58 @@
+//! A moving link that a simulator would drop.
+
+use super::super::context::RobotCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use crate::base::FastSet;
+use crate::model::JointType;
+use crate::workspace::config::Profile;
+
+pub(super) const RULE: Rule = Rule {
+    code: "INR011",
+    name: "missing-inertial",
+    category: Category::Inertia,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("missing-inertial"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    let robot = cx.robot;
+    let simulated = !robot.gazebo.is_empty() || !robot.controls.is_empty();
+    if !cx.whole || !simulated && !cx.world.config.profiles.contains(&Profile::Gazebo) {
+        return;
+    }
+    for (index, link) in robot.links.iter().enumerate() {
+        let Some(name) = link.name.as_ref().filter(|name| name.value != "world") else { continue };
+        let above = cx.kinematics.up(index).first().and_then(|&joint| robot.joints.get(joint)?.joint_type());
+        let moves = above.is_some_and(|kind| kind != JointType::Fixed);
+        if moves && link.has_geometry() && link.inertial.is_none() && !carries_mass(cx, index) {
+            let message = format!("link `{}` moves, but has no `inertial`", name.value);
+            out.report(name.origin, message)
+                .help("Gazebo drops it, its joint and all below: give it mass and inertia")
+                .done();
+        }
+    }
+}
+
+/// Whether a link fixed below has a mass: simulators join both to one body.
+fn carries_mass(cx: &RobotCx<'_>, link: usize) -> bool {
+    let mut open = vec![link];
+    let mut seen = FastSet::default();
+    while let Some(link) = open.pop().filter(|_| seen.len() <= cx.robot.links.len()) {
+        if !seen.insert(link) {
+            continue;
+        }
+        if cx.robot.links.get(link).is_some_and(|link| link.inertial.is_some()) {
+            return true;
+        }
+        let fixed = cx.kinematics.down(link).iter().filter(|&&joint| {
+            cx.robot.joints.get(joint).is_some_and(|joint| joint.joint_type() == Some(JointType::Fixed))
+        });
+        open.extend(fixed.filter_map(|&joint| Some(cx.kinematics.ends(joint)?.1)));
+    }
+    false
+}

@@ -1,0 +1,90 @@
+//! Principal moments of inertia.
+
+use nalgebra::{Matrix3, SymmetricEigen};
+
+use super::super::context::DocumentCx;
+use crate::expand::{Expansion, Origin};
+use crate::model::{Inertial, Link, tag_start};
+
+/// Negative moments smaller than this part of the greatest are rounding of the program that computed them.
+const ROUNDING: f64 = 7e-6;
+/// Moments smaller than this part of the greatest are zero but for our own rounding.
+const ZERO: f64 = 1e-13;
+
+/// What an inertia matrix is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Verdict {
+    /// Zero.
+    Zero,
+    /// One of its principal moments is negative.
+    Negative,
+    /// One of its principal moments is zero.
+    Singular,
+    /// Its principal moments in rising order; none is clearly negative, kg m^2.
+    Definite([f64; 3]),
+}
+
+/// Judge `ixx ixy ixz iyy iyz izz`.
+pub(super) fn verdict(entries: [f64; 6]) -> Verdict {
+    let [xx, xy, xz, yy, yz, zz] = entries;
+    let size = entries.into_iter().fold(0.0, |size: f64, entry| size.max(entry.abs()));
+    if size == 0.0 {
+        return Verdict::Zero;
+    }
+    // products of very small or large numbers would leave the range of floats
+    let scaled = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz) / size;
+    let mut moments: [f64; 3] = SymmetricEigen::new(scaled).eigenvalues.into();
+    moments.sort_by(f64::total_cmp);
+    let [least, _, most] = moments;
+    let magnitude = most.abs().max(least.abs());
+    if least < -ROUNDING * magnitude || [xx, yy, zz].iter().any(|&entry| entry < 0.0) {
+        Verdict::Negative
+    } else if least.abs() <= ZERO * magnitude {
+        Verdict::Singular
+    } else {
+        Verdict::Definite(moments.map(|moment| moment * size))
+    }
+}
+
+/// The links that have an inertial, with it.
+pub(super) fn inertials<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = (&'a Link, &'a Inertial)> {
+    let links = cx.robot.into_iter().flat_map(|robot| &robot.links);
+    links.filter_map(|link| Some((link, link.inertial.as_ref()?)))
+}
+
+/// The start tag of `inertia`, or that of `inertial` without one.
+pub(super) fn inertia_tag(expansion: &Expansion, inertial: &Inertial) -> Origin {
+    tag_start(expansion, inertial.inertia_element.unwrap_or(inertial.element))
+}
+
+/// A number for people: four digits, as short as it goes.
+pub(super) fn short(number: f64) -> String {
+    let text = format!("{number:.3e}");
+    let plain = format!("{}", text.parse::<f64>().unwrap_or(number));
+    if plain.len() <= text.len() { plain } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Verdict, short, verdict};
+
+    #[test]
+    fn verdicts() {
+        let is_definite = |entries| matches!(verdict(entries), Verdict::Definite(_));
+        assert_eq!(verdict([0.0; 6]), Verdict::Zero);
+        assert_eq!(verdict([1.0, 0.0, 0.0, 1.0, 0.0, 0.0]), Verdict::Singular);
+        assert_eq!(verdict([1.0, 0.0, 0.0, 1.0, 0.0, -1e-9]), Verdict::Negative);
+        assert_eq!(verdict([1.0, 1.1, 0.0, 1.0, 0.0, 1.0]), Verdict::Negative);
+        // eigenvalues 2, 1 and -1e-6: an export with six digits
+        assert!(is_definite([1.0, 1.000_001, 0.0, 1.0, 0.0, 1.0]));
+        assert!(is_definite([1e-200, 0.0, 0.0, 1e-200, 0.0, 1e-200]));
+        assert!(is_definite([1e200, 0.0, 0.0, 2e200, 0.0, 2e200]));
+        let Verdict::Definite(moments) = verdict([2.0, 0.0, 0.0, 3.0, 1.0, 3.0]) else { panic!() };
+        assert!(moments.iter().zip([2.0, 2.0, 4.0]).all(|(a, b)| (a - b).abs() < 1e-12));
+    }
+
+    #[test]
+    fn numbers_for_people() {
+        assert_eq!([0.25, 1234.5678, 1e-7, 0.0123456].map(short), ["0.25", "1235", "1.000e-7", "0.01235"]);
+    }
+}

@@ -1,0 +1,49 @@
+//! A root link with inertia.
+
+use super::super::context::RobotCx;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use crate::base::TextRange;
+use crate::model::tag_start;
+use crate::workspace::config::Profile;
+
+pub(super) const RULE: Rule = Rule {
+    code: "INR010",
+    name: "root-link-inertia",
+    category: Category::Inertia,
+    severity: Severity::Info,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("root-link-inertia"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    let profiles = &cx.world.config.profiles;
+    let without_ros = profiles.contains(&Profile::Gazebo) && profiles.len() == 1;
+    let &[root] = cx.kinematics.roots(cx.robot).as_slice() else { return };
+    let Some(link) = cx.robot.links.get(root).filter(|_| cx.whole && !without_ros) else { return };
+    let (Some(name), Some(_)) = (&link.name, &link.inertial) else { return };
+    let message = format!("root link `{}` has an inertia, which KDL ignores", name.value);
+    let report =
+        out.report(name.origin, message).help("put a link without inertia above it, joined by a fixed joint");
+    let tag = tag_start(cx.expansion, link.element);
+    let is_plain = name.literal && !name.value.contains(['&', '<', '"']);
+    match cx.expansion.place(tag).filter(|_| is_plain && cx.robot.link("base_footprint").is_none()) {
+        Some(place) => {
+            let above = format!(
+                r#"<link name="base_footprint"/>
+  <joint name="base_footprint_joint" type="fixed">
+    <parent link="base_footprint"/>
+    <child link="{}"/>
+  </joint>
+  "#,
+                name.value
+            );
+            let edit = [(TextRange::empty(place.range.start), above)];
+            report.fix(Safety::Unsafe, "add a root link without inertia", place.file, edit).done();
+        }
+        None => report.done(),
+    }
+}

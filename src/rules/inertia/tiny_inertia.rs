@@ -1,0 +1,36 @@
+//! An inertia so small that solvers suffer.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::moments::{Verdict, inertia_tag, inertials, short, verdict};
+
+pub(super) const RULE: Rule = Rule {
+    code: "INR012",
+    name: "tiny-inertia",
+    category: Category::Inertia,
+    severity: Severity::Info,
+    default: Activation::Off,
+    since: "0.1",
+    fix: None,
+    docs: page!("tiny-inertia"),
+    check: Check::Document(check),
+};
+
+/// Smaller moments are hard for solvers, kg m^2.
+const TINY: f64 = 1e-9;
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for (link, inertial) in inertials(cx) {
+        let Some(Verdict::Definite([least, ..])) = inertial.entries().map(verdict) else { continue };
+        if least > 0.0 && least < TINY {
+            let message =
+                format!("inertia of link `{}` has a moment of {} kg m^2", link.shown(), short(least));
+            out.report(inertia_tag(cx.expansion, inertial), message)
+                .help(
+                    "solvers become inaccurate: give small parts a little more, or fix them to their parent",
+                )
+                .done();
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! A mass without extent.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::moments::{inertia_tag, inertials};
+
+pub(super) const RULE: Rule = Rule {
+    code: "INR003",
+    name: "zero-inertia",
+    category: Category::Inertia,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("zero-inertia"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for (link, inertial) in inertials(cx) {
+        let heavy = inertial.mass().is_some_and(|mass| mass > 0.0);
+        if heavy && inertial.entries() == Some([0.0; 6]) {
+            let message = format!("link `{}` has a mass, but its inertia is zero", link.shown());
+            out.report(inertia_tag(cx.expansion, inertial), message)
+                .help("simulators become unstable: compute it from mass and shape")
+                .done();
+        }
+    }
+}

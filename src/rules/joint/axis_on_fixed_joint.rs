@@ -1,0 +1,34 @@
+//! Axis, limits or dynamics of a fixed joint.
+
+use super::super::context::DocumentCx;
+use super::super::edits::delete_element;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use crate::model::{JointType, element_range};
+
+pub(super) const RULE: Rule = Rule {
+    code: "JNT012",
+    name: "axis-on-fixed-joint",
+    category: Category::Joint,
+    severity: Severity::Info,
+    default: Activation::Off,
+    since: "0.1",
+    fix: Some(Safety::Safe),
+    docs: page!("axis-on-fixed-joint"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for joint in cx.joints().iter().filter(|joint| joint.is(&[JointType::Fixed])) {
+        let parts = [
+            ("axis", joint.axis.as_ref().map(|axis| axis.element)),
+            ("limit", joint.limit.as_ref().map(|limit| limit.element)),
+            ("dynamics", joint.dynamics.as_ref().map(|dynamics| dynamics.element)),
+        ];
+        for (name, element) in parts.into_iter().filter_map(|(name, element)| Some((name, element?))) {
+            let message = format!("<{name}> of the fixed joint `{}` has no effect", joint.shown());
+            let report = out.report(element_range(cx.expansion, element), message);
+            delete_element(report, cx.expansion, element, &format!("remove <{name}>")).done();
+        }
+    }
+}

@@ -1,0 +1,33 @@
+//! Dynamics that say nothing.
+
+use super::super::context::DocumentCx;
+use super::super::edits::delete_element;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use crate::model::element_range;
+
+pub(super) const RULE: Rule = Rule {
+    code: "JNT018",
+    name: "empty-dynamics",
+    category: Category::Joint,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Safe),
+    docs: page!("empty-dynamics"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for joint in cx.joints() {
+        let Some(dynamics) = joint.dynamics.as_ref().filter(|d| d.damping.is_none() && d.friction.is_none())
+        else {
+            continue;
+        };
+        let message = format!("<dynamics> of joint `{}` has neither damping nor friction", joint.shown());
+        let report = out.report(element_range(cx.expansion, dynamics.element), message);
+        let report =
+            report.help("urdfdom refuses the joint: remove the element, or write damping or friction");
+        delete_element(report, cx.expansion, dynamics.element, "remove <dynamics>").done();
+    }
+}

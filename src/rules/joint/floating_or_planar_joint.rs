@@ -1,0 +1,27 @@
+//! A joint of a type that many programs take for fixed.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use crate::model::JointType::{Floating, Planar};
+
+pub(super) const RULE: Rule = Rule {
+    code: "JNT025",
+    name: "floating-or-planar-joint",
+    category: Category::Joint,
+    severity: Severity::Info,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("floating-or-planar-joint"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for joint in cx.joints().iter().filter(|joint| joint.is(&[Floating, Planar])) {
+        let Some(kind) = &joint.kind else { continue };
+        out.report(kind.origin, format!("joint `{}` is {}, which kdl_parser takes for fixed", joint.shown(), kind.value))
+            .help("robot_state_publisher publishes it as fixed; build it of prismatic and revolute joints where that matters")
+            .done();
+    }
+}

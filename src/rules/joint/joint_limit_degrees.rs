@@ -1,0 +1,41 @@
+//! Limits of a joint that look like degrees.
+
+use super::super::context::DocumentCx;
+use super::super::numbers::{UNLIMITED, from_degrees, short, whole};
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use crate::model::JointType;
+
+pub(super) const RULE: Rule = Rule {
+    code: "JNT006",
+    name: "joint-limit-degrees",
+    category: Category::Joint,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("joint-limit-degrees"),
+    check: Check::Document(check),
+};
+
+/// Four half turns each way and some: more than any wrist has, in radians.
+const MOST: f64 = 4.0 * std::f64::consts::PI + 0.01;
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for joint in cx.joints().iter().filter(|joint| joint.is(&[JointType::Revolute])) {
+        let Some(limit) = &joint.limit else { continue };
+        for (name, text) in [("lower", &limit.lower), ("upper", &limit.upper)] {
+            let Some(text) = text else { continue };
+            let Some(value) = text.number().filter(|value| value.abs() > MOST && value.abs() < UNLIMITED)
+            else {
+                continue;
+            };
+            let turns = short((value / std::f64::consts::TAU).abs().round());
+            let message =
+                format!("joint `{}`: the {name} limit {} rad is {turns} turns", joint.shown(), text.value);
+            let report =
+                out.report(text.origin, message).help("angles are in radians; this looks like degrees");
+            from_degrees(report, cx.expansion, text, whole(text)).done();
+        }
+    }
+}

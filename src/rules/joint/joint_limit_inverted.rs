@@ -1,0 +1,46 @@
+//! A lower limit above the upper one.
+
+use super::super::context::DocumentCx;
+use super::super::edits::{is_called, source_text};
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::{Reported, Sink};
+use crate::model::JointType::{Continuous, Fixed, Floating};
+use crate::model::{Limit, Text, tag_start};
+
+pub(super) const RULE: Rule = Rule {
+    code: "JNT004",
+    name: "joint-limit-inverted",
+    category: Category::Joint,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("joint-limit-inverted"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for joint in cx.joints().iter().filter(|joint| !joint.is(&[Continuous, Fixed, Floating])) {
+        let Some(limit) = &joint.limit else { continue };
+        let Some((lower, upper)) = limit.range().filter(|(lower, upper)| lower > upper) else { continue };
+        let message =
+            format!("joint `{}` has the lower limit {lower} above the upper limit {upper}", joint.shown());
+        let report = out.report(tag_start(cx.expansion, limit.element), message);
+        swapped(report, cx, limit).done();
+    }
+}
+
+/// With the fix to swap both values.
+fn swapped<'s, 'a>(report: Reported<'s, 'a>, cx: &DocumentCx<'_>, limit: &Limit) -> Reported<'s, 'a> {
+    let (Some(lower), Some(upper)) = (&limit.lower, &limit.upper) else {
+        return report.help("a limit that is not written is 0");
+    };
+    let given = |text: &Text| !text.literal && is_called(cx.expansion, text.origin);
+    if given(lower) || given(upper) {
+        return report.help("the values come from the calls: swap them there");
+    }
+    let texts = (source_text(cx.expansion, lower.origin), source_text(cx.expansion, upper.origin));
+    let (Some((file, at_lower, low)), Some((_, at_upper, up))) = texts else { return report };
+    let edits = [(at_lower, up), (at_upper, low)];
+    report.help("swap them, or correct a sign").fix(Safety::Unsafe, "swap lower and upper", file, edits)
+}

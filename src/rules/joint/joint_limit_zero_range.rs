@@ -1,0 +1,31 @@
+//! Limits that leave no room to move.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use crate::model::JointType::{Prismatic, Revolute};
+use crate::model::tag_start;
+
+pub(super) const RULE: Rule = Rule {
+    code: "JNT005",
+    name: "joint-limit-zero-range",
+    category: Category::Joint,
+    severity: Severity::Info,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("joint-limit-zero-range"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for joint in cx.joints().iter().filter(|joint| joint.is(&[Revolute, Prismatic])) {
+        let Some(limit) = &joint.limit else { continue };
+        let Some((at, _)) = limit.range().filter(|(lower, upper)| lower == upper) else { continue };
+        let message =
+            format!("joint `{}` cannot move: its lower and upper limit are both {at}", joint.shown());
+        out.report(tag_start(cx.expansion, limit.element), message)
+            .help("write the range in radians or metres (what is missing is 0), or make the joint fixed")
+            .done();
+    }
+}

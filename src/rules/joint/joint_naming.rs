@@ -1,0 +1,71 @@
+//! Joints of an arm that are not numbered from the base on.
+
+use super::super::arms::serial_arms;
+use super::super::context::RobotCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+
+pub(super) const RULE: Rule = Rule {
+    code: "JNT027",
+    name: "joint-naming",
+    category: Category::Joint,
+    severity: Severity::Info,
+    default: Activation::Profiles(&["ros-industrial"]),
+    since: "0.1",
+    fix: None,
+    docs: page!("joint-naming"),
+    check: Check::Robot(check),
+};
+
+/// Words in the names of joints that are no part of the arm.
+const OTHERS: [&str; 14] = [
+    "gripper",
+    "finger",
+    "jaw",
+    "hand",
+    "claw",
+    "rail",
+    "track",
+    "external",
+    "ext",
+    "torso",
+    "lift",
+    "turntable",
+    "positioner",
+    "wheel",
+];
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    for arm in serial_arms(cx.robot, cx.kinematics) {
+        let joints = arm.iter().filter_map(|&joint| cx.robot.joints.get(joint));
+        let joints: Vec<_> = joints.filter(|joint| !is_other(joint.shown())).collect();
+        if joints.len() < 2 {
+            continue;
+        }
+        let numbered =
+            |i: usize, name: &str| name.strip_suffix(&format!("joint_{}", i + 1)).map(str::to_owned);
+        let prefix =
+            joints.iter().enumerate().find_map(|(i, joint)| numbered(i, joint.shown())).unwrap_or_default();
+        for (i, joint) in joints.iter().enumerate() {
+            let Some(name) = joint.name.as_ref().filter(|name| name.known) else { continue };
+            let expected = format!("{prefix}joint_{}", i + 1);
+            if name.value != expected {
+                let message = format!(
+                    "joint `{}` is number {} of the arm, but not named `{expected}`",
+                    name.value,
+                    i + 1
+                );
+                out.report(name.origin, message)
+                    .help("ROS-Industrial numbers the joints of an arm from the base on")
+                    .done();
+            }
+        }
+    }
+}
+
+/// Whether a joint belongs to a gripper or an external axis, by its name.
+fn is_other(name: &str) -> bool {
+    let name = name.to_lowercase();
+    name.split(['_', '-', '/'])
+        .any(|word| OTHERS.contains(&word.trim_end_matches(|c: char| c.is_ascii_digit())))
+}

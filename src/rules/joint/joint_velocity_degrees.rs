@@ -1,0 +1,46 @@
+//! A velocity of a joint that looks like degrees per second.
+
+use super::super::context::DocumentCx;
+use super::super::numbers::{UNLIMITED, from_degrees, whole};
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::super::thresholds::MAX_JOINT_VELOCITY;
+use crate::model::{JointType, Limit, Text};
+
+pub(super) const RULE: Rule = Rule {
+    code: "JNT007",
+    name: "joint-velocity-degrees",
+    category: Category::Joint,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("joint-velocity-degrees"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let most = MAX_JOINT_VELOCITY.value(cx.world.config);
+    for joint in cx.joints().iter().filter(|joint| joint.is(&[JointType::Revolute])) {
+        if joint.limit.as_ref().is_some_and(is_made_up) {
+            continue;
+        }
+        let Some(text) = joint.limit.as_ref().and_then(|limit| limit.velocity.as_ref()) else { continue };
+        if text.number().is_some_and(|value| value > most && value < UNLIMITED) {
+            let message = format!("revolute joint `{}` may turn at {} rad/s", joint.shown(), text.value);
+            let report = out
+                .report(text.origin, message)
+                .help("velocities are in rad/s; this looks like degrees per second");
+            from_degrees(report, cx.expansion, text, whole(text)).done();
+        }
+    }
+}
+
+/// Whether effort and velocity are round numbers that only mean "enough", such as 1000 and 100.
+fn is_made_up(limit: &Limit) -> bool {
+    let is_round = |text: &Option<Text>| {
+        let value = text.as_ref().and_then(Text::number);
+        value.is_some_and(|value| [1.0, 10.0, 100.0].contains(&value) || value >= UNLIMITED)
+    };
+    is_round(&limit.effort) && is_round(&limit.velocity)
+}

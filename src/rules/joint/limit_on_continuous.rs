@@ -1,0 +1,43 @@
+//! Position limits of a joint that has none.
+
+use super::super::context::DocumentCx;
+use super::super::edits::delete_attrs;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use crate::model::{JointType, tag_start};
+
+pub(super) const RULE: Rule = Rule {
+    code: "JNT017",
+    name: "limit-on-continuous",
+    category: Category::Joint,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Safe),
+    docs: page!("limit-on-continuous"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for joint in cx.joints().iter().filter(|joint| joint.is(&[JointType::Continuous])) {
+        let Some(limit) = &joint.limit else { continue };
+        let texts = [("lower", &limit.lower), ("upper", &limit.upper)];
+        let written: Vec<_> =
+            texts.into_iter().filter_map(|(name, text)| Some((name, text.as_ref()?))).collect();
+        if written.is_empty() {
+            continue;
+        }
+        let zero = written.iter().all(|(_, text)| text.number() == Some(0.0));
+        let names: Vec<&str> = written.iter().map(|(name, _)| *name).collect();
+        let message = format!(
+            "continuous joint `{}` has {}, which most programs ignore",
+            joint.shown(),
+            names.join(" and ")
+        );
+        let report = out
+            .report(tag_start(cx.expansion, limit.element), message)
+            .severity(if zero { Severity::Info } else { Severity::Warning })
+            .help("a joint with limits is revolute; of a continuous one, only effort and velocity count");
+        delete_attrs(report, cx.expansion, limit.element, &names).done();
+    }
+}

@@ -1,0 +1,72 @@
+//! Joints that mimic each other in a circle.
+
+use super::super::context::RobotCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::mimics::targets;
+use crate::base::{FastMap, FastSet};
+
+pub(super) const RULE: Rule = Rule {
+    code: "JNT022",
+    name: "mimic-cycle",
+    category: Category::Joint,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("mimic-cycle"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    for circle in circles(&targets(cx.robot)) {
+        let Some(&last) = circle.iter().max() else { continue };
+        let joint = |i: usize| cx.robot.joints.get(i);
+        let value = |i: usize| joint(i)?.mimic.as_ref()?.joint.as_ref();
+        let (Some(at), Some(own)) = (value(last), joint(last)) else { continue };
+        let message = match circle.len() {
+            1 => format!("joint `{}` mimics itself", own.shown()),
+            _ => format!("joint `{}` mimics `{}`, which in the end mimics it", own.shown(), at.value),
+        };
+        let mut report = out.report(at.origin, message).help("one joint of a circle has to move by itself");
+        for &other in circle.iter().filter(|&&other| other != last) {
+            if let (Some(at), Some(other)) = (value(other), joint(other)) {
+                report = report.also(at.origin, format!("joint `{}` mimics `{}`", other.shown(), at.value));
+            }
+        }
+        report.done();
+    }
+}
+
+/// The circles among joints that each mimic one other at most.
+fn circles(targets: &[Option<usize>]) -> Vec<Vec<usize>> {
+    let next = |&joint: &usize| targets.get(joint).copied().flatten();
+    let mut circles = Vec::new();
+    // by joint: where the walk began that came by first
+    let mut walks: FastMap<usize, usize> = FastMap::default();
+    for start in 0..targets.len() {
+        let mut seen = std::iter::successors(Some(start), next).map(|joint| {
+            let walk = *walks.entry(joint).or_insert(start);
+            (joint, walk, walk != start)
+        });
+        let mut own: FastSet<usize> = FastSet::default();
+        let Some((back, walk, _)) = seen.find(|&(joint, _, old)| old || !own.insert(joint)) else { continue };
+        if walk == start {
+            let behind = std::iter::successors(next(&back), next).take_while(|&joint| joint != back);
+            circles.push(std::iter::once(back).chain(behind).collect());
+        }
+    }
+    circles
+}
+
+#[cfg(test)]
+mod tests {
+    use super::circles;
+
+    #[test]
+    fn circles_are_found_once_and_without_what_leads_into_them() {
+        assert_eq!(circles(&[Some(1), Some(2), Some(1), None]), [[1, 2]]);
+        assert_eq!(circles(&[Some(0), Some(3), None, Some(1)]), [vec![0], vec![1, 3]]);
+        assert!(circles(&[None, Some(0), Some(1)]).is_empty());
+    }
+}

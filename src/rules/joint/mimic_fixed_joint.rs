@@ -1,0 +1,32 @@
+//! A joint that follows one which never moves.
+
+use super::super::context::RobotCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::mimics::mimicking;
+use crate::model::JointType;
+
+pub(super) const RULE: Rule = Rule {
+    code: "JNT023",
+    name: "mimic-fixed-joint",
+    category: Category::Joint,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("mimic-fixed-joint"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    for (joint, text, target) in mimicking(cx.robot) {
+        // variants that fix a pair of joints fix both
+        if target.is(&[JointType::Fixed]) && !joint.is(&[JointType::Fixed]) {
+            let message =
+                format!("joint `{}` mimics joint `{}`, which is fixed", joint.shown(), target.shown());
+            out.report(text.origin, message)
+                .help("name the joint that moves, or make this one fixed too")
+                .done();
+        }
+    }
+}

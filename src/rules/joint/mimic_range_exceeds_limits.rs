@@ -1,0 +1,62 @@
+//! A joint that follows another beyond its own limits.
+
+use super::super::context::RobotCx;
+use super::super::numbers::short;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::mimics::mimicking;
+use crate::model::JointType::{Prismatic, Revolute};
+use crate::model::Text;
+use crate::model::{Joint, tag_start};
+
+pub(super) const RULE: Rule = Rule {
+    code: "JNT024",
+    name: "mimic-range-exceeds-limits",
+    category: Category::Joint,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("mimic-range-exceeds-limits"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    for (joint, _, target) in mimicking(cx.robot) {
+        let Some(mimic) = &joint.mimic else { continue };
+        let (Some(own), Some(theirs)) = (range(joint), range(target)) else { continue };
+        let number = |text: &Option<Text>, default| text.as_ref().map_or(Some(default), Text::number);
+        let (Some(factor), Some(offset)) = (number(&mimic.multiplier, 1.0), number(&mimic.offset, 0.0))
+        else {
+            continue;
+        };
+        let (a, b) = (factor * theirs.0 + offset, factor * theirs.1 + offset);
+        let (low, high) = (a.min(b), a.max(b));
+        let room = 1e-6 + 0.01 * (own.1 - own.0).abs();
+        if low >= own.0 - room && high <= own.1 + room {
+            continue;
+        }
+        let at = mimic
+            .multiplier
+            .as_ref()
+            .map_or_else(|| tag_start(cx.expansion, mimic.element), |text| text.origin);
+        let message = format!(
+            "joint `{}` follows `{}` to {} ... {}, but its limits are {} ... {}",
+            joint.shown(),
+            target.shown(),
+            short(low),
+            short(high),
+            short(own.0),
+            short(own.1)
+        );
+        out.report(at, message)
+            .help("change multiplier or offset, or the limits of one of both joints")
+            .done();
+    }
+}
+
+/// The limits of a joint that has some.
+fn range(joint: &Joint) -> Option<(f64, f64)> {
+    let range = joint.limit.as_ref().filter(|_| joint.is(&[Revolute, Prismatic]))?.range()?;
+    (range.0 <= range.1).then_some(range)
+}

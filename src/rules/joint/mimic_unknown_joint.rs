@@ -1,0 +1,41 @@
+//! A joint that follows one which does not exist.
+
+use super::super::context::RobotCx;
+use super::super::edits::rename;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use crate::base::FastSet;
+use crate::workspace::nearest;
+
+pub(super) const RULE: Rule = Rule {
+    code: "JNT021",
+    name: "mimic-unknown-joint",
+    category: Category::Joint,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("mimic-unknown-joint"),
+    check: Check::Robot(check),
+};
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    if !cx.whole {
+        return;
+    }
+    let known: FastSet<&str> = cx.robot.joints.iter().map(|joint| joint.shown()).collect();
+    for joint in &cx.robot.joints {
+        let Some(text) = joint.mimic.as_ref().and_then(|mimic| mimic.joint.as_ref()) else { continue };
+        let Some(target) = text.name().filter(|name| !known.contains(name.as_str())) else { continue };
+        let message = format!("joint `{}` mimics joint `{target}`, which does not exist", joint.shown());
+        let report = out.report(text.origin, message);
+        let names = cx.robot.joints.iter().map(|joint| joint.shown()).filter(|name| *name != joint.shown());
+        match nearest(target, names) {
+            Some(near) => {
+                let report = report.help(format!("a joint with a similar name exists: `{near}`"));
+                rename(report, cx.expansion, text, near).done();
+            }
+            None => report.help("name a joint of this robot").done(),
+        }
+    }
+}

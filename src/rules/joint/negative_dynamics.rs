@@ -1,0 +1,34 @@
+//! Negative damping or friction.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+
+pub(super) const RULE: Rule = Rule {
+    code: "JNT019",
+    name: "negative-dynamics",
+    category: Category::Joint,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("negative-dynamics"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for joint in cx.joints() {
+        let Some(dynamics) = &joint.dynamics else { continue };
+        for (name, text) in [("damping", &dynamics.damping), ("friction", &dynamics.friction)] {
+            let Some(text) = text else { continue };
+            if text.number().is_some_and(|value| value < 0.0) {
+                out.report(
+                    text.origin,
+                    format!("joint `{}` has the negative {name} {}", joint.shown(), text.value),
+                )
+                .help("a joint that gains energy makes simulations blow up: write 0 or more")
+                .done();
+            }
+        }
+    }
+}

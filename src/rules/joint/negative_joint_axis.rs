@@ -1,0 +1,30 @@
+//! An axis along a negative coordinate axis.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+
+use super::axis::moving_axes;
+
+pub(super) const RULE: Rule = Rule {
+    code: "JNT016",
+    name: "negative-joint-axis",
+    category: Category::Joint,
+    severity: Severity::Info,
+    default: Activation::Off,
+    since: "0.1",
+    fix: None,
+    docs: page!("negative-joint-axis"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for (joint, text, axis) in moving_axes(cx.joints()) {
+        let zeros = axis.iter().filter(|part| **part == 0.0).count();
+        if zeros == 2 && axis.contains(&-1.0) {
+            out.report(text.origin, format!("joint `{}` turns about a negative axis", joint.shown()))
+                .help("a positive axis reads easier, if the sign agrees with the controller")
+                .done();
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! Soft limits beyond the limits.
+
+use super::super::context::DocumentCx;
+use super::super::numbers::short;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use crate::model::JointType::{Prismatic, Revolute};
+use crate::model::Text;
+
+pub(super) const RULE: Rule = Rule {
+    code: "JNT020",
+    name: "safety-limits-outside-limits",
+    category: Category::Joint,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("safety-limits-outside-limits"),
+    check: Check::Document(check),
+};
+
+/// What calculation may lose.
+const ROUNDING: f64 = 1e-9;
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for joint in cx.joints().iter().filter(|joint| joint.is(&[Revolute, Prismatic])) {
+        let (Some(limit), Some(safety)) = (&joint.limit, &joint.safety) else { continue };
+        let Some((lower, upper)) = limit.range() else { continue };
+        let number = |text: &Option<Text>| text.as_ref().map_or(Some(0.0), Text::number);
+        let (Some(low), Some(up)) = (number(&safety.soft_lower_limit), number(&safety.soft_upper_limit))
+        else {
+            continue;
+        };
+        if low == 0.0 && up == 0.0 {
+            continue;
+        }
+        let outside = [
+            ("soft_lower_limit", &safety.soft_lower_limit, low < lower - ROUNDING, "below the lower", lower),
+            ("soft_upper_limit", &safety.soft_upper_limit, up > upper + ROUNDING, "above the upper", upper),
+        ];
+        for (name, text, _, side, hard) in outside.into_iter().filter(|(_, _, is_outside, ..)| *is_outside) {
+            let Some(text) = text else { continue };
+            let message =
+                format!("joint `{}`: {name} {} is {side} limit {}", joint.shown(), text.value, short(hard));
+            out.report(text.origin, message).help("a soft limit works only inside of the hard one").done();
+        }
+    }
+}

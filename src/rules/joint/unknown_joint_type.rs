@@ -1,0 +1,57 @@
+//! A type of joint that URDF does not know.
+
+use super::super::context::DocumentCx;
+use super::super::numbers::rewrite;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use crate::model::JointType;
+use crate::workspace::nearest;
+
+pub(super) const RULE: Rule = Rule {
+    code: "JNT001",
+    name: "unknown-joint-type",
+    category: Category::Joint,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Safe),
+    docs: page!("unknown-joint-type"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for joint in cx.joints() {
+        let Some(kind) = joint.kind.as_ref().filter(|kind| kind.known) else { continue };
+        if JointType::of(&kind.value).is_some() {
+            continue;
+        }
+        let message =
+            format!("joint `{}` has the type `{}`, which URDF does not know", joint.shown(), kind.value);
+        let report = out.report(kind.origin, message);
+        let names = || JointType::ALL.iter().map(|(name, _)| *name);
+        let same = names().find(|name| name.eq_ignore_ascii_case(kind.value.trim()));
+        match (same, nearest(&kind.value, names())) {
+            (Some(name), _) => {
+                rewrite(
+                    report.help("types are written in small letters"),
+                    Safety::Safe,
+                    kind,
+                    name.to_owned(),
+                )
+                .done();
+            }
+            (None, Some(near)) => report.help(format!("did you mean `{near}`?")).done(),
+            (None, None) => report.help(advice(&kind.value)).done(),
+        }
+    }
+}
+
+/// What to do about a type that resembles none.
+fn advice(kind: &str) -> String {
+    let alone = match kind {
+        "spherical" => "only urdf-rs knows `spherical`; ",
+        "ball" | "screw" | "universal" => "other programs take this type, urdfdom does not; ",
+        _ => "",
+    };
+    format!("{alone}write revolute, continuous, prismatic, fixed, floating or planar")
+}

@@ -1,0 +1,65 @@
+//! Wheels left and right that turn against each other.
+
+use super::super::context::DocumentCx;
+use super::super::numbers::{rewrite, vector};
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::sink::Sink;
+use super::wheels::{axis_in_parent, other_side};
+use crate::base::FastMap;
+use crate::model::{Joint, JointType, Robot, tag_start};
+
+pub(super) const RULE: Rule = Rule {
+    code: "JNT014",
+    name: "wheel-axis-opposed",
+    category: Category::Joint,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Unsafe),
+    docs: page!("wheel-axis-opposed"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let Some(robot) = cx.robot else { return };
+    let mut seen: FastMap<(&str, String), &Joint> = FastMap::default();
+    for joint in robot.joints.iter().filter(|joint| is_wheel(robot, joint)) {
+        let Some((parent, _)) = joint.ends() else { continue };
+        let other = other_side(joint.shown()).and_then(|name| seen.get(&(parent.as_str(), name)).copied());
+        seen.insert((parent.as_str(), joint.shown().to_lowercase()), joint);
+        let Some(first) = other else { continue };
+        let (Some(a), Some(b)) = (axis_in_parent(first), axis_in_parent(joint)) else { continue };
+        if a.dot(&b) > -0.9 {
+            continue;
+        }
+        let at = |joint: &Joint| {
+            let xyz = joint.axis.as_ref().and_then(|axis| axis.xyz.as_ref());
+            xyz.map_or_else(|| tag_start(cx.expansion, joint.element), |text| text.origin)
+        };
+        let message = format!("joints `{}` and `{}` turn against each other", first.shown(), joint.shown());
+        let mut report = out
+            .report(at(joint), message)
+            .also(at(first), format!("the axis of joint `{}`", first.shown()))
+            .help("drive controllers give both sides one sign: let both axes point the same way");
+        if let Some(text) = joint.axis.as_ref().and_then(|axis| axis.xyz.as_ref())
+            && let Some(axis) = text.numbers::<3>()
+        {
+            report = rewrite(report, Safety::Unsafe, text, vector(&axis.map(|part| 0.0 - part)));
+        }
+        report.done();
+    }
+}
+
+/// Whether a joint turns freely, by itself, and carries nothing that moves: an arm may well be mirrored.
+fn is_wheel(robot: &Robot, joint: &Joint) -> bool {
+    let Some((_, child)) =
+        joint.ends().filter(|_| joint.is(&[JointType::Continuous]) && joint.mimic.is_none())
+    else {
+        return false;
+    };
+    let moved = |other: &&Joint| other.parent.as_ref().is_some_and(|parent| parent.value == *child);
+    let carries = robot.joints.iter().filter(moved).any(|other| !other.is(&[JointType::Fixed]));
+    let names = format!("{} {child}", joint.shown()).to_lowercase();
+    let is_rotor = ["rotor", "propeller", "prop_"].iter().any(|word| names.contains(word));
+    !carries && !is_rotor
+}

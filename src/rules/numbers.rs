@@ -1,0 +1,100 @@
+//! Numbers in values: how to write them, and how to turn degrees into radians.
+
+use std::ops::Range;
+
+use super::edits::{is_called, source_text, speaks_xacro};
+use super::registry::Safety;
+use super::sink::Reported;
+use crate::base::FastSet;
+use crate::expand::{BindingKind, Expansion};
+use crate::model::{Text, decimal};
+
+/// From here on, a limit, an effort or a velocity means "unknown" or "unlimited", whatever its unit.
+pub(super) const UNLIMITED: f64 = 1e3;
+
+/// Bindings that are looked at to explain a value.
+const MOST_DEFINITIONS: usize = 8;
+
+/// A number with at most six digits behind the point.
+pub(super) fn short(number: f64) -> String {
+    digits(number, 6)
+}
+
+/// A number with at most so many digits behind the point.
+fn digits(number: f64, most: usize) -> String {
+    let text = format!("{number:.most$}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+/// A vector as URDF writes it.
+pub(super) fn vector(numbers: &[f64]) -> String {
+    numbers.iter().map(|&number| short(number)).collect::<Vec<_>>().join(" ")
+}
+
+/// The whole of a value.
+pub(super) fn whole(text: &Text) -> Range<usize> {
+    0..text.value.len()
+}
+
+/// With the fix to take the part `range` of a value, the reported text, for degrees.
+pub(super) fn from_degrees<'s, 'a>(
+    report: Reported<'s, 'a>,
+    expansion: &Expansion,
+    text: &Text,
+    range: Range<usize>,
+) -> Reported<'s, 'a> {
+    let report = with_definitions(report, expansion, text.reads(range.clone()).collect());
+    let origin = text.part(range.clone());
+    let Some((_, _, source)) = source_text(expansion, origin) else { return report };
+    let inner = source.trim().strip_prefix("${").and_then(|rest| rest.strip_suffix('}'));
+    let value = text.value.get(range).and_then(decimal);
+    let new = match (inner, value) {
+        (Some(inner), _) if !inner.contains('}') && !is_called(expansion, origin) => {
+            format!("${{radians({inner})}}")
+        }
+        (None, Some(value)) if decimal(source.trim()) == Some(value) => {
+            if speaks_xacro(expansion, origin) {
+                format!("${{radians({})}}", source.trim())
+            } else {
+                digits(value.to_radians(), 10)
+            }
+        }
+        _ => return report,
+    };
+    report.replace_with(Safety::Unsafe, format!("take it for degrees: `{new}`"), new)
+}
+
+/// With the properties and arguments that a value comes from, however many parameters it went through.
+fn with_definitions<'s, 'a>(
+    mut report: Reported<'s, 'a>,
+    expansion: &Expansion,
+    mut reads: Vec<u32>,
+) -> Reported<'s, 'a> {
+    let mut seen = FastSet::default();
+    while let Some(read) = reads.pop() {
+        let Some(binding) = expansion.bindings.get(read as usize).filter(|_| seen.insert(read)) else {
+            continue;
+        };
+        let origin = binding.origin.filter(|_| binding.kind != BindingKind::Parameter);
+        match origin {
+            // a long list of definitions explains nothing
+            Some(origin) if seen.len() <= MOST_DEFINITIONS => {
+                report = report.also(origin, format!("`{}` is given here", binding.name));
+            }
+            Some(_) => {}
+            None => reads.extend(binding.reads.iter().copied()),
+        }
+    }
+    report
+}
+
+/// With the fix to write something else for a value, when the source holds the value itself.
+pub(super) fn rewrite<'s, 'a>(
+    report: Reported<'s, 'a>,
+    safety: Safety,
+    text: &Text,
+    new: String,
+) -> Reported<'s, 'a> {
+    if text.literal { report.replace_with(safety, format!("write `{new}`"), new) } else { report }
+}

@@ -1,0 +1,44 @@
+//! Two visuals or two collisions of one name in a link.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use crate::base::FastMap;
+use crate::model::Text;
+use crate::model::{Body, Link};
+
+pub(super) const RULE: Rule = Rule {
+    code: "STR010",
+    name: "duplicate-geometry-name",
+    category: Category::Structure,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("duplicate-geometry-name"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for link in cx.links() {
+        twice(link, "visual", &link.visuals, out);
+        twice(link, "collision", &link.collisions, out);
+    }
+}
+
+fn twice(link: &Link, kind: &str, bodies: &[Body], out: &mut Sink<'_>) {
+    let mut first: FastMap<&str, &Text> = FastMap::default();
+    for text in bodies.iter().filter_map(|body| body.name.as_ref()) {
+        let Some(name) = text.name() else { continue };
+        match first.get(name.as_str()) {
+            Some(earlier) => out
+                .report(text.origin, format!("a second {kind} of link `{}` is named `{name}`", link.shown()))
+                .also(earlier.origin, format!("the first {kind} named `{name}`"))
+                .help("name them apart, or leave the names out")
+                .done(),
+            None => {
+                first.insert(name, text);
+            }
+        }
+    }
+}

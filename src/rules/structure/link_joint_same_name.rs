@@ -1,0 +1,33 @@
+//! A link and a joint of one name.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use crate::base::FastMap;
+use crate::model::Text;
+
+pub(super) const RULE: Rule = Rule {
+    code: "STR011",
+    name: "link-joint-same-name",
+    category: Category::Structure,
+    severity: Severity::Info,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("link-joint-same-name"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let links = cx.links().iter().filter_map(|link| link.name.as_ref());
+    let links: FastMap<&str, &Text> = links.filter_map(|text| Some((text.name()?.as_str(), text))).collect();
+    for text in cx.joints().iter().filter_map(|joint| joint.name.as_ref()) {
+        let Some(name) = text.name() else { continue };
+        if let Some(link) = links.get(name.as_str()) {
+            out.report(text.origin, format!("joint `{name}` has the name of a link"))
+                .also(link.origin, format!("link `{name}`"))
+                .help("SDF wants different names; usual is `NAME_joint`")
+                .done();
+        }
+    }
+}

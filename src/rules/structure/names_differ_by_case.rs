@@ -1,0 +1,48 @@
+//! Names that differ only in their case.
+
+use ecow::EcoString;
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use crate::base::FastMap;
+use crate::model::Text;
+
+pub(super) const RULE: Rule = Rule {
+    code: "STR012",
+    name: "names-differ-by-case",
+    category: Category::Structure,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page!("names-differ-by-case"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    alike("link", cx.links().iter().filter_map(|link| link.name.as_ref()), out);
+    alike("joint", cx.joints().iter().filter_map(|joint| joint.name.as_ref()), out);
+}
+
+fn alike<'a>(kind: &str, names: impl Iterator<Item = &'a Text>, out: &mut Sink<'_>) {
+    let mut first: FastMap<EcoString, &Text> = FastMap::default();
+    for text in names {
+        let Some(name) = text.name() else { continue };
+        let folded = name.to_lowercase();
+        match first.get(&folded) {
+            Some(earlier) if earlier.value != *name => out
+                .report(
+                    text.origin,
+                    format!("{kind}s `{}` and `{name}` differ only in their case", earlier.value),
+                )
+                .also(earlier.origin, format!("{kind} `{}`", earlier.value))
+                .help("TF tells them apart, other programs and people do not: name one of them otherwise")
+                .done(),
+            Some(_) => {}
+            None => {
+                first.insert(folded, text);
+            }
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! Going to definitions, finding references.
+
+use std::sync::Arc;
+
+use lsp_types::{
+    DocumentHighlight, DocumentHighlightKind, DocumentHighlightParams, GotoDefinitionParams,
+    GotoDefinitionResponse, Location, LocationLink, Range, ReferenceParams, TextDocumentPositionParams,
+};
+
+use super::convert;
+use super::engine::Engine;
+use super::failure::Failure;
+use crate::analysis::{Analyzed, RootChoice};
+use crate::base::{CancelFlag, Span, TextRange};
+use crate::ide::{self, Cx, Target};
+use crate::vfs::SourceFile;
+
+/// A place in a file under its active root.
+pub(super) struct Asked {
+    pub source: Arc<SourceFile>,
+    pub analyzed: Arc<Analyzed>,
+    /// Bytes from the start of the file.
+    pub offset: u32,
+}
+
+impl Asked {
+    /// The file in the expansion of its root.
+    pub fn cx(&self) -> Cx<'_> {
+        Cx {
+            source: &self.source,
+            expansion: &self.analyzed.expansion,
+            robot: self.analyzed.robot.as_ref(),
+            kinematics: self.analyzed.kinematics.as_ref(),
+        }
+    }
+}
+
+impl Engine {
+    /// A position of a request, under the active root of its file; a file that no root reaches is expanded by
+    /// itself.
+    pub fn asked(&mut self, at: &TextDocumentPositionParams, cancel: &CancelFlag) -> Result<Asked, Failure> {
+        let (path, source) = self.source(&at.text_document.uri)?;
+        let offset = convert::offset(&source.document, at.position, self.encoding);
+        let root = self.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path));
+        let mut analyzed = self.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+        if !analyzed.includes(&path) {
+            // the root reaches the file on paper only: a condition keeps it out
+            analyzed = self.world.analyzed(&RootChoice::plain(&path), cancel).ok_or(Failure::Cancelled)?;
+        }
+        Ok(Asked { source, analyzed, offset })
+    }
+
+    pub fn definition(
+        &mut self,
+        params: GotoDefinitionParams,
+        cancel: &CancelFlag,
+    ) -> Result<Option<GotoDefinitionResponse>, Failure> {
+        let asked = self.asked(&params.text_document_position_params, cancel)?;
+        let Some((origin, targets)) = ide::definitions(&asked.cx(), asked.offset) else { return Ok(None) };
+        let origin = convert::range(&asked.source.document, origin, self.encoding);
+        Ok(self.targets(origin, &targets))
+    }
+
+    /// Targets as links, or as plain places for clients that know no links.
+    fn targets(&self, origin: Range, targets: &[Target]) -> Option<GotoDefinitionResponse> {
+        let links: Vec<LocationLink> =
+            targets.iter().filter_map(|target| self.link(origin, target)).collect();
+        if links.is_empty() {
+            return None;
+        }
+        if self.client.links {
+            return Some(GotoDefinitionResponse::Link(links));
+        }
+        let plain = links.into_iter().map(|link| Location::new(link.target_uri, link.target_selection_range));
+        Some(GotoDefinitionResponse::Array(plain.collect()))
+    }
+
+    fn link(&self, origin: Range, target: &Target) -> Option<LocationLink> {
+        let name = self.location(target.name)?;
+        Some(LocationLink {
+            origin_selection_range: Some(origin),
+            target_uri: name.uri,
+            target_range: self.location(target.whole)?.range,
+            target_selection_range: name.range,
+        })
+    }
+
+    pub fn references(
+        &mut self,
+        params: ReferenceParams,
+        cancel: &CancelFlag,
+    ) -> Result<Option<Vec<Location>>, Failure> {
+        let asked = self.asked(&params.text_document_position, cancel)?;
+        let with_definition = params.context.include_declaration;
+        let uses = ide::occurrences(&asked.cx(), asked.offset).into_iter();
+        let uses = uses.filter(|used| with_definition || !used.is_definition);
+        Ok(Some(uses.filter_map(|used| self.location(used.span)).collect()))
+    }
+
+    pub fn highlights(
+        &mut self,
+        params: DocumentHighlightParams,
+        cancel: &CancelFlag,
+    ) -> Result<Option<Vec<DocumentHighlight>>, Failure> {
+        let asked = self.asked(&params.text_document_position_params, cancel)?;
+        let document = &asked.source.document;
+        let highlight = |range: TextRange, kind| DocumentHighlight {
+            range: convert::range(document, range, self.encoding),
+            kind: Some(kind),
+        };
+        if let Some(tags) = ide::matching_tags(document, asked.offset) {
+            let tags = tags.into_iter().map(|tag| highlight(tag, DocumentHighlightKind::TEXT));
+            return Ok(Some(tags.collect()));
+        }
+        let uses = ide::occurrences(&asked.cx(), asked.offset).into_iter();
+        let own = uses.filter(|used| used.span.file == asked.source.id).map(|used| {
+            let kind = match used.is_definition {
+                true => DocumentHighlightKind::WRITE,
+                false => DocumentHighlightKind::READ,
+            };
+            let Span { range, .. } = used.span;
+            highlight(range, kind)
+        });
+        Ok(Some(own.collect()))
+    }
+}

@@ -1,0 +1,116 @@
+//! What the text of a file alone answers: symbols, folding, selection, linked editing.
+
+use lsp_types::{
+    DocumentSymbol, DocumentSymbolParams, DocumentSymbolResponse, FoldingRange, FoldingRangeKind,
+    FoldingRangeParams, LinkedEditingRangeParams, LinkedEditingRanges, SelectionRange, SelectionRangeParams,
+    SymbolKind,
+};
+
+use super::convert;
+use super::engine::Engine;
+use super::failure::Failure;
+use crate::base::CancelFlag;
+use crate::ide::{self, FoldKind, Outline, OutlineKind};
+use crate::xml::Document;
+
+/// What may be typed in both tags at once.
+const NAME: &str = "[^\\s<>/=\"']+";
+
+impl Engine {
+    pub fn symbols(
+        &mut self,
+        params: DocumentSymbolParams,
+        _: &CancelFlag,
+    ) -> Result<Option<DocumentSymbolResponse>, Failure> {
+        let (_, source) = self.source(&params.text_document.uri)?;
+        let symbols = ide::outline(&source.document);
+        let symbols = symbols.into_iter().map(|symbol| self.symbol(&source.document, symbol)).collect();
+        Ok(Some(DocumentSymbolResponse::Nested(symbols)))
+    }
+
+    #[allow(deprecated)] // the protocol's struct has a deprecated field
+    fn symbol(&self, document: &Document, symbol: Outline) -> DocumentSymbol {
+        let children = symbol.children.into_iter().map(|child| self.symbol(document, child));
+        let children: Vec<_> = children.collect();
+        DocumentSymbol {
+            name: symbol.name,
+            detail: Some(symbol.detail).filter(|detail| !detail.is_empty()),
+            kind: kind(symbol.kind),
+            tags: None,
+            deprecated: None,
+            range: convert::range(document, symbol.range, self.encoding),
+            selection_range: convert::range(document, symbol.name_range, self.encoding),
+            children: (!children.is_empty()).then_some(children),
+        }
+    }
+
+    pub fn folding(
+        &mut self,
+        params: FoldingRangeParams,
+        _: &CancelFlag,
+    ) -> Result<Option<Vec<FoldingRange>>, Failure> {
+        let (_, source) = self.source(&params.text_document.uri)?;
+        let fold = |fold: ide::Fold| FoldingRange {
+            start_line: fold.start,
+            end_line: fold.end,
+            kind: match fold.kind {
+                FoldKind::Element => None,
+                FoldKind::Comment => Some(FoldingRangeKind::Comment),
+                FoldKind::Includes => Some(FoldingRangeKind::Imports),
+                FoldKind::Region => Some(FoldingRangeKind::Region),
+            },
+            ..FoldingRange::default()
+        };
+        Ok(Some(ide::folds(&source.document).into_iter().map(fold).collect()))
+    }
+
+    pub fn selections(
+        &mut self,
+        params: SelectionRangeParams,
+        _: &CancelFlag,
+    ) -> Result<Option<Vec<SelectionRange>>, Failure> {
+        let (_, source) = self.source(&params.text_document.uri)?;
+        let document = &source.document;
+        let selection = |position| {
+            let offset = convert::offset(document, position, self.encoding);
+            let ranges = ide::selection(document, offset).into_iter().rev();
+            let grown = ranges.fold(None, |parent: Option<SelectionRange>, range| {
+                let range = convert::range(document, range, self.encoding);
+                Some(SelectionRange { range, parent: parent.map(Box::new) })
+            });
+            grown.unwrap_or(SelectionRange { range: lsp_types::Range::new(position, position), parent: None })
+        };
+        Ok(Some(params.positions.into_iter().map(selection).collect()))
+    }
+
+    pub fn linked_editing(
+        &mut self,
+        params: LinkedEditingRangeParams,
+        _: &CancelFlag,
+    ) -> Result<Option<LinkedEditingRanges>, Failure> {
+        let at = params.text_document_position_params;
+        let (_, source) = self.source(&at.text_document.uri)?;
+        let document = &source.document;
+        let offset = convert::offset(document, at.position, self.encoding);
+        let ranges = ide::same_tag_names(document, offset).map(|names| LinkedEditingRanges {
+            ranges: names.iter().map(|name| convert::range(document, *name, self.encoding)).collect(),
+            word_pattern: Some(NAME.to_owned()),
+        });
+        Ok(ranges)
+    }
+}
+
+fn kind(kind: OutlineKind) -> SymbolKind {
+    match kind {
+        OutlineKind::Link => SymbolKind::CLASS,
+        OutlineKind::Joint => SymbolKind::EVENT,
+        OutlineKind::Macro => SymbolKind::FUNCTION,
+        OutlineKind::Property => SymbolKind::CONSTANT,
+        OutlineKind::Argument => SymbolKind::VARIABLE,
+        OutlineKind::Include => SymbolKind::MODULE,
+        OutlineKind::Call => SymbolKind::OBJECT,
+        OutlineKind::Material => SymbolKind::ENUM_MEMBER,
+        OutlineKind::Condition => SymbolKind::NAMESPACE,
+        OutlineKind::Block => SymbolKind::STRUCT,
+    }
+}

@@ -1,0 +1,103 @@
+//! Files that are not where a URI points, but somewhere near.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::packages::{Packages, without_parents};
+use crate::base::{FastMap, FastSet};
+use crate::vfs::Vfs;
+
+/// Files of one folder tree that are looked at.
+const MOST_FILES: usize = 100_000;
+/// Levels of folders that are looked at.
+const MOST_LEVELS: usize = 24;
+
+/// The files below a folder by name in small letters.
+#[derive(Debug, Default)]
+pub(super) struct Index(FastMap<String, Vec<PathBuf>>);
+
+impl Packages {
+    /// A file of the name of `missing`, whatever the case of its letters, in `package` (a folder), else in the
+    /// workspace around `from`: the one whose folders are most like those of `missing`.
+    pub fn namesake(&self, missing: &Path, package: Option<&Path>, from: &Path) -> Option<PathBuf> {
+        let name = missing.file_name()?.to_str()?.to_lowercase();
+        let own = self.containing(from).map(|package| package.folder);
+        let around = self.root_above(without_parents(&self.vfs.absolute(from)).parent()?);
+        let folders = package.map(Path::to_owned).into_iter().chain(own).chain(around);
+        folders.into_iter().find_map(|folder| {
+            let index = self.indexes.get(folder.clone(), || Arc::new(Index::of(&self.vfs, &folder)));
+            let likeness = |path: &&PathBuf| (common_tail(path, missing), std::cmp::Reverse((*path).clone()));
+            index.0.get(&name)?.iter().filter(|path| *path != missing).max_by_key(likeness).cloned()
+        })
+    }
+}
+
+impl Index {
+    fn of(vfs: &Vfs, top: &Path) -> Self {
+        let mut index = Self::default();
+        let mut seen: FastSet<u128> = FastSet::default();
+        let mut open = vec![(top.to_owned(), 0)];
+        let mut files = 0;
+        while let Some((folder, level)) = open.pop() {
+            let is_new = vfs.identity(&folder).is_some_and(|identity| seen.insert(identity));
+            if !is_new || files > MOST_FILES {
+                continue;
+            }
+            for entry in vfs.list_dir(&folder) {
+                let path = folder.join(&entry.name);
+                let is_built = matches!(entry.name.as_str(), "build" | "install" | "log" | "devel");
+                match entry.is_dir {
+                    true if entry.name.starts_with('.') || is_built || level >= MOST_LEVELS => {}
+                    true => open.push((path, level + 1)),
+                    false => {
+                        files += 1;
+                        index.0.entry(entry.name.to_lowercase()).or_default().push(path);
+                    }
+                }
+            }
+        }
+        index
+    }
+}
+
+/// How many names at the end of two paths are equal but for case.
+fn common_tail(a: &Path, b: &Path) -> usize {
+    let names = |path: &Path| -> Vec<String> {
+        path.iter().rev().map(|name| name.to_string_lossy().to_lowercase()).collect()
+    };
+    names(a).iter().zip(&names(b)).take_while(|(a, b)| a == b).count()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::vfs::testing::Tree;
+    use crate::workspace::{PackageOptions, Packages};
+
+    #[test]
+    fn the_likest_one_in_the_package_then_in_the_workspace() {
+        let tree = Tree::new();
+        for file in [
+            "ws/src/a/package.xml",
+            "ws/src/a/urdf/r.urdf",
+            "ws/src/a/models/arm/visual/link.stl",
+            "ws/src/a/models/arm/collision/link.stl",
+            "ws/src/a/.hidden/secret.stl",
+            "ws/src/b/package.xml",
+            "ws/src/b/meshes/Hand.STL",
+        ] {
+            let name = file.split('/').nth(2).unwrap();
+            tree.write(file, &format!("<package><name>{name}</name></package>"));
+        }
+        let env = tree.environment(&[]);
+        let packages = Packages::new(tree.vfs().clone(), &env, PackageOptions::default());
+        let found = |missing: &str| {
+            let from = tree.path("ws/src/a/urdf/r.urdf");
+            let found = packages.namesake(&tree.path(missing), Some(&tree.path("ws/src/a")), &from)?;
+            Some(found.strip_prefix(tree.path("ws/src")).unwrap().display().to_string())
+        };
+        assert_eq!(found("ws/src/a/meshes/visual/link.stl").as_deref(), Some("a/models/arm/visual/link.stl"));
+        assert_eq!(found("ws/src/a/meshes/hand.stl").as_deref(), Some("b/meshes/Hand.STL"));
+        assert_eq!(found("ws/src/a/meshes/secret.stl"), None);
+        assert_eq!(found("ws/src/a/meshes/gone.stl"), None);
+    }
+}

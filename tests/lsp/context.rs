@@ -1,0 +1,59 @@
+//! Under which root a file is shown.
+
+use serde_json::{Value, json};
+
+use super::client::{Client, Options};
+use super::workspace::{ROBOT, UNIT, pan_tilt, write};
+
+#[track_caller]
+fn check_root(client: &mut Client, file: &str, expected: &str) {
+    let expanded = client.request("xacro/expand", client.of(file));
+    let root = expanded["root"]["uri"].as_str().unwrap();
+    assert!(root.ends_with(expected), "{root}");
+}
+
+#[test]
+fn the_nearest_robot_wins_and_the_edited_one_before_it() {
+    let folder = pan_tilt();
+    let far = r#"<robot name="far" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:include filename="unit.xacro"/><link name="a"/></robot>"#;
+    write(&folder, "src/pan_tilt/urdf/zz.urdf.xacro", far);
+    let mut client = Client::with(folder, Options::default());
+    client.open(UNIT);
+    check_root(&mut client, UNIT, "pan_tilt.urdf.xacro");
+    client.open("src/pan_tilt/urdf/zz.urdf.xacro");
+    check_root(&mut client, UNIT, "zz.urdf.xacro");
+    client.open(ROBOT);
+    check_root(&mut client, UNIT, "pan_tilt.urdf.xacro");
+}
+
+#[test]
+fn a_comment_names_root_and_arguments() {
+    let mut client = Client::start();
+    client.open(UNIT);
+    client.edit(UNIT, "<!-- A motor", "<!-- xacro-root: pan_tilt.urdf.xacro mount:=wall -->\n  <!-- A motor");
+    let expanded = client.request("xacro/expand", client.of(UNIT));
+    assert_eq!(expanded["args"], json!({ "mount": "wall" }));
+}
+
+#[test]
+fn configured_roots_come_with_their_arguments() {
+    let folder = pan_tilt();
+    let config = "[[roots]]\nfile = \"pan_tilt/urdf/pan_tilt.urdf.xacro\"\nargs = { mount = \"mast\" }\n";
+    write(&folder, "src/xacro-lint.toml", config);
+    let mut client = Client::with(folder, Options::default());
+    client.open(UNIT);
+    let expanded = client.request("xacro/expand", client.of(UNIT));
+    assert_eq!(expanded["args"], json!({ "mount": "mast" }), "{expanded}");
+}
+
+#[test]
+fn what_appears_on_the_disk_is_noticed() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    client.edit(ROBOT, "filename=\"unit.xacro\"", "filename=\"unit2.xacro\"");
+    let expanded = client.request("xacro/expand", client.of(ROBOT));
+    assert_eq!(expanded["ok"], Value::Bool(false));
+    write(&client.folder, "src/pan_tilt/urdf/unit2.xacro", super::workspace::UNIT_TEXT);
+    let expanded = client.request("xacro/expand", client.of(ROBOT));
+    assert_eq!(expanded["ok"], Value::Bool(true), "{expanded}");
+}

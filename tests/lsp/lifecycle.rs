@@ -1,0 +1,116 @@
+//! F1, F31, F32: from `initialize` to the end of the process.
+
+use serde_json::{Value, json};
+
+use super::client::{Client, Options};
+use super::workspace::{ROBOT, pan_tilt};
+
+#[test]
+fn initialize_says_who_and_what() {
+    let mut client = Client::spawn(pan_tilt(), Options::default());
+    let result = client.initialize();
+    assert_eq!(result["serverInfo"]["name"], "xacro-lsp");
+    assert_eq!(result["capabilities"]["textDocumentSync"]["change"], 2);
+    assert_eq!(result["capabilities"]["positionEncoding"], "utf-16");
+}
+
+#[test]
+fn utf_8_is_taken_when_the_client_prefers_it() {
+    let capabilities = json!({ "general": { "positionEncodings": ["utf-8", "utf-16"] } });
+    let mut client = Client::spawn(pan_tilt(), Options { capabilities, ..Options::default() });
+    assert_eq!(client.initialize()["capabilities"]["positionEncoding"], "utf-8");
+}
+
+#[test]
+fn the_exit_code_hangs_on_shutdown() {
+    let mut client = Client::start();
+    client.request("shutdown", Value::Null);
+    client.notify("exit", Value::Null);
+    assert_eq!(client.exit_code(), 0);
+
+    let mut client = Client::start();
+    client.notify("exit", Value::Null);
+    assert_eq!(client.exit_code(), 1);
+}
+
+#[test]
+fn the_end_of_the_input_is_the_end_of_the_server() {
+    let mut client = Client::start();
+    client.hang_up();
+    assert_eq!(client.exit_code(), 1);
+}
+
+#[test]
+fn three_hundred_edits_are_applied_in_order() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    for step in 0..300 {
+        client.edit(ROBOT, "name=\"m0\"", "name=\"m0x\"");
+        client.edit(ROBOT, "name=\"m0x\"", "name=\"m0\"");
+        if step == 299 {
+            client.edit(ROBOT, "value=\"0.15\"", "value=\"0.75\"");
+        }
+    }
+    let expanded = client.request("xacro/expand", client.of(ROBOT));
+    assert!(expanded["urdf"].as_str().unwrap().contains("0 0 0.25"), "{expanded}");
+    assert_eq!(client.findings(ROBOT), Vec::<String>::new());
+}
+
+#[test]
+fn a_client_that_answers_nothing_is_served() {
+    let capabilities = json!({
+        "workspace": { "configuration": true, "didChangeWatchedFiles": { "dynamicRegistration": true } },
+        "window": { "workDoneProgress": true },
+    });
+    let mut client = Client::with(pan_tilt(), Options { capabilities, deaf: true, ..Options::default() });
+    client.open(ROBOT);
+    for _ in 0..120 {
+        client.notify("workspace/didChangeConfiguration", json!({ "settings": null }));
+    }
+    let symbols = client.request("textDocument/documentSymbol", client.of(ROBOT));
+    assert_eq!(symbols.as_array().unwrap().len(), 7);
+}
+
+#[test]
+fn a_cancelled_request_gets_one_reply_that_says_so() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    let id = client.post("xacro/expand", client.of(ROBOT));
+    client.notify("$/cancelRequest", json!({ "id": id }));
+    let reply = client.reply(id);
+    // the answer may have been faster
+    let code = &reply["error"]["code"];
+    assert!(reply.get("result").is_some() || *code == -32800, "{reply}");
+}
+
+#[test]
+fn what_is_no_message_does_no_harm() {
+    let mut client = Client::start();
+    for body in ["{not json", "42", "[]", "{\"jsonrpc\":\"2.0\",\"id\":{},\"method\":\"x\"}"] {
+        client.send_raw(format!("content-length: {}\r\n\r\n{body}", body.len()).as_bytes());
+    }
+    let id = client.post("no/such", Value::Null);
+    assert_eq!(client.reply(id)["error"]["code"], -32601);
+}
+
+#[test]
+fn settings_are_asked_for_and_hold() {
+    let capabilities = json!({ "workspace": { "configuration": true } });
+    let settings = json!({ "diagnostics": { "rules": { "undefined-property": "off" } } });
+    let mut client = Client::with(pan_tilt(), Options { capabilities, settings, ..Options::default() });
+    client.wait(
+        |client| client.asked.iter().any(|asked| asked["method"] == "workspace/configuration").then_some(()),
+        || "configuration request".to_owned(),
+    );
+    client.open(ROBOT);
+    client.edit(ROBOT, "${m0 / 3}", "${m1 / 3}");
+    assert_eq!(client.findings(ROBOT), Vec::<String>::new());
+}
+
+#[test]
+fn a_single_file_without_folder_is_served() {
+    let mut client = Client::with(pan_tilt(), Options { no_folder: true, ..Options::default() });
+    client.open(ROBOT);
+    client.edit(ROBOT, "${m0 / 3}", "${m1 / 3}");
+    assert_eq!(client.findings(ROBOT), ["8:76-78 undefined-property"]);
+}

@@ -1,0 +1,17 @@
+//! The language server, driven over its standard input and output as an editor drives it.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    clippy::disallowed_methods
+)] // a test may fail loudly
+
+mod client;
+mod context;
+mod diagnostics;
+mod expansion;
+mod lifecycle;
+mod navigation;
+mod structure;
+mod workspace;
