@@ -21,8 +21,7 @@ const LOSES_CONTENT: [&str; 8] =
 
 /// Whether all elements of an expansion are there.
 pub(super) fn is_whole(expansion: &Expansion) -> bool {
-    let loses = |problem: &Problem| !problem.probed && LOSES_CONTENT.contains(&problem.code);
-    expansion.whole && !expansion.problems.iter().any(loses)
+    expansion.whole && !lost_content(expansion)
 }
 
 /// What expansion reported, and what the rules say about the expanded document.

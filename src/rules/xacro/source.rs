@@ -81,7 +81,8 @@ pub(super) struct Inclusion<'a> {
 /// The includes of an expansion, in order; of very many, the first ones.
 pub(super) fn inclusions<'a>(expansion: &'a Expansion, vfs: &Vfs) -> Vec<Inclusion<'a>> {
     const MOST: usize = 10_000;
-    let mut by_name: FastMap<&str, Option<FileIdx>> = FastMap::default();
+    let names = expansion.files.iter().map(|file| file.name.as_str());
+    let mut by_name: FastMap<&str, Option<FileIdx>> = names.zip((0..).map(FileIdx).map(Some)).collect();
     let by_id: FastMap<FileId, FileIdx> =
         expansion.files.iter().map(|file| file.source.id).zip((0..).map(FileIdx)).collect();
     let mut namespaces: FastMap<u32, String> = FastMap::default();

@@ -21,11 +21,17 @@ pub(super) const RULE: Rule = Rule {
     check: Check::Document(check),
 };
 
+/// Each include is compared with all files, so more than these are not judged.
+const MOST: usize = 200;
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if !source::is_main(cx) || cx.kind != RootKind::Robot || !is_whole(cx.expansion) {
         return;
     }
     let inclusions = source::inclusions(cx.expansion, cx.world.vfs);
+    if inclusions.len() > MOST {
+        return;
+    }
     // what a library includes may be for others
     for inclusion in inclusions.iter().filter(|inclusion| inclusion.tag.file == FileIdx(0)) {
         let files = subtree(inclusion, &inclusions);
