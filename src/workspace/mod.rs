@@ -16,6 +16,6 @@ mod tests;
 
 pub use packages::{Entry, Found, NotFound, Package, PackageOptions, Packages, Target};
 pub use root::workspace_root;
-pub use similar::nearest;
+pub use similar::{letters_apart, nearest};
 pub use steps::Step;
 pub use uri::{UriKind, UriOutcome, UriResult, percent_decoded};

@@ -22,6 +22,12 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     best.map(|(_, candidate)| candidate)
 }
 
+/// How many letters of `a` have to change to get `b`, whatever their case.
+pub fn letters_apart(a: &str, b: &str) -> usize {
+    let [a, b] = [a, b].map(|word| word.chars().flat_map(char::to_lowercase).collect::<Vec<char>>());
+    distance(&a, &b)
+}
+
 /// Letters inserted, removed, replaced or swapped with their neighbour to get from `a` to `b`.
 fn distance(a: &[char], b: &[char]) -> usize {
     let mut before: Vec<usize> = Vec::new();
@@ -44,7 +50,7 @@ fn distance(a: &[char], b: &[char]) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::nearest;
+    use super::{letters_apart, nearest};
 
     #[test]
     fn words() {
@@ -65,6 +71,7 @@ mod tests {
         for (word, expected) in table {
             assert_eq!(nearest(word, known), expected, "{word}");
         }
+        assert_eq!((letters_apart("orgin", "Origin"), letters_apart("STR008", "str008")), (1, 0));
         assert_eq!(nearest("abc", ["abd", "abe"]), Some("abd"));
         assert_eq!(nearest("ab", ["a", "b"]), None);
     }
