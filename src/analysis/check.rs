@@ -1,5 +1,6 @@
 //! Checking files and folders.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
@@ -7,12 +8,14 @@ use rayon::prelude::*;
 use super::includes;
 use super::job::{self, Outcome};
 use super::merge::{merge, once_per_package};
+use super::progress::Progress;
 use super::report::{Report, Unreadable};
 use super::roots::{Job, Reason};
 use super::session::Session;
+use super::suppress::Hiding;
 use super::walk;
 use crate::base::{CancelFlag, FastSet};
-use crate::rules::{Finding, Severity};
+use crate::rules::{Finding, Severity, invalid_config};
 use crate::workspace::workspace_root;
 
 /// What to check.
@@ -26,6 +29,8 @@ pub struct CheckOptions {
     pub args: Vec<(String, String)>,
     /// Set to stop early.
     pub cancel: CancelFlag,
+    /// Says how far the check is.
+    pub progress: Progress,
 }
 
 impl Session {
@@ -33,13 +38,23 @@ impl Session {
     pub fn check(&self, options: &CheckOptions) -> Report {
         let mut report = Report::default();
         let jobs = self.jobs(options, &mut report);
-        let outcomes: Vec<Outcome> = jobs.into_par_iter().map(|job| job::run(self, options, job)).collect();
+        options.progress.begin(jobs.len());
+        let run = |job| {
+            let outcome = job::run(self, options, job);
+            options.progress.step();
+            outcome
+        };
+        let outcomes: Vec<Outcome> = jobs.into_par_iter().map(run).collect();
+        let mut reads: BTreeSet<PathBuf> =
+            outcomes.iter().flat_map(|outcome| &outcome.reads).cloned().collect();
+        reads.extend(outcomes.iter().map(|outcome| outcome.job.file.clone()));
+        reads.extend(self.config_files());
         let kept = self.keep(outcomes);
-        Report { unreadable: report.unreadable, ..self.conclude(options, kept) }
+        Report { unreadable: report.unreadable, reads, ..self.conclude(options, kept) }
     }
 
     /// One report of many outcomes: merged, as configured, in order.
-    pub(super) fn conclude(&self, options: &CheckOptions, kept: Vec<Outcome>) -> Report {
+    pub(super) fn conclude(&self, options: &CheckOptions, mut kept: Vec<Outcome>) -> Report {
         let mut report = Report::default();
         for outcome in &kept {
             report.roots.push(outcome.job.file.clone());
@@ -47,7 +62,13 @@ impl Session {
             report.files.extend(outcome.files.iter().map(|file| (file.id, file.clone())));
         }
         let homes = self.homes(options);
+        let mut hiding = Hiding::new(self, options, &kept);
+        for outcome in &mut kept {
+            outcome.findings.retain(|finding| !hiding.hides(finding));
+        }
         let mut findings = merge(kept);
+        findings.extend(hiding.finish());
+        findings.extend(self.config_findings());
         findings.retain_mut(|finding| self.admit(finding, &homes));
         findings.sort_by_cached_key(|f| (self.vfs.path(f.span.file), f.span.range.start, f.rule.code));
         once_per_package(&mut findings, |file| Some(self.packages.containing(&self.vfs.path(file))?.folder));
@@ -57,26 +78,17 @@ impl Session {
             let edits = finding.fix.iter().flat_map(|fix| &fix.edits).map(|edit| edit.span);
             report.paths.extend(spans.chain(edits).map(|span| (span.file, self.vfs.path(span.file))));
         }
+        let unread = report.paths.iter().filter(|(id, _)| !report.files.contains_key(id));
+        let beside: Vec<_> = unread.filter_map(|(_, path)| self.vfs.document(path).ok()).collect();
+        report.beside.extend(beside.into_iter().map(|file| (file.id, file)));
         report.findings = findings;
-        self.read_others(&mut report);
         report
-    }
-
-    /// Findings and fixes may be about files that no expansion reads, such as package.xml.
-    fn read_others(&self, report: &mut Report) {
-        for (id, path) in &report.paths {
-            if !report.files.contains_key(id)
-                && let Ok(file) = self.vfs.document(path)
-            {
-                report.files.insert(*id, file);
-            }
-        }
     }
 
     /// The files that [`check`](Self::check) would look at, sorted; what they include comes on top.
     pub fn files(&self, options: &CheckOptions) -> Vec<PathBuf> {
         let jobs = self.jobs(options, &mut Report::default());
-        let files: std::collections::BTreeSet<PathBuf> = jobs.into_iter().map(|job| job.file).collect();
+        let files: BTreeSet<PathBuf> = jobs.into_iter().map(|job| job.file).collect();
         files.into_iter().collect()
     }
 
@@ -174,7 +186,7 @@ impl Session {
     }
 
     /// The folders whose files are the user's own: in files elsewhere, only errors are news.
-    fn homes(&self, options: &CheckOptions) -> Vec<PathBuf> {
+    pub(super) fn homes(&self, options: &CheckOptions) -> Vec<PathBuf> {
         let home = self.env.var("HOME").map(Path::new);
         let paths = options.paths.iter().chain(&options.entries).map(|path| self.vfs.absolute(path));
         let homes = paths.flat_map(|path| {
@@ -187,6 +199,14 @@ impl Session {
         homes.flatten().collect()
     }
 
+    /// What in the configurations read so far has no effect.
+    fn config_findings(&self) -> Vec<Finding> {
+        let warnings = self.config_warnings();
+        // what is wrong in the settings of an editor has no place in a file
+        let in_files = warnings.iter().filter(|warning| !warning.place.path.as_os_str().is_empty());
+        in_files.map(|w| invalid_config(self.vfs.file_id(&w.place.path), w)).collect()
+    }
+
     /// Whether a finding is wanted; sets its severity as configured.
     fn admit(&self, finding: &mut Finding, homes: &[PathBuf]) -> bool {
         let path = self.vfs.path(finding.span.file);
@@ -197,7 +217,8 @@ impl Session {
         if finding.message.contains(&cwd) {
             finding.message = finding.message.replace(&cwd, "");
         }
-        severity == Severity::Error || homes.iter().any(|home| path.starts_with(home))
+        let is_config = finding.rule.code == "LNT004";
+        severity == Severity::Error || is_config || homes.iter().any(|home| path.starts_with(home))
     }
 }
 

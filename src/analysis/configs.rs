@@ -4,9 +4,11 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::base::FastMap;
-use crate::rules::{Finding, Selection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector};
+use crate::rules::{
+    Finding, Rule, Selection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector,
+};
 use crate::vfs::{LoadError, Vfs};
-use crate::workspace::config::{Config, ConfigWarning, Level, Loaded, Mention, Profile, find_config};
+use crate::workspace::config::{Config, ConfigWarning, Level, Loaded, Mention, find_config};
 use crate::workspace::nearest;
 
 /// What the command line says over every configuration file.
@@ -55,7 +57,7 @@ impl Settings {
             given.clone().unwrap_or_else(|| configured.to_vec())
         };
         let profiles: Vec<String> =
-            config.profiles.iter().map(|&profile| profile_name(profile).to_owned()).collect();
+            config.profiles.iter().map(|&profile| profile.name().to_owned()).collect();
         let severity = config.severity.iter().map(|(rule, &level)| (rule.clone(), severity(level)));
         let selection = Selection::new(&SelectionOptions {
             select: overrides.select.clone().or_else(|| config.select.clone()),
@@ -69,11 +71,20 @@ impl Settings {
 
     /// The severity of a finding in `path`; none when it is not wanted there.
     pub(super) fn severity(&self, finding: &Finding, path: &Path) -> Option<Severity> {
+        if self.passes(finding.rule, path) { self.selection.severity(finding) } else { None }
+    }
+
+    /// Whether a rule runs for `path`.
+    pub fn runs(&self, rule: &Rule, path: &Path) -> bool {
+        self.selection.runs(rule) && self.passes(rule, path)
+    }
+
+    /// Whether neither the file nor the rule for it is left out.
+    fn passes(&self, rule: &Rule, path: &Path) -> bool {
         let excluded = self.config.exclude.iter().any(|pattern| pattern.matches(path));
         let mut ignores = self.config.per_file_ignores.iter().filter(|(pattern, _)| pattern.matches(path));
-        let ignored =
-            ignores.any(|(_, rules)| rules.iter().any(|rule| rule == "ALL" || finding.rule.is_named(rule)));
-        if excluded || ignored { None } else { self.selection.severity(finding) }
+        let ignored = ignores.any(|(_, rules)| rules.iter().any(|name| name == "ALL" || rule.is_named(name)));
+        !excluded && !ignored
     }
 }
 
@@ -121,6 +132,11 @@ impl Configs {
         settings
     }
 
+    /// The configuration files read so far.
+    pub(super) fn files(&self) -> Vec<PathBuf> {
+        self.lock().files.values().flat_map(|settings| &settings.config.files).cloned().collect()
+    }
+
     /// What in the configurations read so far has no effect.
     pub(super) fn warnings(&self) -> Vec<ConfigWarning> {
         self.lock().warnings.clone()
@@ -165,15 +181,6 @@ fn is_known(mention: &Mention) -> bool {
     match mention.is_threshold {
         true => THRESHOLDS.iter().any(|threshold| threshold.name == mention.text),
         false => mention.text == "ALL" || find(&mention.text).next().is_some(),
-    }
-}
-
-fn profile_name(profile: Profile) -> &'static str {
-    match profile {
-        Profile::RosIndustrial => "ros-industrial",
-        Profile::Mobile => "mobile",
-        Profile::Gazebo => "gazebo",
-        Profile::Pedantic => "pedantic",
     }
 }
 

@@ -2,22 +2,29 @@
 //!
 //! What the command line and the language server share.
 
+mod baseline;
 mod check;
 mod configs;
 mod context;
+mod fix;
 mod graph;
 mod includes;
 mod job;
 mod merge;
+mod progress;
 mod report;
 mod roots;
 mod session;
+mod suppress;
 mod walk;
 mod world;
 
+pub use baseline::{Baseline, fingerprint};
 pub use check::CheckOptions;
 pub use configs::{Overrides, Settings};
 pub use context::{Context, Reason, RootChoice};
+pub use fix::{Fixed, FixedFile, Plan, apply, choose};
+pub use progress::Progress;
 pub use report::{Position, Report, Unreadable};
 pub use session::{Session, Setup};
 pub use world::{Analyzed, World};

@@ -1,6 +1,6 @@
 //! The result of a check.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -15,10 +15,14 @@ pub struct Report {
     pub findings: Vec<Finding>,
     /// The files that were read as descriptions.
     pub files: BTreeMap<FileId, Arc<SourceFile>>,
+    /// Further files that findings are in, such as configurations and manifests, read as text.
+    pub beside: BTreeMap<FileId, Arc<SourceFile>>,
     /// The files that findings are in, by number.
     pub paths: BTreeMap<FileId, Arc<Path>>,
     /// The files that were expanded as roots, in order, with the number of robots among them.
     pub roots: Vec<PathBuf>,
+    /// Everything that was read or looked for, configurations too: when one of these changes, so may the findings.
+    pub reads: BTreeSet<PathBuf>,
     /// How many of the roots are robots.
     pub robots: usize,
     /// Paths named by the user that cannot be read.
@@ -49,9 +53,20 @@ impl Report {
         self.paths.get(&file).map_or(Path::new(""), |path| path)
     }
 
+    /// A file that findings may be in.
+    pub fn source(&self, file: FileId) -> Option<&Arc<SourceFile>> {
+        self.files.get(&file).or_else(|| self.beside.get(&file))
+    }
+
+    /// The line that a span begins in; empty when its file could not be read.
+    pub fn line(&self, span: Span) -> String {
+        let Some(file) = self.source(span.file) else { return String::new() };
+        file.document.line_text(file.document.line_col(span.range.start, Encoding::Utf8).line)
+    }
+
     /// Rows and columns of a span; the start of the file when it could not be read.
     pub fn position(&self, span: Span) -> Position {
-        let Some(file) = self.files.get(&span.file) else { return Position { start: (1, 1), end: (1, 1) } };
+        let Some(file) = self.source(span.file) else { return Position { start: (1, 1), end: (1, 1) } };
         let at = |offset: u32| {
             let position = file.document.line_col(offset, Encoding::Utf32);
             (position.line + 1, position.col + 1)

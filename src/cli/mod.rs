@@ -2,22 +2,32 @@
 
 mod args;
 mod check;
+mod config;
 mod deps;
+mod diff;
 mod expand;
 mod explain;
+mod fingerprints;
 mod io;
 mod json;
 mod options;
 mod packages;
+mod prepare;
+mod progress;
+mod reference;
 mod render;
+mod sarif;
+mod services;
 mod svg;
 mod text;
 mod tree;
+mod watch;
 
 pub use io::Io;
+pub use reference::reference;
 
-use clap::Parser;
 use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser};
 
 use crate::vfs::Environment;
 use args::{Arguments, Command};
@@ -51,11 +61,22 @@ pub fn run(args: &[String], env: &Environment, io: &mut Io<'_>) -> u8 {
 fn dispatch(command: Command, env: &Environment, io: &mut Io<'_>) -> u8 {
     match command {
         Command::Check(options) => check::run(&options, env, io),
+        Command::Fix(options) => check::run(&check::fixing(options), env, io),
         Command::Expand { args } => expand::run(&args, env, io),
         Command::Tree(options) => tree::run(&options, env, io),
         Command::Packages(options) => packages::run(&options, env, io),
         Command::Deps(options) => deps::run(&options, env, io),
         Command::Explain { rule } => explain::explain(rule.as_deref(), io),
-        Command::Rules { format } => explain::rules(format, io),
+        Command::Rules(options) => explain::rules(&options, io),
+        Command::Config(options) => config::run(&options, env, io),
+        Command::Completions { shell } => completions(shell, io),
     }
+}
+
+/// Print a script for a shell.
+fn completions(shell: clap_complete::Shell, io: &mut Io<'_>) -> u8 {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Arguments::command(), "xacro-lint", &mut script);
+    io.out(&String::from_utf8_lossy(&script));
+    0
 }

@@ -32,6 +32,8 @@ pub struct Report<'a> {
     pub level: Level<'static>,
     /// Shown in brackets behind the level.
     pub id: Option<String>,
+    /// A page about it, which terminals link to.
+    pub url: Option<String>,
     /// The headline.
     pub title: String,
     /// The wrong text.
@@ -61,6 +63,9 @@ pub fn render(report: &Report<'_>, color: bool) -> String {
     let mut head = report.level.clone().primary_title(title.as_str());
     if let Some(id) = &report.id {
         head = head.id(id.as_str());
+        if let Some(url) = &report.url {
+            head = head.id_url(url.as_str());
+        }
     }
     let mut group = primary.draw(Group::with_title(head), AnnotationKind::Primary);
     for piece in &trace {
@@ -132,4 +137,31 @@ pub fn visible(text: &str) -> String {
             _ => '\u{fffd}',
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use annotate_snippets::Level;
+
+    use super::{Mark, Report, ShownFile, render};
+    use crate::base::TextRange;
+    use crate::vfs::testing::Tree;
+
+    #[test]
+    fn names_of_rules_link_to_their_pages() {
+        let tree = Tree::new();
+        tree.write("a.urdf", "<robot/>\n");
+        let source = tree.vfs().document(&tree.path("a.urdf")).unwrap();
+        let file = ShownFile { source: &source, path: "a.urdf".to_owned() };
+        let report = Report {
+            level: Level::ERROR,
+            id: Some("no-links".to_owned()),
+            url: Some("https://example.org/no-links".to_owned()),
+            title: "the robot has no link".to_owned(),
+            primary: Mark { file: &file, range: TextRange::new(0, 6), label: String::new() },
+            trace: Vec::new(),
+            help: None,
+        };
+        assert!(render(&report, true).contains("\u{1b}]8;;https://example.org/no-links\u{1b}\\"));
+    }
 }

@@ -21,7 +21,8 @@ const LOSES_CONTENT: [&str; 8] =
 
 /// Whether all elements of an expansion are there.
 pub(super) fn is_whole(expansion: &Expansion) -> bool {
-    expansion.whole && !lost_content(expansion)
+    let loses = |problem: &Problem| !problem.probed && LOSES_CONTENT.contains(&problem.code);
+    expansion.whole && !expansion.problems.iter().any(loses)
 }
 
 /// What expansion reported, and what the rules say about the expanded document.
@@ -156,8 +157,12 @@ fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Option<Findin
     let Span { file, range } = span(expansion, problem.place)?;
     let document = &expansion.files.get(problem.place.file.0 as usize)?.source.document;
     let steps = problem.trace.iter().chain(&problem.more_calls);
-    let related =
-        |step: &Step| Some(Related { span: span(expansion, step.place)?, message: step.message.clone() });
+    let related = |step: &Step| {
+        // calls and includes are given by their tags, definitions by their names
+        let text = expansion.files.get(step.place.file.0 as usize)?.source.document.slice(step.place.range);
+        let (message, is_call) = (step.message.clone(), text.starts_with('<') || text.starts_with('$'));
+        Some(Related { span: span(expansion, step.place)?, message, is_call })
+    };
     let mut calls: Vec<Related> = steps.filter_map(related).collect();
     let mut place = Span { file, range: place::fit(rule.code, document, range) };
     if let Some((range, opened)) = place::syntax(document, file).filter(|_| rule.code == "XML001") {

@@ -50,7 +50,7 @@ fn distance(a: &[char], b: &[char]) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::nearest;
+    use super::{edit_distance, nearest};
 
     #[test]
     fn words() {
@@ -71,6 +71,7 @@ mod tests {
         for (word, expected) in table {
             assert_eq!(nearest(word, known), expected, "{word}");
         }
+        assert_eq!((edit_distance("orgin", "Origin"), edit_distance("STR008", "str008")), (1, 0));
         assert_eq!(nearest("abc", ["abd", "abe"]), Some("abd"));
         assert_eq!(nearest("ab", ["a", "b"]), None);
     }
