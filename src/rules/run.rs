@@ -21,7 +21,8 @@ const LOSES_CONTENT: [&str; 8] =
 
 /// Whether all elements of an expansion are there.
 pub(super) fn is_whole(expansion: &Expansion) -> bool {
-    expansion.whole && !lost_content(expansion)
+    let loses = |problem: &Problem| !problem.probed && LOSES_CONTENT.contains(&problem.code);
+    expansion.whole && !expansion.problems.iter().any(loses)
 }
 
 /// What expansion reported, and what the rules say about the expanded document.
