@@ -39,7 +39,7 @@ fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str
     const MOST: usize = 50;
     let absent = unknown_attribute::absent(cx, id, spec);
     let required = |name: &&str| spec.attribute(name).is_some_and(|attribute| attribute.required);
-    if !absent.iter().any(|name| required(name)) {
+    if !absent.iter().any(required) {
         return Vec::new();
     }
     let attrs = &cx.expansion.tree.get(id).attrs;
