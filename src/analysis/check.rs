@@ -10,9 +10,10 @@ use super::merge::{merge, once_per_package};
 use super::report::{Report, Unreadable};
 use super::roots::{Job, Reason};
 use super::session::Session;
+use super::suppress::Hiding;
 use super::walk;
 use crate::base::{CancelFlag, FastSet};
-use crate::rules::{Finding, Severity};
+use crate::rules::{Finding, Severity, invalid_config};
 use crate::workspace::workspace_root;
 
 /// What to check.
@@ -39,7 +40,7 @@ impl Session {
     }
 
     /// One report of many outcomes: merged, as configured, in order.
-    pub(super) fn conclude(&self, options: &CheckOptions, kept: Vec<Outcome>) -> Report {
+    pub(super) fn conclude(&self, options: &CheckOptions, mut kept: Vec<Outcome>) -> Report {
         let mut report = Report::default();
         for outcome in &kept {
             report.roots.push(outcome.job.file.clone());
@@ -47,7 +48,13 @@ impl Session {
             report.files.extend(outcome.files.iter().map(|file| (file.id, file.clone())));
         }
         let homes = self.homes(options);
+        let mut hiding = Hiding::new(self, options, &kept);
+        for outcome in &mut kept {
+            outcome.findings.retain(|finding| !hiding.hides(finding));
+        }
         let mut findings = merge(kept);
+        findings.extend(hiding.finish());
+        findings.extend(self.config_findings());
         findings.retain_mut(|finding| self.admit(finding, &homes));
         findings.sort_by_cached_key(|f| (self.vfs.path(f.span.file), f.span.range.start, f.rule.code));
         once_per_package(&mut findings, |file| Some(self.packages.containing(&self.vfs.path(file))?.folder));
@@ -57,20 +64,12 @@ impl Session {
             let edits = finding.fix.iter().flat_map(|fix| &fix.edits).map(|edit| edit.span);
             report.paths.extend(spans.chain(edits).map(|span| (span.file, self.vfs.path(span.file))));
         }
+        // findings and fixes may be about files that no expansion reads, such as package.xml
+        let unread = report.paths.iter().filter(|(id, _)| !report.files.contains_key(id));
+        let beside: Vec<_> = unread.filter_map(|(_, path)| self.vfs.document(path).ok()).collect();
+        report.beside.extend(beside.into_iter().map(|file| (file.id, file)));
         report.findings = findings;
-        self.read_others(&mut report);
         report
-    }
-
-    /// Findings and fixes may be about files that no expansion reads, such as package.xml.
-    fn read_others(&self, report: &mut Report) {
-        for (id, path) in &report.paths {
-            if !report.files.contains_key(id)
-                && let Ok(file) = self.vfs.document(path)
-            {
-                report.files.insert(*id, file);
-            }
-        }
     }
 
     /// The files that [`check`](Self::check) would look at, sorted; what they include comes on top.
@@ -187,6 +186,12 @@ impl Session {
         homes.flatten().collect()
     }
 
+    /// What in the configurations read so far has no effect.
+    fn config_findings(&self) -> Vec<Finding> {
+        let warnings = self.config_warnings();
+        warnings.iter().map(|w| invalid_config(self.vfs.file_id(&w.place.path), w)).collect()
+    }
+
     /// Whether a finding is wanted; sets its severity as configured.
     fn admit(&self, finding: &mut Finding, homes: &[PathBuf]) -> bool {
         let path = self.vfs.path(finding.span.file);
@@ -197,7 +202,8 @@ impl Session {
         if finding.message.contains(&cwd) {
             finding.message = finding.message.replace(&cwd, "");
         }
-        severity == Severity::Error || homes.iter().any(|home| path.starts_with(home))
+        let is_config = finding.rule.code == "LNT004";
+        severity == Severity::Error || is_config || homes.iter().any(|home| path.starts_with(home))
     }
 }
 

@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::base::FastMap;
-use crate::rules::{Finding, Selection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector};
+use crate::rules::{
+    Finding, Rule, Selection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector,
+};
 use crate::vfs::{LoadError, Vfs};
 use crate::workspace::config::{Config, ConfigWarning, Level, Loaded, Mention, Profile, find_config};
 use crate::workspace::nearest;
@@ -69,11 +71,20 @@ impl Settings {
 
     /// The severity of a finding in `path`; none when it is not wanted there.
     pub(super) fn severity(&self, finding: &Finding, path: &Path) -> Option<Severity> {
+        if self.passes(finding.rule, path) { self.selection.severity(finding) } else { None }
+    }
+
+    /// Whether a rule runs for `path`.
+    pub fn runs(&self, rule: &Rule, path: &Path) -> bool {
+        self.selection.runs(rule) && self.passes(rule, path)
+    }
+
+    /// Whether neither the file nor the rule for it is left out.
+    fn passes(&self, rule: &Rule, path: &Path) -> bool {
         let excluded = self.config.exclude.iter().any(|pattern| pattern.matches(path));
         let mut ignores = self.config.per_file_ignores.iter().filter(|(pattern, _)| pattern.matches(path));
-        let ignored =
-            ignores.any(|(_, rules)| rules.iter().any(|rule| rule == "ALL" || finding.rule.is_named(rule)));
-        if excluded || ignored { None } else { self.selection.severity(finding) }
+        let ignored = ignores.any(|(_, rules)| rules.iter().any(|name| name == "ALL" || rule.is_named(name)));
+        !excluded && !ignored
     }
 }
 

@@ -20,6 +20,8 @@ pub(super) struct Outcome {
     pub(super) job: Job,
     /// Whether the file is a robot on its own.
     pub(super) is_robot: bool,
+    /// Whether everything was read and expanded, so that what was not found is not there.
+    pub(super) complete: bool,
     /// Files that were read, the root file left out.
     pub(super) reads: Vec<PathBuf>,
     /// Descriptions that were read.
@@ -61,6 +63,8 @@ pub(super) fn judge(session: &Session, job: Job, expansion: &Expansion) -> Outco
     }
     Outcome {
         is_robot: kind == RootKind::Robot,
+        complete: expansion.whole
+            && expansion.files.iter().all(|file| file.source.document.errors().is_empty()),
         reads: reads(expansion),
         files: expansion.files.iter().map(|file| file.source.clone()).collect(),
         findings,

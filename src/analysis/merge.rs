@@ -54,7 +54,8 @@ pub(super) fn once_per_package(findings: &mut Vec<Finding>, package: impl Fn(Fil
             return true;
         };
         if let Some((_, others)) = groups.get_mut(&(finding.rule.code, package.clone())) {
-            others.push(Related { span: finding.span, message: "here too".to_owned() });
+            let message = "here too".to_owned();
+            others.push(Related { span: finding.span, message, is_call: false });
             return false;
         }
         groups.insert((finding.rule.code, package), (at, Vec::new()));

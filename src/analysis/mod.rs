@@ -12,6 +12,7 @@ mod merge;
 mod report;
 mod roots;
 mod session;
+mod suppress;
 mod walk;
 mod world;
 

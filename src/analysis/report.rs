@@ -15,6 +15,8 @@ pub struct Report {
     pub findings: Vec<Finding>,
     /// The files that were read as descriptions.
     pub files: BTreeMap<FileId, Arc<SourceFile>>,
+    /// Further files that findings are in, such as configurations and manifests, read as text.
+    pub beside: BTreeMap<FileId, Arc<SourceFile>>,
     /// The files that findings are in, by number.
     pub paths: BTreeMap<FileId, Arc<Path>>,
     /// The files that were expanded as roots, in order, with the number of robots among them.
@@ -49,9 +51,14 @@ impl Report {
         self.paths.get(&file).map_or(Path::new(""), |path| path)
     }
 
+    /// A file that findings may be in.
+    pub fn source(&self, file: FileId) -> Option<&Arc<SourceFile>> {
+        self.files.get(&file).or_else(|| self.beside.get(&file))
+    }
+
     /// Rows and columns of a span; the start of the file when it could not be read.
     pub fn position(&self, span: Span) -> Position {
-        let Some(file) = self.files.get(&span.file) else { return Position { start: (1, 1), end: (1, 1) } };
+        let Some(file) = self.source(span.file) else { return Position { start: (1, 1), end: (1, 1) } };
         let at = |offset: u32| {
             let position = file.document.line_col(offset, Encoding::Utf32);
             (position.line + 1, position.col + 1)

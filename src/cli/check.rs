@@ -42,7 +42,6 @@ pub(super) fn run(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
         return warn_about_config(&session, env, io);
     }
     let report = session.check(&options);
-    warn_about_config(&session, env, io);
     if !report.unreadable.is_empty() {
         for unreadable in &report.unreadable {
             let path = visible(&shown_path(&unreadable.path, &env.cwd));

@@ -108,7 +108,7 @@ pub(super) fn drawings(report: &Report, cwd: &Path, color: bool) -> Vec<String> 
 
 fn shown_files<'a>(report: &'a Report, cwd: &Path) -> FastMap<FileId, ShownFile<'a>> {
     let shown = |source: &'a Arc<SourceFile>| ShownFile { source, path: shown_path(&source.path, cwd) };
-    report.files.iter().map(|(id, source)| (*id, shown(source))).collect()
+    report.files.iter().chain(&report.beside).map(|(id, source)| (*id, shown(source))).collect()
 }
 
 /// A finding with its source text.

@@ -29,6 +29,8 @@ pub struct Related {
     pub span: Span,
     /// What is there.
     pub message: String,
+    /// Whether expansion came through here: a call, an include, a use. Else something to compare with.
+    pub is_call: bool,
 }
 
 /// A way to mend a finding.

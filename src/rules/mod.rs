@@ -34,6 +34,9 @@ mod xml;
 pub use catalogue::catalogue;
 pub use context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings};
 pub use finding::{Edit, Finding, Fix, Related};
+pub use linter::{
+    Directive, Malformed, Selector, Suppression, Suppressions, invalid_config, unused_suppression,
+};
 pub use registry::{
     Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector,
     unknown_selector,

@@ -18,8 +18,9 @@ pub(super) fn fit(code: &str, document: &Document, range: TextRange) -> TextRang
 pub(super) fn syntax(document: &Document, file: FileId) -> Option<(TextRange, Option<Related>)> {
     let errors = document.errors();
     let error = errors.iter().min_by_key(|error| error.expat_offset)?;
-    let related =
-        |range, message: &str| Some(Related { span: Span { file, range }, message: message.to_owned() });
+    let related = |range, message: &str| {
+        Some(Related { span: Span { file, range }, message: message.to_owned(), is_call: false })
+    };
     match (error.kind, error.related) {
         // the end tag that comes too early is in the way, not the element that lacks one
         (SyntaxErrorKind::UnclosedElement, Some((range, _))) => {

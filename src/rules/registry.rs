@@ -99,6 +99,8 @@ pub enum Safety {
 pub enum Check {
     /// Nothing of its own: expansion reports it.
     Expander,
+    /// Nothing of its own: known only when all findings are there.
+    Analysis,
     /// One source file.
     File(fn(&FileCx<'_>, &mut Sink<'_>)),
     /// The expanded document of a root, robot or library.

@@ -156,8 +156,12 @@ fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Option<Findin
     let Span { file, range } = span(expansion, problem.place)?;
     let document = &expansion.files.get(problem.place.file.0 as usize)?.source.document;
     let steps = problem.trace.iter().chain(&problem.more_calls);
-    let related =
-        |step: &Step| Some(Related { span: span(expansion, step.place)?, message: step.message.clone() });
+    let related = |step: &Step| {
+        // calls and includes are given by their tags, definitions by their names
+        let text = expansion.files.get(step.place.file.0 as usize)?.source.document.slice(step.place.range);
+        let (message, is_call) = (step.message.clone(), text.starts_with('<') || text.starts_with('$'));
+        Some(Related { span: span(expansion, step.place)?, message, is_call })
+    };
     let mut calls: Vec<Related> = steps.filter_map(related).collect();
     let mut place = Span { file, range: place::fit(rule.code, document, range) };
     if let Some((range, opened)) = place::syntax(document, file).filter(|_| rule.code == "XML001") {

@@ -117,7 +117,8 @@ impl<'a> Sink<'a> {
         let steps = self.expansion.frames_of(origin).filter(|frame| frame.kind != FrameKind::Include);
         steps
             .filter_map(|frame| {
-                Some(Related { span: self.span_of(frame.call)?, message: call_message(frame) })
+                let span = self.span_of(frame.call)?;
+                Some(Related { span, message: call_message(frame), is_call: true })
             })
             .collect()
     }
@@ -134,7 +135,8 @@ impl Reported<'_, '_> {
             let new: Vec<_> = calls.into_iter().filter(|call| !self.draft.calls.contains(call)).collect();
             self.draft.calls.extend(new);
         } else {
-            self.draft.finding.related.push(Related { span, message: message.into() });
+            let message = message.into();
+            self.draft.finding.related.push(Related { span, message, is_call: false });
         }
         self
     }
@@ -143,7 +145,7 @@ impl Reported<'_, '_> {
     #[must_use]
     pub fn also_at(mut self, place: Place, message: impl Into<String>) -> Self {
         let span = self.sink.span(place).filter(|span| *span != self.draft.finding.span);
-        self.draft.finding.related.extend(span.map(|span| Related { span, message: message.into() }));
+        self.draft.finding.related.extend(span.map(|span| Related { span, message: message.into(), is_call: false }));
         self
     }
 

@@ -1,0 +1,298 @@
+//! Comments that hide findings: `<!-- xacro-lint: disable-next-line RULE, RULE: reason -->`.
+
+use super::super::registry::Rule;
+use crate::base::{Encoding, TextRange};
+use crate::workspace::nearest;
+use crate::xml::{Document, Node, NodeKind};
+
+/// What a comment for the linter begins with.
+const MARK: &str = "xacro-lint:";
+
+/// The words that may follow.
+const WORDS: [&str; 4] = ["disable-next-line", "disable", "enable", "disable-file"];
+
+/// Lines at the top of a file that `disable-file` may stand in.
+const HEAD_LINES: u32 = 10;
+
+/// A suppression comment.
+#[derive(Clone, Debug)]
+pub struct Suppression {
+    /// What it does.
+    pub directive: Directive,
+    /// The comment, absolute.
+    pub comment: TextRange,
+    /// The rules it names.
+    pub rules: Vec<Selector>,
+    /// Where it holds, absolute.
+    pub scope: TextRange,
+}
+
+/// What a suppression comment does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Directive {
+    /// Hides findings of the next element's start tag.
+    DisableNextLine,
+    /// Hides findings from here on.
+    Disable,
+    /// Ends what `disable` began.
+    Enable,
+    /// Hides findings of the whole file.
+    DisableFile,
+}
+
+/// The name, code or beginning of a code of rules, as it stands in a comment.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Selector {
+    /// The word.
+    pub text: String,
+    /// Where it stands, absolute.
+    pub range: TextRange,
+}
+
+/// A comment for the linter that cannot be understood.
+#[derive(Clone, Debug)]
+pub struct Malformed {
+    /// The comment, absolute.
+    pub comment: TextRange,
+    /// What is wrong with it.
+    pub message: String,
+    /// What to write instead.
+    pub help: String,
+}
+
+/// The comments for the linter in one file, in order.
+#[derive(Clone, Debug, Default)]
+pub struct Suppressions {
+    /// Those that say something.
+    pub list: Vec<Suppression>,
+    /// Those that do not.
+    pub malformed: Vec<Malformed>,
+}
+
+impl Selector {
+    /// Whether it means a rule.
+    pub fn names(&self, rule: &Rule) -> bool {
+        self.text == "ALL" || rule.is_named(&self.text)
+    }
+}
+
+impl Suppressions {
+    /// Read the comments of a document.
+    pub fn of(document: &Document) -> Self {
+        let mut found = Self::default();
+        let mark = memchr::memmem::Finder::new(MARK);
+        if document.parts().all(|(_, item)| mark.find(item.text().as_bytes()).is_none()) {
+            return found;
+        }
+        let end = document.len();
+        // numbers of the suppressions that wait for the next element
+        let mut waiting: Vec<usize> = Vec::new();
+        for (base, item) in document.parts() {
+            for node in item.all_nodes() {
+                match node.kind() {
+                    NodeKind::Element => {
+                        let scope = own_text(node).shift(base);
+                        for at in waiting.drain(..) {
+                            if let Some(suppression) = found.list.get_mut(at) {
+                                suppression.scope = scope;
+                            }
+                        }
+                    }
+                    NodeKind::Comment => {
+                        if let Some(parsed) = parse(node, base) {
+                            found.add(parsed, document, end);
+                            let last = found.list.last().map(|last| (last.directive, last.comment));
+                            if last == Some((Directive::DisableNextLine, node.range().shift(base))) {
+                                waiting.push(found.list.len() - 1);
+                            }
+                        }
+                    }
+                    _ => {}
+                }
+            }
+        }
+        found
+    }
+
+    fn add(&mut self, parsed: Result<Suppression, Malformed>, document: &Document, end: u32) {
+        let mut suppression = match parsed {
+            Ok(suppression) => suppression,
+            Err(malformed) => return self.malformed.push(malformed),
+        };
+        let comment = suppression.comment;
+        suppression.scope = match suppression.directive {
+            Directive::DisableNextLine => TextRange::empty(comment.end),
+            Directive::Disable | Directive::Enable => TextRange::new(comment.end, end),
+            Directive::DisableFile => TextRange::new(0, end),
+        };
+        let is_late = document.line_col(comment.start, Encoding::Utf8).line >= HEAD_LINES;
+        if suppression.directive == Directive::DisableFile && is_late {
+            return self.malformed.push(Malformed {
+                comment,
+                message: format!("`disable-file` holds only in the first {HEAD_LINES} lines of a file"),
+                help: "move it to the top, or write `disable` for what follows".to_owned(),
+            });
+        }
+        self.list.push(suppression);
+    }
+
+    /// The number of the suppression that hides a finding of `rule` at `offset`, the nearest one first.
+    pub fn hiding(&self, rule: &Rule, offset: u32) -> Option<usize> {
+        let names = |suppression: &Suppression| suppression.rules.iter().any(|selector| selector.names(rule));
+        let mut ended = false;
+        for (number, suppression) in self.list.iter().enumerate().rev() {
+            let Suppression { directive, scope, .. } = suppression;
+            let holds = scope.start <= offset && (offset < scope.end || *directive == Directive::DisableFile);
+            if !holds || !names(suppression) {
+                continue;
+            }
+            match directive {
+                Directive::Enable => ended = true,
+                Directive::Disable if ended => {}
+                _ => return Some(number),
+            }
+        }
+        None
+    }
+
+    /// The number of the suppression that an `enable` of `rule` at `offset` ends.
+    pub fn ended_by(&self, selector: &Selector, offset: u32) -> bool {
+        let before = self.list.iter().filter(|other| other.comment.end <= offset);
+        let begun = before.filter(|other| other.directive == Directive::Disable);
+        begun.flat_map(|other| &other.rules).any(|begun| begun.overlaps(selector))
+    }
+}
+
+impl Selector {
+    /// Whether some rule is meant by both.
+    fn overlaps(&self, other: &Selector) -> bool {
+        self.text == other.text
+            || super::super::registry::all().any(|rule| self.names(rule) && other.names(rule))
+    }
+}
+
+/// The start tag; of an element that holds nothing but text, all of it.
+fn own_text(element: Node<'_>) -> TextRange {
+    let mut children = element.children().peekable();
+    let tag = element.start_tag_range();
+    if children.peek().is_none() || children.any(|child| child.kind() != NodeKind::Text) {
+        return tag;
+    }
+    TextRange::new(tag.start, element.range().end)
+}
+
+/// Read a comment; none when it is not for the linter.
+fn parse(comment: Node<'_>, base: u32) -> Option<Result<Suppression, Malformed>> {
+    let raw = comment.raw();
+    let rest = raw.trim_start().strip_prefix(MARK)?;
+    let start = base + comment.raw_range().end - rest.len() as u32;
+    let range = comment.range().shift(base);
+    Some(read(rest, start, range).map_err(|(message, help)| Malformed { comment: range, message, help }))
+}
+
+/// Read what follows the mark; `start` is where it stands.
+fn read(text: &str, start: u32, comment: TextRange) -> Result<Suppression, (String, String)> {
+    const FORM: &str = "write <!-- xacro-lint: disable-next-line RULE: reason -->";
+    // the reason begins behind the first colon
+    let said = text.split(':').next().unwrap_or("");
+    let word = said.split_whitespace().next().unwrap_or("");
+    let directive = match word {
+        "disable-next-line" => Directive::DisableNextLine,
+        "disable" => Directive::Disable,
+        "enable" => Directive::Enable,
+        "disable-file" => Directive::DisableFile,
+        "" => return Err(("the comment does not say what to do".to_owned(), FORM.to_owned())),
+        _ => {
+            let help = match nearest(word, WORDS) {
+                Some(near) => format!("a similar word is `{near}`"),
+                None => format!("use one of `{}`", WORDS.join("`, `")),
+            };
+            return Err((format!("`{word}` is no word for the linter"), help));
+        }
+    };
+    let mut rules = Vec::new();
+    let mut at = said.find(word).unwrap_or(0) + word.len();
+    for part in said.get(at..).unwrap_or("").split(',') {
+        let name = part.trim();
+        let offset = start + (at + part.len() - part.trim_start().len()) as u32;
+        if name.is_empty() {
+            let message = format!("`{word}` names no rule");
+            return Err((message, FORM.replace("disable-next-line", word)));
+        }
+        if name.contains(char::is_whitespace) {
+            let help = "put commas between rules, and a colon before the reason".to_owned();
+            return Err((
+                format!("`{}` is no rule", name.split_whitespace().collect::<Vec<_>>().join(" ")),
+                help,
+            ));
+        }
+        rules.push(Selector {
+            text: name.to_owned(),
+            range: TextRange::new(offset, offset + name.len() as u32),
+        });
+        at += part.len() + 1;
+    }
+    Ok(Suppression { directive, comment, rules, scope: TextRange::default() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::registry::by_code;
+    use super::Suppressions;
+    use crate::xml::Document;
+
+    /// Whether a finding at the first `here` of a text is hidden from a rule.
+    fn hides(text: &str, code: &str) -> bool {
+        let found = Suppressions::of(&Document::parse(text));
+        assert!(found.malformed.is_empty(), "{:?}", found.malformed);
+        found.hiding(by_code(code).unwrap(), text.find("here").unwrap() as u32).is_some()
+    }
+
+    #[test]
+    fn where_they_hold() {
+        let next = "<!-- xacro-lint: disable-next-line STR008: known -->";
+        for (text, expected) in [
+            (format!("<robot>{next}<link\n name='here'/></robot>"), true),
+            (format!("<robot>{next}<link/><link name='here'/></robot>"), false),
+            (format!("<robot>{next}<link><visual name='here'/></link></robot>"), false),
+            (format!("<robot>{next}<param>here</param></robot>"), true),
+            (format!("<robot><link>{next}</link><link name='here'/></robot>"), true),
+            (format!("{next}<robot name='here'/>"), true),
+            ("<robot><!-- xacro-lint: disable STR --><a/><a>here</a></robot>".to_owned(), true),
+            ("<robot><a>here</a><!-- xacro-lint: disable STR --></robot>".to_owned(), false),
+            (
+                "<robot><!--xacro-lint: disable STR--><!-- xacro-lint: enable STR008 --><a>here</a></robot>"
+                    .to_owned(),
+                false,
+            ),
+            (
+                "<robot><!--xacro-lint: disable STR--><!-- xacro-lint: enable STR007 --><a>here</a></robot>"
+                    .to_owned(),
+                true,
+            ),
+            ("<robot><a>here</a><!-- xacro-lint:disable-file\n no-links ,\n orphan-link : a: b --></robot>".to_owned(), true),
+        ] {
+            assert_eq!(hides(&text, "STR008"), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_understood() {
+        for (comment, expected) in [
+            ("xacro-lint:", "the comment does not say what to do"),
+            ("xacro-lint: disabel STR008", "`disabel` is no word for the linter"),
+            ("xacro-lint: disable", "`disable` names no rule"),
+            ("xacro-lint: disable: all of it", "`disable` names no rule"),
+            ("xacro-lint: disable STR008, : why", "`disable` names no rule"),
+            ("xacro-lint: disable STR008 STR007", "`STR008 STR007` is no rule"),
+        ] {
+            let found = Suppressions::of(&Document::parse(&format!("<robot><!-- {comment} --></robot>")));
+            let messages: Vec<&str> = found.malformed.iter().map(|m| m.message.as_str()).collect();
+            assert_eq!((messages, found.list.len()), (vec![expected], 0), "{comment}");
+        }
+        let late = format!("<robot>{}<!-- xacro-lint: disable-file STR008 --></robot>", "\n".repeat(10));
+        assert_eq!(Suppressions::of(&Document::parse(&late)).malformed.len(), 1);
+        let other = Suppressions::of(&Document::parse("<robot><!-- see xacro-lint: disable x --></robot>"));
+        assert!(other.malformed.is_empty() && other.list.is_empty());
+    }
+}

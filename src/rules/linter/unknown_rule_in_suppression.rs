@@ -1,0 +1,41 @@
+//! A suppression that names no rule there is.
+
+use super::super::context::FileCx;
+use super::super::registry::{
+    Activation, Category, Check, Rule, Safety, Severity, find, nearest_selector, page,
+};
+use super::super::sink::Sink;
+use super::suppression::Suppressions;
+use crate::workspace::edit_distance;
+
+pub(super) const RULE: Rule = Rule {
+    code: "LNT002",
+    name: "unknown-rule-in-suppression",
+    category: Category::Linter,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Safe),
+    docs: page!("unknown-rule-in-suppression"),
+    check: Check::File(check),
+};
+
+fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
+    let found = Suppressions::of(&cx.source.document);
+    for selector in found.list.iter().flat_map(|suppression| &suppression.rules) {
+        let name = selector.text.as_str();
+        if name == "ALL" || find(name).next().is_some() {
+            continue;
+        }
+        let near = nearest_selector(name);
+        let help = match near {
+            Some(near) => format!("a similar rule is `{near}`"),
+            None => "`xacro-lint rules` lists them".to_owned(),
+        };
+        let finding = out.report_in(cx.file, selector.range, format!("`{name}` is no rule")).help(help);
+        match near.filter(|near| edit_distance(&name.to_lowercase(), &near.to_lowercase()) <= 1) {
+            Some(near) => finding.replace_with(Safety::Safe, format!("write `{near}`"), near).done(),
+            None => finding.done(),
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! A suppression that hides nothing.
+
+use super::super::finding::{Edit, Finding, Fix};
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::suppression::{Directive, Selector, Suppression};
+use crate::base::{FileId, Span, TextRange};
+use crate::xml::Document;
+
+pub(super) const RULE: Rule = Rule {
+    code: "LNT001",
+    name: "unused-suppression",
+    category: Category::Linter,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: Some(Safety::Safe),
+    docs: page!("unused-suppression"),
+    check: Check::Analysis,
+};
+
+/// The finding about a suppression whose rules `unused` hide nothing. Only whoever has all findings knows.
+pub fn unused_suppression(
+    file: FileId,
+    document: &Document,
+    suppression: &Suppression,
+    unused: &[&Selector],
+) -> Finding {
+    let names: Vec<String> = unused.iter().map(|selector| format!("`{}`", selector.text)).collect();
+    let names = names.join(", ");
+    let message = match suppression.directive {
+        Directive::Enable => format!("`enable` of {names} ends no `disable`"),
+        _ => format!("the suppression of {names} hides nothing"),
+    };
+    let span = |range| Span { file, range };
+    let used: Vec<&Selector> = suppression.rules.iter().filter(|rule| !unused.contains(rule)).collect();
+    let (message_of_fix, edit) = match (used.is_empty(), suppression.rules.first(), suppression.rules.last())
+    {
+        (false, Some(first), Some(last)) => {
+            let range = TextRange::new(first.range.start, last.range.end);
+            let kept: Vec<&str> = used.iter().map(|selector| selector.text.as_str()).collect();
+            (format!("delete {names}"), Edit { span: span(range), content: kept.join(", ") })
+        }
+        _ => {
+            let range = with_its_line(document, suppression.comment);
+            ("delete the comment".to_owned(), Edit { span: span(range), content: String::new() })
+        }
+    };
+    Finding {
+        rule: &RULE,
+        severity: RULE.severity,
+        message,
+        span: span(suppression.comment),
+        related: Vec::new(),
+        help: None,
+        fix: Some(Fix { safety: Safety::Safe, message: message_of_fix, edits: vec![edit] }),
+    }
+}
+
+/// A comment that has its lines for itself, with these lines.
+fn with_its_line(document: &Document, comment: TextRange) -> TextRange {
+    let text = document.text();
+    let (before, behind) = (text.get(..comment.start as usize), text.get(comment.end as usize..));
+    let (before, behind) = (before.unwrap_or(""), behind.unwrap_or(""));
+    let blanks = [' ', '\t'];
+    let indent = before.len() - before.trim_end_matches(blanks).len();
+    let begins = before.trim_end_matches(blanks);
+    let tail = behind.trim_start_matches(blanks);
+    let line_end = if tail.starts_with("\r\n") { 2 } else { usize::from(tail.starts_with('\n')) };
+    if !(begins.is_empty() || begins.ends_with('\n')) || line_end == 0 {
+        return comment;
+    }
+    let end = comment.end as usize + (behind.len() - tail.len()) + line_end;
+    TextRange::new(comment.start - indent as u32, end as u32)
+}
