@@ -1,6 +1,7 @@
 //! The command line, as transcripts: `tests/cli/*.txt` hold commands with what they print.
 //!
-//! A transcript begins with the folder it is run in. `UPDATE=1` writes the answers anew.
+//! A transcript begins with the folder it is run in: `cd FOLDER`, or `copy FOLDER` when the commands change it.
+//! `UPDATE=1` writes the answers anew.
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,
@@ -54,12 +55,40 @@ fn answer(line: &str, cwd: &Path) -> String {
 /// The transcript with all answers made anew.
 fn rerun(transcript: &str) -> String {
     let (head, _) = transcript.split_once('\n').unwrap();
-    let cwd = folder().join(head.strip_prefix("cd ").unwrap());
+    let cwd = match head.split_once(' ').unwrap() {
+        ("cd", name) => folder().join(name),
+        (_, name) => copy(&folder().join(name)),
+    };
     let mut new = format!("{head}\n");
-    for line in transcript.lines().filter_map(|line| line.strip_prefix("$ xacro-lint")) {
-        new.push_str(&format!("\n$ xacro-lint{line}\n{}", answer(line, &cwd)));
+    for line in transcript.lines().filter_map(|line| line.strip_prefix("$ ")) {
+        let answer = match line.split_once(' ').unwrap() {
+            ("cat", file) => fs::read_to_string(cwd.join(file)).unwrap(),
+            ("xacro-lint", arguments) => answer(arguments, &cwd),
+            (other, _) => panic!("no such command: {other}"),
+        };
+        new.push_str(&format!("\n$ {line}\n{answer}"));
     }
     new
+}
+
+/// A folder that commands may change.
+fn copy(folder: &Path) -> PathBuf {
+    let new = Path::new(env!("CARGO_TARGET_TMPDIR")).join("cli").join(folder.file_name().unwrap());
+    let _ = fs::remove_dir_all(&new);
+    copy_into(folder, &new);
+    new
+}
+
+fn copy_into(from: &Path, to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for entry in fs::read_dir(from).unwrap() {
+        let (path, name) = entry.map(|entry| (entry.path(), entry.file_name())).unwrap();
+        if path.is_dir() {
+            copy_into(&path, &to.join(name));
+        } else {
+            fs::copy(&path, to.join(name)).unwrap();
+        }
+    }
 }
 
 #[test]

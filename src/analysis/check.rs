@@ -173,7 +173,7 @@ impl Session {
     }
 
     /// The folders whose files are the user's own: in files elsewhere, only errors are news.
-    fn homes(&self, options: &CheckOptions) -> Vec<PathBuf> {
+    pub(super) fn homes(&self, options: &CheckOptions) -> Vec<PathBuf> {
         let home = self.env.var("HOME").map(Path::new);
         let paths = options.paths.iter().chain(&options.entries).map(|path| self.vfs.absolute(path));
         let homes = paths.flat_map(|path| {

@@ -5,6 +5,7 @@
 mod check;
 mod configs;
 mod context;
+mod fix;
 mod graph;
 mod includes;
 mod job;
@@ -19,6 +20,7 @@ mod world;
 pub use check::CheckOptions;
 pub use configs::{Overrides, Settings};
 pub use context::{Context, Reason, RootChoice};
+pub use fix::{Fixed, FixedFile, Plan, apply, choose};
 pub use report::{Position, Report, Unreadable};
 pub use session::{Session, Setup};
 pub use world::{Analyzed, World};

@@ -16,6 +16,8 @@ pub(super) struct Arguments {
 pub(super) enum Command {
     /// Check files and folders: every robot in them, with every preset
     Check(CheckArgs),
+    /// Fix what can be fixed: `check --fix`
+    Fix(CheckArgs),
     /// Expand a file exactly as xacro does (has xacro's options)
     #[command(disable_help_flag = true)]
     Expand {
@@ -44,7 +46,7 @@ pub(super) enum Command {
 
 #[derive(Args, Debug)]
 pub(super) struct CheckArgs {
-    /// Files and folders [default: .], and name:=value for their arguments
+    /// Files and folders [default: .], `-` for standard input, and name:=value for their arguments
     #[arg(value_name = "PATH")]
     pub(super) paths: Vec<String>,
     /// Form of the result
@@ -71,6 +73,15 @@ pub(super) struct CheckArgs {
     /// Use this configuration file instead of the nearest xacro-lint.toml
     #[arg(long, value_name = "FILE")]
     pub(super) config: Option<PathBuf>,
+    /// Fix what can be fixed without changing the meaning, and print what is left
+    #[arg(long)]
+    pub(super) fix: bool,
+    /// Fix also by fixes that may change numbers and names (with --fix or --diff)
+    #[arg(long)]
+    pub(super) unsafe_fixes: bool,
+    /// Print what --fix would change, and change nothing
+    #[arg(long)]
+    pub(super) diff: bool,
     /// Exit with 1 for findings of this severity or worse
     #[arg(long, value_enum, value_name = "SEVERITY", default_value_t)]
     pub(super) fail_level: FailLevel,

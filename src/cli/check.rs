@@ -1,18 +1,24 @@
-//! `xacro-lint check`.
+//! `xacro-lint check` and `xacro-lint fix`.
 
 use std::path::{Path, PathBuf};
 
 use super::args::{CheckArgs, FailLevel, Format};
+use super::diff::unified;
 use super::io::Io;
 use super::options::mappings;
 use super::render::{shown_path, visible};
 use super::{json, text};
-use crate::analysis::{CheckOptions, Overrides, Report, Session, Setup};
-use crate::rules::{self, Severity};
+use crate::analysis::{CheckOptions, Fixed, Overrides, Report, Session, Setup};
+use crate::rules::{self, Safety, Severity};
 use crate::vfs::Environment;
 
 /// Largest input that is read from standard input, in bytes.
 const MOST_INPUT: u64 = 20_000_000;
+
+/// The arguments of `fix` as those of `check`.
+pub(super) fn fixing(args: CheckArgs) -> CheckArgs {
+    CheckArgs { fix: true, ..args }
+}
 
 /// Run `check`.
 pub(super) fn run(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
@@ -30,8 +36,8 @@ pub(super) fn run(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
         Ok(session) => session,
         Err(error) => return usage(io, &format!("{}: {}", error.path.display(), error.strerror)),
     };
-    if let Some(name) = &args.stdin_filename
-        && let Err(error) = read_stdin(name, &session, io)
+    if let Some(name) = stdin_name(args)
+        && let Err(error) = read_stdin(&name, &session, io)
     {
         return usage(io, &format!("standard input cannot be read: {error}"));
     }
@@ -41,16 +47,13 @@ pub(super) fn run(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
         }
         return warn_about_config(&session, env, io);
     }
-    let report = session.check(&options);
-    if !report.unreadable.is_empty() {
-        for unreadable in &report.unreadable {
-            let path = visible(&shown_path(&unreadable.path, &env.cwd));
-            io.line(&format!("error: {path}: {}", unreadable.error.strerror));
-        }
-        return 2;
-    }
-    print(&report, args, env, io);
-    exit_code(&report, args)
+    Run { args, session: &session, options: &options, env }.all(io)
+}
+
+/// The name that standard input is checked under.
+fn stdin_name(args: &CheckArgs) -> Option<PathBuf> {
+    let dash = args.paths.iter().any(|path| path == "-").then(|| PathBuf::from("-"));
+    args.stdin_filename.clone().or(dash)
 }
 
 /// Put standard input in the place of a file.
@@ -73,15 +76,14 @@ pub(super) fn warn_about_config(session: &Session, env: &Environment, io: &mut I
 fn prepare(args: &CheckArgs) -> Result<CheckOptions, String> {
     let (mapped, paths): (Vec<&String>, Vec<&String>) =
         args.paths.iter().partition(|path| path.contains(":="));
-    let mut paths: Vec<PathBuf> = paths.into_iter().map(PathBuf::from).collect();
-    paths.extend(args.stdin_filename.clone());
+    let paths = paths.into_iter().filter(|path| *path != "-");
+    let mut paths: Vec<PathBuf> = paths.map(PathBuf::from).collect();
+    paths.extend(stdin_name(args));
     if paths.is_empty() && args.entry.is_empty() {
         paths.push(".".into());
     }
     let arguments = mappings(mapped.into_iter().map(String::as_str)).map_err(|error| error.message())?;
-    if args.statistics && matches!(args.format, Format::Json | Format::Github) {
-        return Err("--statistics goes with --format text or concise".to_owned());
-    }
+    contradictions(args)?;
     let selectors = [&args.select, &args.extend_select, &args.ignore].into_iter().flatten();
     let mut unknown =
         selectors.filter(|selector| *selector != "ALL" && rules::find(selector).next().is_none());
@@ -94,6 +96,23 @@ fn prepare(args: &CheckArgs) -> Result<CheckOptions, String> {
             ..CheckOptions::default()
         }),
     }
+}
+
+/// Options that do not go together.
+fn contradictions(args: &CheckArgs) -> Result<(), String> {
+    let for_people = matches!(args.format, Format::Text | Format::Concise);
+    let message = if args.statistics && !for_people {
+        "--statistics goes with --format text or concise"
+    } else if args.diff && !for_people {
+        "--diff prints a diff, whatever the format: leave --format out"
+    } else if args.unsafe_fixes && !args.fix && !args.diff {
+        "--unsafe-fixes goes with --fix or --diff"
+    } else if args.fix && !args.diff && stdin_name(args).is_some() {
+        "standard input cannot be fixed in place: use --diff"
+    } else {
+        return Ok(());
+    };
+    Err(message.to_owned())
 }
 
 fn overrides(args: &CheckArgs) -> Overrides {
@@ -113,18 +132,106 @@ fn usage(io: &mut Io<'_>, message: &str) -> u8 {
     2
 }
 
-fn print(report: &Report, args: &CheckArgs, env: &Environment, io: &mut Io<'_>) {
-    let hints = args.show.is_some();
-    match args.format {
-        Format::Json => io.out(&json::findings(report, &env.cwd)),
-        Format::Github => text::github(report, &env.cwd, hints, io),
-        Format::Text | Format::Concise if args.statistics => text::statistics(report, io),
-        Format::Concise => text::concise(report, &env.cwd, hints, io),
-        Format::Text => text::full(report, &env.cwd, hints, io),
+/// One run, set up.
+struct Run<'a> {
+    args: &'a CheckArgs,
+    session: &'a Session,
+    options: &'a CheckOptions,
+    env: &'a Environment,
+}
+
+impl Run<'_> {
+    fn all(&self, io: &mut Io<'_>) -> u8 {
+        if !self.args.fix && !self.args.diff {
+            let report = self.session.check(self.options);
+            return self.conclude(&report, None, io);
+        }
+        let most = if self.args.unsafe_fixes { Safety::Unsafe } else { Safety::Safe };
+        let fixed = self.session.fix(self.options, most);
+        if self.args.diff {
+            return self.diff(&fixed, io);
+        }
+        for file in &fixed.files {
+            if let Err(error) = self.session.vfs.rewrite(&file.path, &file.before, &file.after) {
+                return usage(io, &format!("{}: cannot be written: {error}", self.shown(&file.path)));
+            }
+        }
+        self.conclude(fixed.left(), Some(&fixed), io)
     }
-    if report.roots.is_empty() {
-        io.line("warning: no xacro or URDF file was found");
+
+    fn shown(&self, path: &Path) -> String {
+        shown_path(path, &self.env.cwd)
     }
+
+    fn diff(&self, fixed: &Fixed, io: &mut Io<'_>) -> u8 {
+        if self.unreadable(&fixed.found, io) {
+            return 2;
+        }
+        for file in &fixed.files {
+            io.out(&unified(file, &self.env.cwd));
+        }
+        io.line(&match fixed.count {
+            0 => "nothing to fix".to_owned(),
+            _ => format!("would fix {}", fixed_in(fixed)),
+        });
+        exit_code(&fixed.found, self.args)
+    }
+
+    fn unreadable(&self, report: &Report, io: &mut Io<'_>) -> bool {
+        for unreadable in &report.unreadable {
+            let path = visible(&self.shown(&unreadable.path));
+            io.line(&format!("error: {path}: {}", unreadable.error.strerror));
+        }
+        !report.unreadable.is_empty()
+    }
+
+    /// Print a report, and what was or could be fixed.
+    fn conclude(&self, report: &Report, fixed: Option<&Fixed>, io: &mut Io<'_>) -> u8 {
+        if self.unreadable(report, io) {
+            return 2;
+        }
+        self.print(report, io);
+        let is_text = self.args.format == Format::Text && !self.args.statistics;
+        if let Some(fixed) = fixed.filter(|fixed| fixed.count > 0) {
+            let line = format!("fixed {}", fixed_in(fixed));
+            if is_text { io.out(&format!("{line}\n")) } else { io.line(&line) }
+        }
+        if is_text && let Some(line) = self.could_be_fixed(report) {
+            io.out(&format!("{line}\n"));
+        }
+        if report.roots.is_empty() {
+            io.line("warning: no xacro or URDF file was found");
+        }
+        exit_code(report, self.args)
+    }
+
+    fn could_be_fixed(&self, report: &Report) -> Option<String> {
+        let (safe, other) = self.session.fixable(self.options, report);
+        match (safe, other) {
+            (0, 0) => None,
+            (safe, 0) => Some(format!("{safe} can be fixed with --fix")),
+            (0, other) => Some(format!("{other} can be fixed with --fix --unsafe-fixes")),
+            (safe, other) => {
+                Some(format!("{safe} can be fixed with --fix, {other} more with --unsafe-fixes"))
+            }
+        }
+    }
+
+    fn print(&self, report: &Report, io: &mut Io<'_>) {
+        let (hints, cwd) = (self.args.show.is_some(), &self.env.cwd);
+        match self.args.format {
+            Format::Json => io.out(&json::findings(report, cwd)),
+            Format::Github => text::github(report, cwd, hints, io),
+            Format::Text | Format::Concise if self.args.statistics => text::statistics(report, io),
+            Format::Concise => text::concise(report, cwd, hints, io),
+            Format::Text => text::full(report, cwd, hints, io),
+        }
+    }
+}
+
+/// `3 findings in 2 files`
+fn fixed_in(fixed: &Fixed) -> String {
+    format!("{} in {}", text::counted(fixed.count, "finding"), text::counted(fixed.files.len(), "file"))
 }
 
 fn exit_code(report: &Report, args: &CheckArgs) -> u8 {

@@ -3,6 +3,7 @@
 mod args;
 mod check;
 mod deps;
+mod diff;
 mod expand;
 mod explain;
 mod io;
@@ -51,6 +52,7 @@ pub fn run(args: &[String], env: &Environment, io: &mut Io<'_>) -> u8 {
 fn dispatch(command: Command, env: &Environment, io: &mut Io<'_>) -> u8 {
     match command {
         Command::Check(options) => check::run(&options, env, io),
+        Command::Fix(options) => check::run(&check::fixing(options), env, io),
         Command::Expand { args } => expand::run(&args, env, io),
         Command::Tree(options) => tree::run(&options, env, io),
         Command::Packages(options) => packages::run(&options, env, io),

@@ -166,7 +166,7 @@ fn summary(report: &Report) -> String {
     format!("{} in {} ({checked})", counts.join(", "), counted(with_findings.len(), "file"))
 }
 
-fn counted(count: usize, noun: &str) -> String {
+pub(super) fn counted(count: usize, noun: &str) -> String {
     let plural = if count == 1 || noun == "info" { "" } else { "s" };
     format!("{count} {noun}{plural}")
 }

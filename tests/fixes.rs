@@ -1,0 +1,177 @@
+//! What fixes must keep, tried on the bad blocks of `docs/rules/` and on the examples: a safe fix leaves the
+//! robot as it is or removes findings, brings no new ones, and a second run changes nothing.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    clippy::disallowed_methods
+)] // a test may fail loudly
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use xacro_lsp::analysis::{CheckOptions, Fixed, Overrides, Report, Session, Setup};
+use xacro_lsp::cli::{self, Io};
+use xacro_lsp::rules::{self, Finding, Safety, Severity};
+use xacro_lsp::vfs::Environment;
+
+fn temporary(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fixes").join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn environment(folder: &Path) -> Environment {
+    let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), folder.join("none").display().to_string())]);
+    Environment { vars, cwd: folder.to_owned() }
+}
+
+/// The files of the bad blocks of a page, the one to check first.
+fn bad_blocks(docs: &str) -> Vec<Vec<(String, String)>> {
+    let mut found: Vec<Vec<(String, String)>> = Vec::new();
+    let mut inside = false;
+    for line in docs.lines() {
+        if let Some(info) = line.strip_prefix("```") {
+            inside = info.ends_with(",bad");
+            if let Some((kind, _)) = info.split_once(',').filter(|_| inside) {
+                found.push(vec![(format!("robot.{kind}"), String::new())]);
+            }
+        } else if inside {
+            let files = found.last_mut().unwrap();
+            let is_marker = line.contains('^') && line.chars().all(|c| c == ' ' || c == '^');
+            match line.strip_prefix("//- ") {
+                Some(name) => {
+                    files.retain(|(_, text)| !text.is_empty());
+                    files.push((name.to_owned(), String::new()));
+                }
+                None if is_marker => {}
+                None => files.last_mut().unwrap().1.push_str(&format!("{line}\n")),
+            }
+        }
+    }
+    found
+}
+
+/// The elements of the expansion, without comments and white space; none when it cannot be expanded.
+fn expansion(folder: &Path, file: &str) -> Option<Vec<String>> {
+    let (mut out, mut err) = (Vec::new(), Vec::new());
+    let mut stdin = std::io::empty();
+    let mut io = Io { out: &mut out, err: &mut err, stdin: &mut stdin, color: false, color_out: false };
+    let code = cli::run(&["expand".to_owned(), file.to_owned()], &environment(folder), &mut io);
+    let text = String::from_utf8(out).unwrap();
+    let document = roxmltree::Document::parse(&text).ok().filter(|_| code == 0)?;
+    let nodes = document.root().descendants().filter(|node| node.is_element() || node.is_text());
+    let shown = nodes.map(|node| match node.text().filter(|_| node.is_text()) {
+        Some(text) => text.trim().to_owned(),
+        None => {
+            let attributes: BTreeMap<_, _> = node.attributes().map(|a| (a.name(), a.value())).collect();
+            format!("{} {:?} {attributes:?}", node.ancestors().count(), node.tag_name().name())
+        }
+    });
+    Some(shown.filter(|text| !text.is_empty()).collect())
+}
+
+fn fix(folder: &Path, file: &str, extend_select: Option<Vec<String>>, most: Safety) -> Fixed {
+    let overrides = Overrides { extend_select, ..Overrides::default() };
+    let setup = Setup { about: folder.to_owned(), overrides, ..Setup::default() };
+    let session = Session::new(&environment(folder), setup).unwrap();
+    let options = CheckOptions { paths: vec![file.into()], ..CheckOptions::default() };
+    let fixed = session.fix(&options, most);
+    for file in &fixed.files {
+        session.vfs.rewrite(&file.path, &file.before, &file.after).unwrap();
+    }
+    fixed
+}
+
+fn serious(report: &Report) -> Vec<(&'static str, &str)> {
+    let findings = report.findings.iter().filter(|finding| finding.severity >= Severity::Warning);
+    findings.map(|finding| (finding.rule.name, finding.message.as_str())).collect()
+}
+
+/// Whether errors had safe fixes. They are gone then.
+fn mended_errors(fixed: &Fixed) -> bool {
+    let is_safe = |finding: &&Finding| finding.fix.as_ref().is_some_and(|fix| fix.safety == Safety::Safe);
+    let errors = |report: &Report| {
+        let errors = report.findings.iter().filter(|finding| finding.severity == Severity::Error);
+        errors.filter(is_safe).map(|finding| (finding.rule.name, finding.message.clone())).collect()
+    };
+    let (found, left): (BTreeSet<_>, BTreeSet<_>) = (errors(&fixed.found), errors(fixed.left()));
+    assert!(found.is_disjoint(&left), "{left:?} are still there");
+    !found.is_empty()
+}
+
+/// Fix twice; what is wrong with that.
+fn try_out(folder: &Path, file: &str, select: Option<&str>, most: Safety) -> Option<String> {
+    let select = || select.map(|rule| vec![rule.to_owned()]);
+    let before = expansion(folder, file);
+    let fixed = fix(folder, file, select(), most);
+    let after = expansion(folder, file);
+    for finding in fixed.found.findings.iter().filter(|finding| finding.fix.is_some()) {
+        assert!(finding.rule.fix.is_some(), "the page of {} says that it has no fix", finding.rule.name);
+    }
+    let (found, left) = (serious(&fixed.found), serious(fixed.left()));
+    let news: BTreeSet<_> = left.iter().filter(|finding| !found.contains(finding)).collect();
+    // mended errors may uncover what they hid; whatever else was mended is just gone
+    if most == Safety::Safe && !mended_errors(&fixed) {
+        if !news.is_empty() {
+            return Some(format!("{news:?} are new"));
+        }
+        if before.is_some() && before != after && left.len() == found.len() {
+            return Some(format!("changes the robot:\n{before:#?}\n{after:#?}"));
+        }
+    }
+    let again = fix(folder, file, select(), most);
+    (!again.files.is_empty()).then(|| format!("a second run changes {:?}", again.files))
+}
+
+#[test]
+fn fixes_of_the_pages() {
+    let mut wrong = Vec::new();
+    let mut fixed = BTreeSet::new();
+    for rule in rules::all() {
+        for (number, files) in bad_blocks(rule.docs).iter().enumerate() {
+            for most in [Safety::Safe, Safety::Unsafe] {
+                let folder = temporary(&format!("{}-{number}-{}", rule.name, most.name()));
+                for (name, text) in files {
+                    fs::create_dir_all(folder.join(name).parent().unwrap()).unwrap();
+                    fs::write(folder.join(name), text).unwrap();
+                }
+                let file = &files[0].0;
+                let trouble = try_out(&folder, file, Some(rule.name), most);
+                wrong.extend(trouble.map(|text| format!("{} #{number}, {}: {text}", rule.name, most.name())));
+                if files.iter().any(|(name, text)| fs::read_to_string(folder.join(name)).unwrap() != *text) {
+                    fixed.insert(rule.name);
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(fixed.contains("nonstandard-xacro-namespace") && fixed.contains("unprefixed-xacro-tag"));
+}
+
+#[test]
+fn fixes_of_the_examples() {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/examples");
+    let mut names = Vec::new();
+    for entry in fs::read_dir(&examples).unwrap().map(Result::unwrap) {
+        if entry.path().is_dir() {
+            let folder = temporary(&format!("example-{}", entry.file_name().display()));
+            copy_into(&entry.path(), &folder);
+            let trouble = try_out(&folder, ".", None, Safety::Safe);
+            assert_eq!(trouble, None, "{}", entry.path().display());
+            names.push(entry.file_name());
+        }
+    }
+    assert!(names.len() >= 4);
+}
+
+fn copy_into(from: &Path, to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for entry in fs::read_dir(from).unwrap().map(Result::unwrap) {
+        let (path, to) = (entry.path(), to.join(entry.file_name()));
+        if path.is_dir() { copy_into(&path, &to) } else { fs::copy(&path, &to).map(|_| ()).unwrap() }
+    }
+}
