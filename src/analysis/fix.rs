@@ -26,7 +26,7 @@ pub struct Plan {
     /// By file: replacements in order, which neither overlap nor touch.
     pub edits: BTreeMap<FileId, Vec<(TextRange, String)>>,
     /// Numbers of the findings that they settle.
-    pub fixes: Vec<usize>,
+    pub settles: Vec<usize>,
 }
 
 /// Files as they would be without the findings that can be fixed. Nothing is written.
@@ -79,7 +79,7 @@ pub fn choose(findings: &[Finding], admits: impl Fn(&Fix) -> bool) -> Plan {
             let at = edits.partition_point(|(range, _)| range.start < edit.span.range.start);
             edits.insert(at, (edit.span.range, edit.content.clone()));
         }
-        plan.fixes.push(number);
+        plan.settles.push(number);
     }
     plan
 }
@@ -188,7 +188,7 @@ impl<'a> Work<'a> {
                 new.push((file, path, old, text));
             }
             if broken.is_empty() {
-                return self.commit(new, plan.fixes.len());
+                return self.commit(new, plan.settles.len());
             }
             self.broken.extend(broken);
         }
@@ -298,7 +298,7 @@ mod tests {
 
     #[test]
     fn whole_fixes_that_do_not_touch() {
-        for (fixes, fixes, expected) in [
+        for (fixes, settles, expected) in [
             (vec![vec![(0, 1, 2, "X")], vec![(0, 4, 4, "Y")]], vec![0, 1], "0X23Y456789"),
             (vec![vec![(0, 4, 4, "Y")], vec![(0, 1, 2, "X")]], vec![0, 1], "0X23Y456789"),
             // the same edit twice, and one beside it
@@ -316,9 +316,9 @@ mod tests {
         ] {
             let findings: Vec<Finding> = fixes.iter().map(|edits| finding(edits)).collect();
             let plan = choose(&findings, |_| true);
-            assert_eq!(plan.fixes, fixes, "{fixes:?}");
+            assert_eq!(plan.settles, settles, "{fixes:?}");
             assert_eq!(apply("0123456789", &plan.edits[&FileId(0)]), expected, "{fixes:?}");
         }
-        assert!(choose(&[finding(&[(0, 1, 2, "X")]), finding(&[])], |_| false).fixes.is_empty());
+        assert!(choose(&[finding(&[(0, 1, 2, "X")]), finding(&[])], |_| false).settles.is_empty());
     }
 }
