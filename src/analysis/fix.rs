@@ -58,6 +58,11 @@ impl Fixed {
     pub fn left(&self) -> &Report {
         self.left.as_ref().unwrap_or(&self.found)
     }
+
+    /// What is left, to keep.
+    pub fn into_left(self) -> Report {
+        self.left.unwrap_or(self.found)
+    }
 }
 
 /// The fixes that can be made together: each with all its edits or not at all, the first of those that get

@@ -2,6 +2,7 @@
 //!
 //! What the command line and the language server share.
 
+mod baseline;
 mod check;
 mod configs;
 mod context;
@@ -17,6 +18,7 @@ mod suppress;
 mod walk;
 mod world;
 
+pub use baseline::{Baseline, fingerprint};
 pub use check::CheckOptions;
 pub use configs::{Overrides, Settings};
 pub use context::{Context, Reason, RootChoice};

@@ -56,6 +56,12 @@ impl Report {
         self.files.get(&file).or_else(|| self.beside.get(&file))
     }
 
+    /// The line that a span begins in; empty when its file could not be read.
+    pub fn line(&self, span: Span) -> String {
+        let Some(file) = self.source(span.file) else { return String::new() };
+        file.document.line_text(file.document.line_col(span.range.start, Encoding::Utf8).line)
+    }
+
     /// Rows and columns of a span; the start of the file when it could not be read.
     pub fn position(&self, span: Span) -> Position {
         let Some(file) = self.source(span.file) else { return Position { start: (1, 1), end: (1, 1) } };

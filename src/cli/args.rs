@@ -82,6 +82,12 @@ pub(super) struct CheckArgs {
     /// Print what --fix would change, and change nothing
     #[arg(long)]
     pub(super) diff: bool,
+    /// Report only what exceeds the findings in this file
+    #[arg(long, value_name = "FILE", conflicts_with = "write_baseline")]
+    pub(super) baseline: Option<PathBuf>,
+    /// Write the findings to this file, for --baseline
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["fix", "diff", "show_files"])]
+    pub(super) write_baseline: Option<PathBuf>,
     /// Exit with 1 for findings of this severity or worse
     #[arg(long, value_enum, value_name = "SEVERITY", default_value_t)]
     pub(super) fail_level: FailLevel,
@@ -115,8 +121,14 @@ pub(super) enum Format {
     Concise,
     /// An array of objects
     Json,
+    /// SARIF 2.1.0, for code scanning
+    Sarif,
     /// Annotations of GitHub Actions
     Github,
+    /// Code quality report of GitLab
+    Gitlab,
+    /// Test results
+    Junit,
 }
 
 /// Forms of lists.

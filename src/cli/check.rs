@@ -7,10 +7,10 @@ use super::diff::unified;
 use super::io::Io;
 use super::options::mappings;
 use super::render::{shown_path, visible};
-use super::{json, text};
-use crate::analysis::{CheckOptions, Fixed, Overrides, Report, Session, Setup};
+use super::{json, sarif, services, text};
+use crate::analysis::{Baseline, CheckOptions, Fixed, Overrides, Report, Session, Setup};
 use crate::rules::{self, Safety, Severity};
-use crate::vfs::Environment;
+use crate::vfs::{Environment, write_atomically};
 
 /// Largest input that is read from standard input, in bytes.
 const MOST_INPUT: u64 = 20_000_000;
@@ -47,7 +47,19 @@ pub(super) fn run(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
         }
         return warn_about_config(&session, env, io);
     }
-    Run { args, session: &session, options: &options, env }.all(io)
+    let baseline = match args.baseline.as_deref().map(|path| read_baseline(path, &session)).transpose() {
+        Ok(baseline) => baseline,
+        Err(message) => return usage(io, &message),
+    };
+    Run { args, session: &session, options: &options, env, baseline }.all(io)
+}
+
+fn read_baseline(path: &Path, session: &Session) -> Result<(Baseline, PathBuf), String> {
+    let named = |why: &str| format!("{}: {why}", path.display());
+    let file = session.vfs.text(path).map_err(|error| named(&error.strerror))?;
+    let baseline = Baseline::from_json(&file.text).map_err(|why| named(&why))?;
+    let folder = file.path.parent().map(Path::to_owned).unwrap_or_default();
+    Ok((baseline, folder))
 }
 
 /// The name that standard input is checked under.
@@ -138,32 +150,35 @@ struct Run<'a> {
     session: &'a Session,
     options: &'a CheckOptions,
     env: &'a Environment,
+    /// Findings that are known, and the folder that their files are named from.
+    baseline: Option<(Baseline, PathBuf)>,
 }
 
 impl Run<'_> {
     fn all(&self, io: &mut Io<'_>) -> u8 {
         if !self.args.fix && !self.args.diff {
             let report = self.session.check(self.options);
-            return self.conclude(&report, None, io);
+            return self.conclude(report, "", io);
         }
         let most = if self.args.unsafe_fixes { Safety::Unsafe } else { Safety::Safe };
         let fixed = self.session.fix(self.options, most);
         if self.args.diff {
-            return self.diff(&fixed, io);
+            return self.diff(fixed, io);
         }
         for file in &fixed.files {
             if let Err(error) = self.session.vfs.rewrite(&file.path, &file.before, &file.after) {
                 return usage(io, &format!("{}: cannot be written: {error}", self.shown(&file.path)));
             }
         }
-        self.conclude(fixed.left(), Some(&fixed), io)
+        let done = if fixed.count > 0 { format!("fixed {}", fixed_in(&fixed)) } else { String::new() };
+        self.conclude(fixed.into_left(), &done, io)
     }
 
     fn shown(&self, path: &Path) -> String {
         shown_path(path, &self.env.cwd)
     }
 
-    fn diff(&self, fixed: &Fixed, io: &mut Io<'_>) -> u8 {
+    fn diff(&self, fixed: Fixed, io: &mut Io<'_>) -> u8 {
         if self.unreadable(&fixed.found, io) {
             return 2;
         }
@@ -172,9 +187,11 @@ impl Run<'_> {
         }
         io.line(&match fixed.count {
             0 => "nothing to fix".to_owned(),
-            _ => format!("would fix {}", fixed_in(fixed)),
+            _ => format!("would fix {}", fixed_in(&fixed)),
         });
-        exit_code(&fixed.found, self.args)
+        let mut found = fixed.found;
+        self.subtract_known(&mut found, io);
+        exit_code(&found, self.args)
     }
 
     fn unreadable(&self, report: &Report, io: &mut Io<'_>) -> bool {
@@ -185,35 +202,63 @@ impl Run<'_> {
         !report.unreadable.is_empty()
     }
 
-    /// Print a report, and what was or could be fixed.
-    fn conclude(&self, report: &Report, fixed: Option<&Fixed>, io: &mut Io<'_>) -> u8 {
-        if self.unreadable(report, io) {
+    fn subtract_known(&self, report: &mut Report, io: &mut Io<'_>) {
+        let Some((baseline, folder)) = &self.baseline else { return };
+        let known = baseline.subtract(report, folder);
+        if known > 0 {
+            io.line(&format!("note: {} of the baseline not shown", text::counted(known, "finding")));
+        }
+        let gone = baseline.len() - known;
+        if gone > 0 {
+            io.line(&format!(
+                "note: {} of the baseline did not occur: --write-baseline writes it anew",
+                text::counted(gone, "finding")
+            ));
+        }
+    }
+
+    fn write_baseline(&self, report: &Report, path: &Path, io: &mut Io<'_>) -> u8 {
+        let path = self.session.vfs.absolute(path);
+        let baseline = Baseline::of(report, path.parent().unwrap_or(&path));
+        if let Err(error) = write_atomically(&path, baseline.to_json().as_bytes()) {
+            return usage(io, &format!("{}: cannot be written: {error}", self.shown(&path)));
+        }
+        io.line(&format!("wrote {} to {}", text::counted(baseline.len(), "finding"), self.shown(&path)));
+        0
+    }
+
+    /// Print a report, and what was (`done`) or could be fixed.
+    fn conclude(&self, mut report: Report, done: &str, io: &mut Io<'_>) -> u8 {
+        if self.unreadable(&report, io) {
             return 2;
         }
-        self.print(report, io);
-        let is_text = self.args.format == Format::Text && !self.args.statistics;
-        if let Some(fixed) = fixed.filter(|fixed| fixed.count > 0) {
-            let line = format!("fixed {}", fixed_in(fixed));
-            if is_text { io.out(&format!("{line}\n")) } else { io.line(&line) }
+        if let Some(path) = &self.args.write_baseline {
+            return self.write_baseline(&report, path, io);
         }
-        if is_text && let Some(line) = self.could_be_fixed(report) {
-            io.out(&format!("{line}\n"));
+        self.subtract_known(&mut report, io);
+        self.print(&report, io);
+        let is_text = self.args.format == Format::Text && !self.args.statistics;
+        if is_text {
+            let could = self.could_be_fixed(&report);
+            for line in [done, &could].into_iter().filter(|line| !line.is_empty()) {
+                io.out(&format!("{line}\n"));
+            }
+        } else if !done.is_empty() {
+            io.line(done);
         }
         if report.roots.is_empty() {
             io.line("warning: no xacro or URDF file was found");
         }
-        exit_code(report, self.args)
+        exit_code(&report, self.args)
     }
 
-    fn could_be_fixed(&self, report: &Report) -> Option<String> {
+    fn could_be_fixed(&self, report: &Report) -> String {
         let (safe, other) = self.session.fixable(self.options, report);
         match (safe, other) {
-            (0, 0) => None,
-            (safe, 0) => Some(format!("{safe} can be fixed with --fix")),
-            (0, other) => Some(format!("{other} can be fixed with --fix --unsafe-fixes")),
-            (safe, other) => {
-                Some(format!("{safe} can be fixed with --fix, {other} more with --unsafe-fixes"))
-            }
+            (0, 0) => String::new(),
+            (safe, 0) => format!("{safe} can be fixed with --fix"),
+            (0, other) => format!("{other} can be fixed with --fix --unsafe-fixes"),
+            (safe, other) => format!("{safe} can be fixed with --fix, {other} more with --unsafe-fixes"),
         }
     }
 
@@ -221,7 +266,10 @@ impl Run<'_> {
         let (hints, cwd) = (self.args.show.is_some(), &self.env.cwd);
         match self.args.format {
             Format::Json => io.out(&json::findings(report, cwd)),
-            Format::Github => text::github(report, cwd, hints, io),
+            Format::Sarif => io.out(&sarif::document(report, cwd)),
+            Format::Github => io.out(&services::github(report, cwd, hints)),
+            Format::Gitlab => io.out(&services::gitlab(report, cwd, hints)),
+            Format::Junit => io.out(&services::junit(report, cwd, hints, least(self.args))),
             Format::Text | Format::Concise if self.args.statistics => text::statistics(report, io),
             Format::Concise => text::concise(report, cwd, hints, io),
             Format::Text => text::full(report, cwd, hints, io),
@@ -234,12 +282,16 @@ fn fixed_in(fixed: &Fixed) -> String {
     format!("{} in {}", text::counted(fixed.count, "finding"), text::counted(fixed.files.len(), "file"))
 }
 
-fn exit_code(report: &Report, args: &CheckArgs) -> u8 {
-    let least = match args.fail_level {
+/// The least severity that makes the run fail.
+fn least(args: &CheckArgs) -> Severity {
+    match args.fail_level {
         FailLevel::Error => Severity::Error,
         FailLevel::Warning => Severity::Warning,
         FailLevel::Info => Severity::Info,
-    };
-    let fails = report.findings.iter().any(|finding| finding.severity >= least);
+    }
+}
+
+fn exit_code(report: &Report, args: &CheckArgs) -> u8 {
+    let fails = report.findings.iter().any(|finding| finding.severity >= least(args));
     u8::from(fails && !args.exit_zero)
 }

@@ -168,6 +168,7 @@ fn as_report<'a>(problem: &Problem, files: &'a [ShownFile<'a>]) -> Option<Report
     Some(Report {
         level,
         id: None,
+        url: None,
         title: title.trim_end().to_owned(),
         primary: mark(problem.place, problem.message.clone())?,
         trace: trace.filter_map(|step| mark(step.place, step.message.clone())).collect(),

@@ -20,7 +20,7 @@ struct JsonFinding<'a> {
     help: Option<&'a str>,
     related: Vec<JsonRelated<'a>>,
     fix: Option<JsonFix<'a>>,
-    url: Option<&'a str>,
+    url: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -79,7 +79,7 @@ fn object<'a>(finding: &'a Finding, place: &dyn Fn(Span) -> JsonPlace) -> JsonFi
             .map(|related| JsonRelated { place: place(related.span), message: &related.message })
             .collect(),
         fix: finding.fix.as_ref().map(|fix| json_fix(fix, place)),
-        url: None,
+        url: finding.rule.url(),
     }
 }
 

@@ -32,6 +32,8 @@ pub struct Report<'a> {
     pub level: Level<'static>,
     /// Shown in brackets behind the level.
     pub id: Option<String>,
+    /// A page about it, which terminals link to.
+    pub url: Option<String>,
     /// The headline.
     pub title: String,
     /// The wrong text.
@@ -61,6 +63,9 @@ pub fn render(report: &Report<'_>, color: bool) -> String {
     let mut head = report.level.clone().primary_title(title.as_str());
     if let Some(id) = &report.id {
         head = head.id(id.as_str());
+        if let Some(url) = &report.url {
+            head = head.id_url(url.as_str());
+        }
     }
     let mut group = primary.draw(Group::with_title(head), AnnotationKind::Primary);
     for piece in &trace {

@@ -42,33 +42,6 @@ pub(super) fn concise(report: &Report, cwd: &Path, hints: bool, io: &mut Io<'_>)
     );
 }
 
-/// Commands that GitHub Actions turns into annotations.
-pub(super) fn github(report: &Report, cwd: &Path, hints: bool, io: &mut Io<'_>) {
-    for finding in report.findings.iter().filter(|finding| hints || finding.severity > Severity::Hint) {
-        let command = match finding.severity {
-            Severity::Error => "error",
-            Severity::Warning => "warning",
-            Severity::Info | Severity::Hint => "notice",
-        };
-        let Position { start, end } = report.position(finding.span);
-        let file = property(&shown_path(report.path(finding.span.file), cwd));
-        let title = property(&format!("{} ({})", finding.rule.name, finding.rule.code));
-        let message = visible(&escape(&finding.message));
-        io.out(&format!(
-            "::{command} file={file},line={},endLine={},col={},endColumn={},title={title}::{message}\n",
-            start.0, end.0, start.1, end.1
-        ));
-    }
-}
-
-fn escape(text: &str) -> String {
-    text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")
-}
-
-fn property(text: &str) -> String {
-    visible(&escape(text).replace(':', "%3A").replace(',', "%2C"))
-}
-
 /// How often each rule fired, most often first.
 pub(super) fn statistics(report: &Report, io: &mut Io<'_>) {
     let mut counts: IndexMap<&str, (usize, &Finding)> = IndexMap::new();
@@ -130,6 +103,7 @@ fn drawing(
     let drawing = Drawing {
         level: level(finding.severity),
         id: Some(finding.rule.name.to_owned()),
+        url: finding.rule.url().filter(|_| color),
         title: finding.message.clone(),
         primary,
         trace: finding.related.iter().filter_map(|related| mark(related.span, &related.message)).collect(),

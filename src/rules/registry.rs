@@ -148,11 +148,21 @@ impl Rule {
         format!("`{code}` · {severity} · {default} by default · {fix} · since {since}")
     }
 
+    /// The address of its page, where the project has a home.
+    pub fn url(&self) -> Option<String> {
+        page_url(env!("CARGO_PKG_REPOSITORY"), env!("CARGO_PKG_VERSION"), self.name)
+    }
+
     /// Whether `selector` (a code, the beginning of a code, or a name) means this rule.
     pub fn is_named(&self, selector: &str) -> bool {
         let letters = selector.len() >= 3 && selector.starts_with(|c: char| c.is_ascii_uppercase());
         self.name == selector || (letters && self.code.starts_with(selector))
     }
+}
+
+fn page_url(repository: &str, version: &str, name: &str) -> Option<String> {
+    let repository = repository.trim_end_matches('/');
+    (!repository.is_empty()).then(|| format!("{repository}/blob/v{version}/docs/rules/{name}.md"))
 }
 
 impl Category {
@@ -294,5 +304,17 @@ pub fn unknown_selector(selector: &str) -> String {
     match nearest_selector(selector) {
         Some(near) => format!("`{selector}` is no rule; a similar one is `{near}`"),
         None => format!("`{selector}` is no rule; `xacro-lint rules` lists them"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::page_url;
+
+    #[test]
+    fn pages_have_addresses_where_there_is_a_repository() {
+        let expected = "https://example.org/x/blob/v0.1.0/docs/rules/no-links.md";
+        assert_eq!(page_url("https://example.org/x/", "0.1.0", "no-links").as_deref(), Some(expected));
+        assert_eq!(page_url("", "0.1.0", "no-links"), None);
     }
 }
