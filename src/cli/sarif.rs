@@ -92,7 +92,7 @@ impl Writer<'_> {
             ("level", Some(json!(level(finding.severity)))),
             ("message", Some(json!({"text": text}))),
             ("locations", Some(json!([{"physicalLocation": self.place(finding.span)}]))),
-            ("relatedLocations", (!related.is_empty()).then(|| Value::Array(related))),
+            ("relatedLocations", (!related.is_empty()).then_some(Value::Array(related))),
             ("partialFingerprints", Some(json!({"xacroLint/v1": fingerprint}))),
             ("fixes", finding.fix.as_ref().filter(|fix| !fix.edits.is_empty()).map(|fix| self.fixes(fix))),
         ])
