@@ -40,7 +40,7 @@ fn answer(line: &str, cwd: &Path) -> String {
     let env = Environment { vars, cwd: cwd.to_owned() };
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let mut stdin = input.as_bytes();
-    let mut io = Io { out: &mut out, err: &mut err, stdin: &mut stdin, color: false, color_out: false };
+    let mut io = Io::plain(&mut out, &mut err, &mut stdin);
     let code = cli::run(&words(line), &env, &mut io);
     let mut text = String::from_utf8(out).unwrap();
     for line in String::from_utf8(err).unwrap().lines() {

@@ -59,7 +59,7 @@ fn bad_blocks(docs: &str) -> Vec<Vec<(String, String)>> {
 fn expansion(folder: &Path, file: &str) -> Option<Vec<String>> {
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let mut stdin = std::io::empty();
-    let mut io = Io { out: &mut out, err: &mut err, stdin: &mut stdin, color: false, color_out: false };
+    let mut io = Io::plain(&mut out, &mut err, &mut stdin);
     let code = cli::run(&["expand".to_owned(), file.to_owned()], &environment(folder), &mut io);
     let text = String::from_utf8(out).unwrap();
     let document = roxmltree::Document::parse(&text).ok().filter(|_| code == 0)?;

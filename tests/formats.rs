@@ -13,7 +13,7 @@ fn check(format: &str) -> String {
     let cwd = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/examples/broken_cell");
     let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), cwd.join("none").display().to_string())]);
     let (mut out, mut err, mut stdin) = (Vec::new(), Vec::new(), std::io::empty());
-    let mut io = Io { out: &mut out, err: &mut err, stdin: &mut stdin, color: false, color_out: false };
+    let mut io = Io::plain(&mut out, &mut err, &mut stdin);
     let args = ["check", "--output-format", format].map(str::to_owned);
     assert_eq!(cli::run(&args, &Environment { vars, cwd }, &mut io), 1);
     String::from_utf8(out).unwrap()

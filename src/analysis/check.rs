@@ -1,5 +1,6 @@
 //! Checking files and folders.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
@@ -7,6 +8,7 @@ use rayon::prelude::*;
 use super::includes;
 use super::job::{self, Outcome};
 use super::merge::{merge, once_per_package};
+use super::progress::Progress;
 use super::report::{Report, Unreadable};
 use super::roots::{Job, Reason};
 use super::session::Session;
@@ -27,6 +29,8 @@ pub struct CheckOptions {
     pub args: Vec<(String, String)>,
     /// Set to stop early.
     pub cancel: CancelFlag,
+    /// Says how far the check is.
+    pub progress: Progress,
 }
 
 impl Session {
@@ -34,9 +38,19 @@ impl Session {
     pub fn check(&self, options: &CheckOptions) -> Report {
         let mut report = Report::default();
         let jobs = self.jobs(options, &mut report);
-        let outcomes: Vec<Outcome> = jobs.into_par_iter().map(|job| job::run(self, options, job)).collect();
+        options.progress.begin(jobs.len());
+        let run = |job| {
+            let outcome = job::run(self, options, job);
+            options.progress.step();
+            outcome
+        };
+        let outcomes: Vec<Outcome> = jobs.into_par_iter().map(run).collect();
+        let mut reads: BTreeSet<PathBuf> =
+            outcomes.iter().flat_map(|outcome| &outcome.reads).cloned().collect();
+        reads.extend(outcomes.iter().map(|outcome| outcome.job.file.clone()));
+        reads.extend(self.config_files());
         let kept = self.keep(outcomes);
-        Report { unreadable: report.unreadable, ..self.conclude(options, kept) }
+        Report { unreadable: report.unreadable, reads, ..self.conclude(options, kept) }
     }
 
     /// One report of many outcomes: merged, as configured, in order.
@@ -75,7 +89,7 @@ impl Session {
     /// The files that [`check`](Self::check) would look at, sorted; what they include comes on top.
     pub fn files(&self, options: &CheckOptions) -> Vec<PathBuf> {
         let jobs = self.jobs(options, &mut Report::default());
-        let files: std::collections::BTreeSet<PathBuf> = jobs.into_iter().map(|job| job.file).collect();
+        let files: BTreeSet<PathBuf> = jobs.into_iter().map(|job| job.file).collect();
         files.into_iter().collect()
     }
 
@@ -189,7 +203,9 @@ impl Session {
     /// What in the configurations read so far has no effect.
     fn config_findings(&self) -> Vec<Finding> {
         let warnings = self.config_warnings();
-        warnings.iter().map(|w| invalid_config(self.vfs.file_id(&w.place.path), w)).collect()
+        // what is wrong in the settings of an editor has no place in a file
+        let in_files = warnings.iter().filter(|warning| !warning.place.path.as_os_str().is_empty());
+        in_files.map(|w| invalid_config(self.vfs.file_id(&w.place.path), w)).collect()
     }
 
     /// Whether a finding is wanted; sets its severity as configured.

@@ -8,7 +8,7 @@ use crate::rules::{
     Finding, Rule, Selection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector,
 };
 use crate::vfs::{LoadError, Vfs};
-use crate::workspace::config::{Config, ConfigWarning, Level, Loaded, Mention, Profile, find_config};
+use crate::workspace::config::{Config, ConfigWarning, Level, Loaded, Mention, find_config};
 use crate::workspace::nearest;
 
 /// What the command line says over every configuration file.
@@ -57,7 +57,7 @@ impl Settings {
             given.clone().unwrap_or_else(|| configured.to_vec())
         };
         let profiles: Vec<String> =
-            config.profiles.iter().map(|&profile| profile_name(profile).to_owned()).collect();
+            config.profiles.iter().map(|&profile| profile.name().to_owned()).collect();
         let severity = config.severity.iter().map(|(rule, &level)| (rule.clone(), severity(level)));
         let selection = Selection::new(&SelectionOptions {
             select: overrides.select.clone().or_else(|| config.select.clone()),
@@ -132,6 +132,11 @@ impl Configs {
         settings
     }
 
+    /// The configuration files read so far.
+    pub(super) fn files(&self) -> Vec<PathBuf> {
+        self.lock().files.values().flat_map(|settings| &settings.config.files).cloned().collect()
+    }
+
     /// What in the configurations read so far has no effect.
     pub(super) fn warnings(&self) -> Vec<ConfigWarning> {
         self.lock().warnings.clone()
@@ -176,15 +181,6 @@ fn is_known(mention: &Mention) -> bool {
     match mention.is_threshold {
         true => THRESHOLDS.iter().any(|threshold| threshold.name == mention.text),
         false => mention.text == "ALL" || find(&mention.text).next().is_some(),
-    }
-}
-
-fn profile_name(profile: Profile) -> &'static str {
-    match profile {
-        Profile::RosIndustrial => "ros-industrial",
-        Profile::Mobile => "mobile",
-        Profile::Gazebo => "gazebo",
-        Profile::Pedantic => "pedantic",
     }
 }
 

@@ -84,7 +84,7 @@ fn kind(expansion: &Expansion, job: &Job) -> RootKind {
 
 fn reads(expansion: &Expansion) -> Vec<PathBuf> {
     let files = expansion.record.iter().filter_map(|read| match read {
-        Read::File(path, _) => Some(path.clone()),
+        Read::File(path, _) | Read::Missing(path) => Some(path.clone()),
         _ => None,
     });
     files.skip(1).collect()

@@ -1,6 +1,6 @@
 //! The result of a check.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -21,6 +21,8 @@ pub struct Report {
     pub paths: BTreeMap<FileId, Arc<Path>>,
     /// The files that were expanded as roots, in order, with the number of robots among them.
     pub roots: Vec<PathBuf>,
+    /// Everything that was read or looked for, configurations too: when one of these changes, so may the findings.
+    pub reads: BTreeSet<PathBuf>,
     /// How many of the roots are robots.
     pub robots: usize,
     /// Paths named by the user that cannot be read.

@@ -89,6 +89,11 @@ impl Session {
         self.configs.warnings()
     }
 
+    /// The configuration files read so far.
+    pub(super) fn config_files(&self) -> Vec<PathBuf> {
+        self.configs.files()
+    }
+
     /// What rules see around a file with these settings.
     pub(super) fn surroundings<'a>(&'a self, config: &'a Config) -> Surroundings<'a> {
         let variables = ["AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "ROS_PACKAGE_PATH"];

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use super::check::CheckOptions;
 use super::job::Outcome;
+use super::roots::Reason;
 use super::session::Session;
 use crate::base::{FastSet, FileId};
 use crate::rules::{
@@ -109,13 +110,21 @@ impl<'a> Hiding<'a> {
 }
 
 /// The files about which all rules had their say: those of robots that could be expanded as a whole. What is
-/// only included may serve robots outside of this run as well, unless whole folders are checked.
+/// only included may serve robots outside of this run as well, unless whole folders are checked; and one preset
+/// of several, as in an editor, says nothing about the others.
 fn judged(session: &Session, options: &CheckOptions, outcomes: &[Outcome]) -> FastSet<FileId> {
     let absolute = options.paths.iter().map(|path| session.vfs.absolute(path));
     let folders: Vec<PathBuf> = absolute.filter(|path| session.vfs.is_dir(path)).collect();
-    let robots = outcomes.iter().filter(|outcome| outcome.is_robot && outcome.complete);
-    let files = robots.flat_map(|outcome| outcome.files.iter().enumerate());
-    let known = files
-        .filter(|(number, file)| *number == 0 || folders.iter().any(|folder| file.path.starts_with(folder)));
-    known.map(|(_, file)| file.id).collect()
+    let mut judged = FastSet::default();
+    for outcome in outcomes.iter().filter(|outcome| outcome.is_robot && outcome.complete) {
+        let alone = outcome.job.reason == Reason::Named;
+        if alone && outcome.job.preset.is_some() {
+            continue;
+        }
+        let known = outcome.files.iter().enumerate().filter(|(number, file)| {
+            *number == 0 || !alone && folders.iter().any(|folder| file.path.starts_with(folder))
+        });
+        judged.extend(known.map(|(_, file)| file.id));
+    }
+    judged
 }

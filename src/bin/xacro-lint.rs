@@ -10,13 +10,14 @@ fn main() -> ExitCode {
     let args: Vec<String> = std::env::args_os().skip(1).map(|a| a.to_string_lossy().into_owned()).collect();
     let env = Environment::capture();
     let plain = env.var("NO_COLOR").is_some_and(|value| !value.is_empty());
-    let color = std::io::stderr().is_terminal() && !plain;
+    let terminal = std::io::stderr().is_terminal();
+    let color = terminal && !plain;
     let color_out = std::io::stdout().is_terminal() && !plain;
     let mut out = std::io::BufWriter::with_capacity(1 << 16, std::io::stdout().lock());
     let mut err = std::io::BufWriter::new(std::io::stderr().lock());
     let mut stdin = std::io::stdin().lock();
-    let code =
-        cli::run(&args, &env, &mut Io { out: &mut out, err: &mut err, stdin: &mut stdin, color, color_out });
+    let mut io = Io { out: &mut out, err: &mut err, stdin: &mut stdin, color, color_out, terminal };
+    let code = cli::run(&args, &env, &mut io);
     let _ = out.flush();
     let _ = err.flush();
     ExitCode::from(code)

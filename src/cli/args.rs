@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 
 /// Check xacro and URDF robot descriptions.
 #[derive(Debug, Parser)]
@@ -36,12 +37,95 @@ pub(super) enum Command {
         /// Code or name of the rule
         rule: Option<String>,
     },
-    /// Print all rules
-    Rules {
-        /// Form of the list
-        #[arg(long, value_enum, default_value_t)]
-        format: Plain,
+    /// Print the rules
+    Rules(RulesArgs),
+    /// Print the settings that hold for a file or folder, and which file sets them
+    Config(ConfigArgs),
+    /// Print a script that completes commands and options in a shell
+    Completions {
+        /// The shell
+        #[arg(value_enum)]
+        shell: Shell,
     },
+}
+
+#[derive(Args, Debug, Default)]
+pub(super) struct RulesArgs {
+    /// Only these rules (codes, beginnings of codes, names)
+    #[arg(value_name = "RULE")]
+    pub(super) rules: Vec<String>,
+    /// Only rules of this category
+    #[arg(long, value_parser = CATEGORIES)]
+    pub(super) category: Option<String>,
+    /// Only rules of this severity
+    #[arg(long, value_enum)]
+    pub(super) severity: Option<Level>,
+    /// Only rules that run with this profile
+    #[arg(long, value_parser = PROFILES)]
+    pub(super) profile: Option<String>,
+    /// Only rules that offer fixes
+    #[arg(long)]
+    pub(super) fixable: bool,
+    /// Form of the list
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: Plain,
+}
+
+/// Categories of rules.
+const CATEGORIES: [&str; 12] = [
+    "xml",
+    "xacro",
+    "structure",
+    "joint",
+    "frames",
+    "inertia",
+    "geometry",
+    "conventions",
+    "package",
+    "control",
+    "style",
+    "linter",
+];
+
+/// Severities.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Level {
+    /// Some tool in common use rejects it, or it is physically impossible
+    Error,
+    /// Accepted, and almost surely not meant
+    Warning,
+    /// Convention or portability
+    Info,
+    /// Unnecessary
+    Hint,
+}
+
+impl Level {
+    /// Its name.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Level::Error => "error",
+            Level::Warning => "warning",
+            Level::Info => "info",
+            Level::Hint => "hint",
+        }
+    }
+}
+
+#[derive(Args, Debug)]
+pub(super) struct ConfigArgs {
+    /// The file or folder
+    #[arg(default_value = ".")]
+    pub(super) path: PathBuf,
+    /// Use this configuration file instead of the nearest xacro-lint.toml
+    #[arg(long, value_name = "FILE")]
+    pub(super) config: Option<PathBuf>,
+    /// Print the JSON schema of the configuration file
+    #[arg(long)]
+    pub(super) schema: bool,
+    /// Form of the settings
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: Plain,
 }
 
 #[derive(Args, Debug)]
@@ -100,6 +184,9 @@ pub(super) struct CheckArgs {
     /// Print how often each rule fired instead of its findings
     #[arg(long)]
     pub(super) statistics: bool,
+    /// Check again whenever a file changes
+    #[arg(long, conflicts_with_all = ["diff", "write_baseline", "show_files", "stdin_filename"])]
+    pub(super) watch: bool,
     /// Print the files that would be checked
     #[arg(long)]
     pub(super) show_files: bool,

@@ -1,79 +1,61 @@
 //! `xacro-lint check` and `xacro-lint fix`.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use super::args::{CheckArgs, FailLevel, Format};
 use super::diff::unified;
 use super::io::Io;
-use super::options::mappings;
+use super::prepare::{Prepared, prepare};
+use super::progress::watched;
 use super::render::{shown_path, visible};
+use super::watch::{Round, State, watch};
 use super::{json, sarif, services, text};
-use crate::analysis::{Baseline, CheckOptions, Fixed, Overrides, Report, Session, Setup};
-use crate::rules::{self, Safety, Severity};
+use crate::analysis::{Baseline, CheckOptions, Fixed, Report, Session};
+use crate::rules::{Safety, Severity};
 use crate::vfs::{Environment, write_atomically};
-
-/// Largest input that is read from standard input, in bytes.
-const MOST_INPUT: u64 = 20_000_000;
 
 /// The arguments of `fix` as those of `check`.
 pub(super) fn fixing(args: CheckArgs) -> CheckArgs {
     CheckArgs { fix: true, ..args }
 }
 
+/// Time between two looks at the files of `--watch`.
+const PERIOD: Duration = Duration::from_millis(500);
+
 /// Run `check`.
 pub(super) fn run(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
-    let options = match prepare(args) {
-        Ok(options) => options,
-        Err(message) => return usage(io, &message),
-    };
-    let setup = Setup {
-        about: options.paths.iter().chain(&options.entries).next().cloned().unwrap_or_default(),
-        package_path: args.package_path.iter().map(PathBuf::from).collect(),
-        overrides: overrides(args),
-        ..Setup::default()
-    };
-    let session = match Session::new(env, setup) {
-        Ok(session) => session,
-        Err(error) => return usage(io, &format!("{}: {}", error.path.display(), error.strerror)),
-    };
-    if let Some(name) = stdin_name(args)
-        && let Err(error) = read_stdin(&name, &session, io)
-    {
-        return usage(io, &format!("standard input cannot be read: {error}"));
+    if !args.watch {
+        return once(args, env, io).code;
     }
+    let look = |known: &State| match prepare(args, env, &mut std::io::empty()) {
+        Ok(prepared) => prepared.state(known.keys().cloned().collect()),
+        Err(_) => known.clone(),
+    };
+    let wait = || {
+        std::thread::sleep(PERIOD);
+        true
+    };
+    watch(io, &env.cwd, |io| once(args, env, io), look, wait)
+}
+
+/// One check.
+fn once(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> Round {
+    let prepared = match prepare(args, env, &mut io.stdin) {
+        Ok(prepared) => prepared,
+        Err(message) => return Round { code: usage(io, &message), state: State::default() },
+    };
+    let Prepared { session, options, .. } = &prepared;
     if args.show_files {
-        for file in session.files(&options) {
+        for file in session.files(options) {
             io.out(&format!("{}\n", visible(&shown_path(&file, &env.cwd))));
         }
-        return warn_about_config(&session, env, io);
+        return Round { code: warn_about_config(session, env, io), state: State::default() };
     }
-    let baseline = match args.baseline.as_deref().map(|path| read_baseline(path, &session)).transpose() {
-        Ok(baseline) => baseline,
-        Err(message) => return usage(io, &message),
-    };
-    Run { args, session: &session, options: &options, env, baseline }.all(io)
-}
-
-fn read_baseline(path: &Path, session: &Session) -> Result<(Baseline, PathBuf), String> {
-    let named = |why: &str| format!("{}: {why}", path.display());
-    let file = session.vfs.text(path).map_err(|error| named(&error.strerror))?;
-    let baseline = Baseline::from_json(&file.text).map_err(|why| named(&why))?;
-    let folder = file.path.parent().map(Path::to_owned).unwrap_or_default();
-    Ok((baseline, folder))
-}
-
-/// The name that standard input is checked under.
-fn stdin_name(args: &CheckArgs) -> Option<PathBuf> {
-    let dash = args.paths.iter().any(|path| path == "-").then(|| PathBuf::from("-"));
-    args.stdin_filename.clone().or(dash)
-}
-
-/// Put standard input in the place of a file.
-fn read_stdin(name: &Path, session: &Session, io: &mut Io<'_>) -> std::io::Result<()> {
-    let mut input = Vec::new();
-    std::io::Read::read_to_end(&mut std::io::Read::take(&mut *io.stdin, MOST_INPUT), &mut input)?;
-    session.vfs.set_buffer(name, Some(String::from_utf8_lossy(&input).into_owned()));
-    Ok(())
+    let (code, reads) = Run { args, prepared: &prepared, session, options, env }.all(io);
+    let state = if args.watch { prepared.state(reads) } else { State::default() };
+    Round { code, state }
 }
 
 /// Say what in the configuration has no effect.
@@ -83,60 +65,6 @@ pub(super) fn warn_about_config(session: &Session, env: &Environment, io: &mut I
         io.line(&visible(&format!("warning: {text}")));
     }
     0
-}
-
-fn prepare(args: &CheckArgs) -> Result<CheckOptions, String> {
-    let (mapped, paths): (Vec<&String>, Vec<&String>) =
-        args.paths.iter().partition(|path| path.contains(":="));
-    let paths = paths.into_iter().filter(|path| *path != "-");
-    let mut paths: Vec<PathBuf> = paths.map(PathBuf::from).collect();
-    paths.extend(stdin_name(args));
-    if paths.is_empty() && args.entry.is_empty() {
-        paths.push(".".into());
-    }
-    let arguments = mappings(mapped.into_iter().map(String::as_str)).map_err(|error| error.message())?;
-    contradictions(args)?;
-    let selectors = [&args.select, &args.extend_select, &args.ignore].into_iter().flatten();
-    let mut unknown =
-        selectors.filter(|selector| *selector != "ALL" && rules::find(selector).next().is_none());
-    match unknown.next() {
-        Some(unknown) => Err(rules::unknown_selector(unknown)),
-        None => Ok(CheckOptions {
-            paths,
-            entries: args.entry.clone(),
-            args: arguments,
-            ..CheckOptions::default()
-        }),
-    }
-}
-
-/// Options that do not go together.
-fn contradictions(args: &CheckArgs) -> Result<(), String> {
-    let for_people = matches!(args.format, Format::Text | Format::Concise);
-    let message = if args.statistics && !for_people {
-        "--statistics goes with --format text or concise"
-    } else if args.diff && !for_people {
-        "--diff prints a diff, whatever the format: leave --format out"
-    } else if args.unsafe_fixes && !args.fix && !args.diff {
-        "--unsafe-fixes goes with --fix or --diff"
-    } else if args.fix && !args.diff && stdin_name(args).is_some() {
-        "standard input cannot be fixed in place: use --diff"
-    } else {
-        return Ok(());
-    };
-    Err(message.to_owned())
-}
-
-fn overrides(args: &CheckArgs) -> Overrides {
-    let given = |list: &Vec<String>| (!list.is_empty()).then(|| list.clone());
-    Overrides {
-        config: args.config.clone(),
-        select: given(&args.select),
-        extend_select: given(&args.extend_select),
-        ignore: given(&args.ignore),
-        profiles: given(&args.profile),
-        ..Overrides::default()
-    }
 }
 
 fn usage(io: &mut Io<'_>, message: &str) -> u8 {
@@ -150,28 +78,33 @@ struct Run<'a> {
     session: &'a Session,
     options: &'a CheckOptions,
     env: &'a Environment,
-    /// Findings that are known, and the folder that their files are named from.
-    baseline: Option<(Baseline, PathBuf)>,
+    prepared: &'a Prepared,
 }
 
 impl Run<'_> {
-    fn all(&self, io: &mut Io<'_>) -> u8 {
+    /// The exit code, and what was read.
+    fn all(&self, io: &mut Io<'_>) -> (u8, BTreeSet<PathBuf>) {
+        let (session, options) = (self.session, self.options);
         if !self.args.fix && !self.args.diff {
-            let report = self.session.check(self.options);
-            return self.conclude(report, "", io);
+            let mut report = watched(io, &options.progress, || session.check(options));
+            let reads = std::mem::take(&mut report.reads);
+            return (self.conclude(report, "", io), reads);
         }
         let most = if self.args.unsafe_fixes { Safety::Unsafe } else { Safety::Safe };
-        let fixed = self.session.fix(self.options, most);
+        let fixed = watched(io, &options.progress, || session.fix(options, most));
         if self.args.diff {
-            return self.diff(fixed, io);
+            return (self.diff(fixed, io), BTreeSet::new());
         }
         for file in &fixed.files {
-            if let Err(error) = self.session.vfs.rewrite(&file.path, &file.before, &file.after) {
-                return usage(io, &format!("{}: cannot be written: {error}", self.shown(&file.path)));
+            if let Err(error) = session.vfs.rewrite(&file.path, &file.before, &file.after) {
+                let message = format!("{}: cannot be written: {error}", self.shown(&file.path));
+                return (usage(io, &message), BTreeSet::new());
             }
         }
         let done = if fixed.count > 0 { format!("fixed {}", fixed_in(&fixed)) } else { String::new() };
-        self.conclude(fixed.into_left(), &done, io)
+        let mut left = fixed.into_left();
+        let reads = std::mem::take(&mut left.reads);
+        (self.conclude(left, &done, io), reads)
     }
 
     fn shown(&self, path: &Path) -> String {
@@ -203,7 +136,7 @@ impl Run<'_> {
     }
 
     fn subtract_known(&self, report: &mut Report, io: &mut Io<'_>) {
-        let Some((baseline, folder)) = &self.baseline else { return };
+        let Some((baseline, folder)) = &self.prepared.baseline else { return };
         let known = baseline.subtract(report, folder);
         if known > 0 {
             io.line(&format!("note: {} of the baseline not shown", text::counted(known, "finding")));

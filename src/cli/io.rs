@@ -1,6 +1,6 @@
 //! Where a command writes to: the streams of the process, or buffers in tests.
 
-use std::io::Write;
+use std::io::{Read, Write};
 
 /// The streams of a command.
 pub struct Io<'a> {
@@ -9,11 +9,20 @@ pub struct Io<'a> {
     /// Messages.
     pub err: &'a mut dyn Write,
     /// Read for `-`.
-    pub stdin: &'a mut dyn std::io::Read,
+    pub stdin: &'a mut dyn Read,
     /// Whether messages may be coloured.
     pub color: bool,
     /// Whether results may be coloured.
     pub color_out: bool,
+    /// Whether messages go to a terminal, where a line can be written over.
+    pub terminal: bool,
+}
+
+impl<'a> Io<'a> {
+    /// Streams without colours, none of them a terminal.
+    pub fn plain(out: &'a mut dyn Write, err: &'a mut dyn Write, stdin: &'a mut dyn Read) -> Self {
+        Self { out, err, stdin, color: false, color_out: false, terminal: false }
+    }
 }
 
 impl Io<'_> {
@@ -25,5 +34,17 @@ impl Io<'_> {
     /// Write a line to the message stream.
     pub fn line(&mut self, text: &str) {
         let _ = writeln!(self.err, "{text}");
+    }
+
+    /// Write over the last line of a terminal.
+    pub(super) fn flash(&mut self, text: &str) {
+        let _ = write!(self.err, "\r\u{1b}[K{text}");
+        let _ = self.err.flush();
+    }
+
+    /// Let the reader see what was written so far.
+    pub(super) fn flush(&mut self) {
+        let _ = self.out.flush();
+        let _ = self.err.flush();
     }
 }

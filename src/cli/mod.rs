@@ -2,6 +2,7 @@
 
 mod args;
 mod check;
+mod config;
 mod deps;
 mod diff;
 mod expand;
@@ -11,17 +12,20 @@ mod io;
 mod json;
 mod options;
 mod packages;
+mod prepare;
+mod progress;
 mod render;
 mod sarif;
 mod services;
 mod svg;
 mod text;
 mod tree;
+mod watch;
 
 pub use io::Io;
 
-use clap::Parser;
 use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser};
 
 use crate::vfs::Environment;
 use args::{Arguments, Command};
@@ -61,6 +65,16 @@ fn dispatch(command: Command, env: &Environment, io: &mut Io<'_>) -> u8 {
         Command::Packages(options) => packages::run(&options, env, io),
         Command::Deps(options) => deps::run(&options, env, io),
         Command::Explain { rule } => explain::explain(rule.as_deref(), io),
-        Command::Rules { format } => explain::rules(format, io),
+        Command::Rules(options) => explain::rules(&options, io),
+        Command::Config(options) => config::run(&options, env, io),
+        Command::Completions { shell } => completions(shell, io),
     }
+}
+
+/// Print a script for a shell.
+fn completions(shell: clap_complete::Shell, io: &mut Io<'_>) -> u8 {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Arguments::command(), "xacro-lint", &mut script);
+    io.out(&String::from_utf8_lossy(&script));
+    0
 }

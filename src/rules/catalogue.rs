@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::registry::{Safety, all};
+use super::registry::{Rule, Safety, all};
 
 #[derive(Serialize)]
 struct Entry {
@@ -18,7 +18,12 @@ struct Entry {
 
 /// All rules as a JSON array.
 pub fn catalogue() -> String {
-    let entries: Vec<Entry> = all()
+    catalogue_of(all())
+}
+
+/// Rules as a JSON array.
+pub fn catalogue_of(rules: impl Iterator<Item = &'static Rule>) -> String {
+    let entries: Vec<Entry> = rules
         .map(|rule| Entry {
             code: rule.code,
             name: rule.name,

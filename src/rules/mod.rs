@@ -31,7 +31,7 @@ mod vocabulary;
 mod xacro;
 mod xml;
 
-pub use catalogue::catalogue;
+pub use catalogue::{catalogue, catalogue_of};
 pub use context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings};
 pub use finding::{Edit, Finding, Fix, Related};
 pub use linter::{

@@ -297,6 +297,11 @@ impl Vfs {
         self.yaml.get(file.id, stamp, || Ok(Arc::new(YamlFile::load(file, name))))
     }
 
+    /// A number that changes when the content of a file on disk does, or when it comes or goes.
+    pub fn state_on_disk(&self, path: &Path) -> u64 {
+        read::stat(&self.absolute(path)).map_or(0, |stat| read::hash(&stat.stamp))
+    }
+
     /// Whether there is a file, folder or buffer at `path`.
     pub fn exists(&self, path: &Path) -> bool {
         self.has_buffer(path) || self.absolute(path).exists()

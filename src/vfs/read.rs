@@ -26,7 +26,7 @@ impl Identity {
 }
 
 /// What changes when the text of a file changes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Stamp {
     /// Revision of an open buffer.
     Buffer(u64),

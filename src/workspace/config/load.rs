@@ -24,7 +24,11 @@ pub struct Loaded {
 
 /// The configuration file for what lies in or below `folder`.
 pub fn find_config(vfs: &Vfs, folder: &Path) -> Option<PathBuf> {
-    let folder = vfs.absolute(folder);
+    let mut folder = vfs.absolute(folder);
+    if folder.components().any(|part| part == std::path::Component::ParentDir) {
+        // what lies above `a/../b` is not `a`
+        folder = vfs.canonical(&folder);
+    }
     folder
         .ancestors()
         .find_map(|folder| CONFIG_NAMES.iter().map(|name| folder.join(name)).find(|path| vfs.is_file(path)))
@@ -101,6 +105,7 @@ fn load_over(vfs: &Vfs, path: &Path, chain: &mut Vec<PathBuf>, loaded: &mut Load
     }
     chain.pop();
     applier.config(&mut loaded.config, &entries);
+    loaded.config.note_origins(&entries, path);
     loaded.config.files.push(path.to_owned());
     applier.warnings.sort_by_key(|warning| warning.place.range.start);
     loaded.warnings.append(&mut applier.warnings);

@@ -4,6 +4,7 @@
 //! camelCase and are read by the same code.
 
 mod apply;
+mod effective;
 mod keys;
 mod load;
 mod pattern;
@@ -17,6 +18,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::path::PathBuf;
 
+pub use effective::Setting;
 pub use load::{CONFIG_NAMES, Loaded, find_config};
 pub use pattern::Pattern;
 pub use roots::{Args, Root, Variant};
@@ -66,6 +68,8 @@ pub struct Config {
     pub limits: Limits,
     /// The names of rules and thresholds in the file, for whoever knows which exist.
     pub mentions: Vec<Mention>,
+    /// By key: the files that set it, the nearest last.
+    pub origins: BTreeMap<String, Vec<PathBuf>>,
 }
 
 impl Default for Config {
@@ -90,6 +94,7 @@ impl Default for Config {
             format: Format::default(),
             limits: Limits::default(),
             mentions: Vec::new(),
+            origins: BTreeMap::new(),
         }
     }
 }

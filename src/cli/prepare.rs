@@ -1,0 +1,131 @@
+//! From the arguments of `check` to what is to be checked.
+
+use std::collections::BTreeSet;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use super::args::{CheckArgs, Format};
+use super::options::mappings;
+use super::watch::State;
+use crate::analysis::{Baseline, CheckOptions, Overrides, Session, Setup};
+use crate::rules;
+use crate::vfs::Environment;
+
+/// Largest input that is read from standard input, in bytes.
+const MOST_INPUT: u64 = 20_000_000;
+
+/// Everything a check needs.
+pub(super) struct Prepared {
+    pub(super) session: Session,
+    pub(super) options: CheckOptions,
+    /// Findings that are known, and the folder that their files are named from.
+    pub(super) baseline: Option<(Baseline, PathBuf)>,
+}
+
+impl Prepared {
+    /// The state of files that were read, and of those that would be checked now.
+    pub(super) fn state(&self, reads: BTreeSet<PathBuf>) -> State {
+        let files = reads.into_iter().chain(self.session.files(&self.options));
+        files.map(|path| (path.clone(), self.session.vfs.state_on_disk(&path))).collect()
+    }
+}
+
+/// Read the arguments, the configuration, the baseline and, where asked for, standard input.
+///
+/// # Errors
+/// What is wrong with the arguments, or cannot be read.
+pub(super) fn prepare(args: &CheckArgs, env: &Environment, stdin: &mut dyn Read) -> Result<Prepared, String> {
+    let options = options(args)?;
+    let setup = Setup {
+        about: options.paths.iter().chain(&options.entries).next().cloned().unwrap_or_default(),
+        package_path: args.package_path.iter().map(PathBuf::from).collect(),
+        overrides: overrides(args),
+        ..Setup::default()
+    };
+    let session =
+        Session::new(env, setup).map_err(|error| format!("{}: {}", error.path.display(), error.strerror))?;
+    if let Some(name) = stdin_name(args) {
+        let read = read_stdin(&name, &session, stdin);
+        read.map_err(|error| format!("standard input cannot be read: {error}"))?;
+    }
+    let baseline = args.baseline.as_deref().map(|path| read_baseline(path, &session)).transpose()?;
+    Ok(Prepared { session, options, baseline })
+}
+
+fn read_baseline(path: &Path, session: &Session) -> Result<(Baseline, PathBuf), String> {
+    let named = |why: &str| format!("{}: {why}", path.display());
+    let file = session.vfs.text(path).map_err(|error| named(&error.strerror))?;
+    let baseline = Baseline::from_json(&file.text).map_err(|why| named(&why))?;
+    let folder = file.path.parent().map(Path::to_owned).unwrap_or_default();
+    Ok((baseline, folder))
+}
+
+/// The name that standard input is checked under.
+fn stdin_name(args: &CheckArgs) -> Option<PathBuf> {
+    let dash = args.paths.iter().any(|path| path == "-").then(|| PathBuf::from("-"));
+    args.stdin_filename.clone().or(dash)
+}
+
+/// Put standard input in the place of a file.
+fn read_stdin(name: &Path, session: &Session, stdin: &mut dyn Read) -> std::io::Result<()> {
+    let mut input = Vec::new();
+    stdin.take(MOST_INPUT).read_to_end(&mut input)?;
+    session.vfs.set_buffer(name, Some(String::from_utf8_lossy(&input).into_owned()));
+    Ok(())
+}
+
+fn options(args: &CheckArgs) -> Result<CheckOptions, String> {
+    let (mapped, paths): (Vec<&String>, Vec<&String>) =
+        args.paths.iter().partition(|path| path.contains(":="));
+    let paths = paths.into_iter().filter(|path| *path != "-");
+    let mut paths: Vec<PathBuf> = paths.map(PathBuf::from).collect();
+    paths.extend(stdin_name(args));
+    if paths.is_empty() && args.entry.is_empty() {
+        paths.push(".".into());
+    }
+    let arguments = mappings(mapped.into_iter().map(String::as_str)).map_err(|error| error.message())?;
+    contradictions(args)?;
+    let selectors = [&args.select, &args.extend_select, &args.ignore].into_iter().flatten();
+    let mut unknown =
+        selectors.filter(|selector| *selector != "ALL" && rules::find(selector).next().is_none());
+    match unknown.next() {
+        Some(unknown) => Err(rules::unknown_selector(unknown)),
+        None => Ok(CheckOptions {
+            paths,
+            entries: args.entry.clone(),
+            args: arguments,
+            ..CheckOptions::default()
+        }),
+    }
+}
+
+/// Options that do not go together.
+fn contradictions(args: &CheckArgs) -> Result<(), String> {
+    let for_people = matches!(args.format, Format::Text | Format::Concise);
+    let message = if args.watch && stdin_name(args).is_some() {
+        "--watch has nothing to watch on standard input"
+    } else if args.statistics && !for_people {
+        "--statistics goes with --format text or concise"
+    } else if args.diff && !for_people {
+        "--diff prints a diff, whatever the format: leave --format out"
+    } else if args.unsafe_fixes && !args.fix && !args.diff {
+        "--unsafe-fixes goes with --fix or --diff"
+    } else if args.fix && !args.diff && stdin_name(args).is_some() {
+        "standard input cannot be fixed in place: use --diff"
+    } else {
+        return Ok(());
+    };
+    Err(message.to_owned())
+}
+
+fn overrides(args: &CheckArgs) -> Overrides {
+    let given = |list: &Vec<String>| (!list.is_empty()).then(|| list.clone());
+    Overrides {
+        config: args.config.clone(),
+        select: given(&args.select),
+        extend_select: given(&args.extend_select),
+        ignore: given(&args.ignore),
+        profiles: given(&args.profile),
+        ..Overrides::default()
+    }
+}

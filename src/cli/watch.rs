@@ -1,0 +1,95 @@
+//! `xacro-lint check --watch`: check again whenever something that was read changes.
+//!
+//! The files are looked at twice a second. That needs no service of the system, works on network drives and in
+//! containers, where notifications get lost, and costs a few milliseconds for a workspace.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use super::io::Io;
+use super::render::{shown_path, visible};
+use super::text::counted;
+
+/// What a run depended on, with what it was like.
+pub(super) type State = BTreeMap<PathBuf, u64>;
+
+/// One run: its exit code and the state of the files it read.
+pub(super) struct Round {
+    pub(super) code: u8,
+    pub(super) state: State,
+}
+
+/// Run, wait for a change, run again, as long as runs read files. `wait` pauses between two looks; the end comes when it says false.
+pub(super) fn watch(
+    io: &mut Io<'_>,
+    cwd: &Path,
+    mut run: impl FnMut(&mut Io<'_>) -> Round,
+    mut look: impl FnMut(&State) -> State,
+    mut wait: impl FnMut() -> bool,
+) -> u8 {
+    let mut round = run(io);
+    // a run that read nothing could not begin
+    while !round.state.is_empty() {
+        io.line(&format!("watching {}; Ctrl-C ends", counted(round.state.len(), "file")));
+        io.flush();
+        let changed = loop {
+            if !wait() {
+                return round.code;
+            }
+            let now = look(&round.state);
+            if now != round.state {
+                break difference(&round.state, &now);
+            }
+        };
+        if io.color_out {
+            io.out("\u{1b}[H\u{1b}[2J\u{1b}[3J");
+        }
+        if let Some(path) = changed {
+            io.line(&visible(&format!("{} changed", shown_path(&path, cwd))));
+            io.flush();
+        }
+        round = run(io);
+    }
+    round.code
+}
+
+/// A file that differs.
+fn difference(before: &State, now: &State) -> Option<PathBuf> {
+    let differs = |(path, state): &(&PathBuf, &u64)| before.get(*path) != Some(state);
+    let gone = before.keys().find(|path| !now.contains_key(*path));
+    now.iter().find(differs).map(|(path, _)| path).or(gone).cloned()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+    use std::collections::BTreeMap;
+    use std::path::Path;
+
+    use super::super::io::Io;
+    use super::{Round, State, watch};
+
+    #[test]
+    fn runs_again_when_something_changes() {
+        let (mut out, mut err, mut stdin) = (Vec::new(), Vec::new(), std::io::empty());
+        let mut io = Io::plain(&mut out, &mut err, &mut stdin);
+        let tick = Cell::new(0u64);
+        let state = || -> State { BTreeMap::from([("/ws/a.xacro".into(), tick.get() / 2)]) };
+        let mut runs = 0;
+        let run = |io: &mut Io<'_>| {
+            runs += 1;
+            io.out(&format!("run {runs}\n"));
+            Round { code: runs, state: state() }
+        };
+        let wait = || {
+            tick.set(tick.get() + 1);
+            tick.get() < 6
+        };
+        let code = watch(&mut io, Path::new("/ws"), run, |_| state(), wait);
+        assert_eq!(code, 3);
+        assert_eq!(String::from_utf8(out).unwrap(), "run 1\nrun 2\nrun 3\n");
+        let watching = "watching 1 file; Ctrl-C ends\n";
+        let expected = format!("{watching}a.xacro changed\n{watching}a.xacro changed\n{watching}");
+        assert_eq!(String::from_utf8(err).unwrap(), expected);
+    }
+}
