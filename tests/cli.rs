@@ -1,4 +1,5 @@
-//! The command line, as transcripts: `tests/cli/*.txt` hold commands with what they print.
+//! The command line, as transcripts: `tests/cli/*.txt` hold commands with what they print, and so do the pages of
+//! `docs/` in their `console` blocks.
 //!
 //! A transcript begins with the folder it is run in: `cd FOLDER`, or `copy FOLDER` when the commands change it.
 //! `UPDATE=1` writes the answers anew.
@@ -111,4 +112,119 @@ fn transcripts() {
         }
     }
     assert!(wrong.is_empty(), "{}\n(UPDATE=1 writes the answers anew)", wrong.join("\n\n"));
+}
+
+fn repository() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Compare a stored file with what it should hold, or write it.
+fn up_to_date(path: &Path, new: &str) {
+    if std::env::var_os("UPDATE").is_some() {
+        fs::write(path, new).unwrap();
+    }
+    let stored = fs::read_to_string(path).unwrap_or_default();
+    assert!(stored == new, "{} is old: run `UPDATE=1 cargo test --test cli`", path.display());
+}
+
+/// The `console` blocks with all answers made anew, in `docs/examples` or the folder of it that a comment in front
+/// of the block names.
+fn with_answers(page: &str) -> String {
+    let mut new = String::new();
+    let (mut cwd, mut inside) = (PathBuf::new(), false);
+    for line in page.lines() {
+        let command = line.strip_prefix("$ xacro-lint ").filter(|_| inside);
+        if line == "```console" {
+            let last = new.lines().last().unwrap_or("");
+            let folder = last.strip_prefix("<!-- in ").and_then(|rest| rest.strip_suffix(" -->"));
+            cwd = repository().join("docs/examples").join(folder.unwrap_or(""));
+            inside = true;
+        } else if line.starts_with("```") {
+            inside = false;
+        } else if inside && command.is_none() {
+            continue;
+        }
+        new.push_str(&format!("{line}\n"));
+        new.push_str(&command.map(|command| answer(command, &cwd)).unwrap_or_default());
+    }
+    new
+}
+
+/// A page with the part between the comments of `name` made anew.
+fn with_part(page: &str, name: &str, part: &str) -> String {
+    let begin = page.find(&format!("<!-- {name}: ")).unwrap();
+    let begin = begin + page[begin..].find('\n').unwrap() + 1;
+    let end = page.find(&format!("<!-- end of {name} -->")).unwrap();
+    format!("{}{part}{}", &page[..begin], &page[end..])
+}
+
+/// Rows for the keys of a schema; those of tables have the name of the table in front.
+fn key_rows(schema: &serde_json::Value, prefix: &str) -> String {
+    let mut rows = String::new();
+    for (name, of) in schema["properties"].as_object().unwrap() {
+        let name = format!("{prefix}{name}");
+        rows.push_str(&format!("| `{name}` | {} | {} |\n", kind(of), of["description"].as_str().unwrap()));
+        let inner = if of["properties"].is_object() { of } else { &of["items"] };
+        if inner["properties"].is_object() {
+            rows.push_str(&key_rows(inner, &format!("{name}.")));
+        }
+    }
+    rows
+}
+
+fn kind(of: &serde_json::Value) -> String {
+    if let Some(values) = of["enum"].as_array() {
+        return values.iter().map(|value| format!("`{value}`")).collect::<Vec<_>>().join(", ");
+    }
+    match of["type"].as_str() {
+        Some("array") if of["items"]["properties"].is_object() => "list of tables".to_owned(),
+        Some("array") => format!("list of {}", several(&kind(&of["items"]))),
+        Some("object") if of["additionalProperties"].is_object() => {
+            format!("table of {}", several(&kind(&of["additionalProperties"])))
+        }
+        Some("object") => "table".to_owned(),
+        Some(name) => name.to_owned(),
+        None => "string, number or boolean".to_owned(),
+    }
+}
+
+/// `strings`, but also `lists of strings`.
+fn several(kind: &str) -> String {
+    match kind.split_once(' ') {
+        Some((first @ ("list" | "table"), rest)) => format!("{first}s {rest}"),
+        Some(_) => kind.to_owned(),
+        None if kind.starts_with('`') => kind.to_owned(),
+        None => format!("{kind}s"),
+    }
+}
+
+#[test]
+fn pages_are_up_to_date() {
+    let schema = xacro_lsp::workspace::config::schema();
+    up_to_date(&repository().join("docs/xacro-lint.schema.json"), &format!("{schema:#}\n"));
+    let page = |name: &str| {
+        let path = repository().join("docs").join(name);
+        (with_answers(&fs::read_to_string(&path).unwrap()), path)
+    };
+    let (text, path) = page("configuration.md");
+    let keys = format!("\n| key | type | meaning |\n|---|---|---|\n{}\n", key_rows(&schema, ""));
+    up_to_date(&path, &with_part(&text, "keys", &keys));
+    let (text, path) = page("cli.md");
+    up_to_date(&path, &with_part(&text, "commands", &format!("{}\n", cli::reference())));
+}
+
+#[test]
+fn the_settings_that_are_printed_are_a_configuration() {
+    let cwd = folder().join("presets");
+    let printed =
+        answer("config", &cwd).lines().filter(|line| !line.starts_with("[")).collect::<Vec<_>>().join("\n");
+    let copied = copy(&folder().join("library"));
+    fs::write(copied.join("xacro-lint.toml"), &printed).unwrap();
+    let again = answer("config --format json", &copied);
+    let values = |text: &str| -> Vec<serde_json::Value> {
+        let json = text.lines().take_while(|line| !line.starts_with("[stderr]")).collect::<String>();
+        let parsed: serde_json::Value = serde_json::from_str(&json).unwrap();
+        parsed["settings"].as_object().unwrap().values().map(|setting| setting["value"].clone()).collect()
+    };
+    assert_eq!(values(&again), values(&answer("config --format json", &cwd)));
 }

@@ -10,8 +10,9 @@ fn main() -> ExitCode {
     let args: Vec<String> = std::env::args_os().skip(1).map(|a| a.to_string_lossy().into_owned()).collect();
     let env = Environment::capture();
     let plain = env.var("NO_COLOR").is_some_and(|value| !value.is_empty());
-    let terminal = std::io::stderr().is_terminal();
-    let color = terminal && !plain;
+    let color = std::io::stderr().is_terminal() && !plain;
+    // where results are piped on, nothing is drawn between them
+    let terminal = std::io::stderr().is_terminal() && std::io::stdout().is_terminal();
     let color_out = std::io::stdout().is_terminal() && !plain;
     let mut out = std::io::BufWriter::with_capacity(1 << 16, std::io::stdout().lock());
     let mut err = std::io::BufWriter::new(std::io::stderr().lock());

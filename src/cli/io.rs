@@ -14,7 +14,7 @@ pub struct Io<'a> {
     pub color: bool,
     /// Whether results may be coloured.
     pub color_out: bool,
-    /// Whether messages go to a terminal, where a line can be written over.
+    /// Whether all goes to a terminal, where a line can be written over.
     pub terminal: bool,
 }
 

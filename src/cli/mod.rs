@@ -14,6 +14,7 @@ mod options;
 mod packages;
 mod prepare;
 mod progress;
+mod reference;
 mod render;
 mod sarif;
 mod services;
@@ -23,6 +24,7 @@ mod tree;
 mod watch;
 
 pub use io::Io;
+pub use reference::reference;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
