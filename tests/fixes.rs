@@ -119,7 +119,8 @@ fn try_out(folder: &Path, file: &str, select: Option<&str>, most: Safety) -> Opt
         if !news.is_empty() {
             return Some(format!("{news:?} are new"));
         }
-        if before.is_some() && before != after && left.len() == found.len() {
+        let settled = fixed.left().findings.len() < fixed.found.findings.len();
+        if before.is_some() && before != after && !settled {
             return Some(format!("changes the robot:\n{before:#?}\n{after:#?}"));
         }
     }
