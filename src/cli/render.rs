@@ -138,3 +138,30 @@ pub fn visible(text: &str) -> String {
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use annotate_snippets::Level;
+
+    use super::{Mark, Report, ShownFile, render};
+    use crate::base::TextRange;
+    use crate::vfs::testing::Tree;
+
+    #[test]
+    fn names_of_rules_link_to_their_pages() {
+        let tree = Tree::new();
+        tree.write("a.urdf", "<robot/>\n");
+        let source = tree.vfs().document(&tree.path("a.urdf")).unwrap();
+        let file = ShownFile { source: &source, path: "a.urdf".to_owned() };
+        let report = Report {
+            level: Level::ERROR,
+            id: Some("no-links".to_owned()),
+            url: Some("https://example.org/no-links".to_owned()),
+            title: "the robot has no link".to_owned(),
+            primary: Mark { file: &file, range: TextRange::new(0, 6), label: String::new() },
+            trace: Vec::new(),
+            help: None,
+        };
+        assert!(render(&report, true).contains("\u{1b}]8;;https://example.org/no-links\u{1b}\\"));
+    }
+}
