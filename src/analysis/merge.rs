@@ -6,7 +6,7 @@ use indexmap::IndexMap;
 
 use super::job::Outcome;
 use crate::base::{FastMap, FileId, Span};
-use crate::rules::{Finding, Related, Severity};
+use crate::rules::{Edit, Finding, Related, Severity};
 
 /// A finding, and where it occurred.
 struct Merged {
@@ -45,26 +45,30 @@ pub(super) fn merge(outcomes: Vec<Outcome>) -> Vec<Finding> {
 /// Of findings that whole packages share, keep the first of each package, with the others beside it.
 pub(super) fn once_per_package(findings: &mut Vec<Finding>, package: impl Fn(FileId) -> Option<PathBuf>) {
     const RULES: [&str; 1] = ["XML003"];
-    let mut groups: IndexMap<(&str, PathBuf), (usize, Vec<Related>)> = IndexMap::new();
+    let mut groups: IndexMap<(&str, PathBuf), (usize, Vec<Related>, Vec<Edit>)> = IndexMap::new();
     let mut at = 0;
-    findings.retain(|finding| {
+    findings.retain_mut(|finding| {
         let package = RULES.contains(&finding.rule.code).then(|| package(finding.span.file)).flatten();
         let Some(package) = package else {
             at += 1;
             return true;
         };
-        if let Some((_, others)) = groups.get_mut(&(finding.rule.code, package.clone())) {
+        if let Some((_, others, edits)) = groups.get_mut(&(finding.rule.code, package.clone())) {
             let message = "here too".to_owned();
             others.push(Related { span: finding.span, message, is_call: false });
+            edits.extend(finding.fix.take().into_iter().flat_map(|fix| fix.edits));
             return false;
         }
-        groups.insert((finding.rule.code, package), (at, Vec::new()));
+        groups.insert((finding.rule.code, package), (at, Vec::new(), Vec::new()));
         at += 1;
         true
     });
-    for (at, others) in groups.into_values() {
+    for (at, others, edits) in groups.into_values() {
         if let (Some(finding), false) = (findings.get_mut(at), others.is_empty()) {
             finding.message.push_str(&format!(", in {} files of this package", others.len() + 1));
+            if let Some(fix) = &mut finding.fix {
+                fix.edits.extend(edits);
+            }
             finding.related.extend(others.into_iter().take(MOST_PLACES));
         }
     }
