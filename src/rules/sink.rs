@@ -145,7 +145,11 @@ impl Reported<'_, '_> {
     #[must_use]
     pub fn also_at(mut self, place: Place, message: impl Into<String>) -> Self {
         let span = self.sink.span(place).filter(|span| *span != self.draft.finding.span);
-        self.draft.finding.related.extend(span.map(|span| Related { span, message: message.into(), is_call: false }));
+        self.draft.finding.related.extend(span.map(|span| Related {
+            span,
+            message: message.into(),
+            is_call: false,
+        }));
         self
     }
 
