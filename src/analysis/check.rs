@@ -78,6 +78,7 @@ impl Session {
             let edits = finding.fix.iter().flat_map(|fix| &fix.edits).map(|edit| edit.span);
             report.paths.extend(spans.chain(edits).map(|span| (span.file, self.vfs.path(span.file))));
         }
+        // findings and fixes may be about files that no expansion reads, such as package.xml
         let unread = report.paths.iter().filter(|(id, _)| !report.files.contains_key(id));
         let beside: Vec<_> = unread.filter_map(|(_, path)| self.vfs.document(path).ok()).collect();
         report.beside.extend(beside.into_iter().map(|file| (file.id, file)));

@@ -33,7 +33,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
             None => "`xacro-lint rules` lists them".to_owned(),
         };
         let finding = out.report_in(cx.file, selector.range, format!("`{name}` is no rule")).help(help);
-        match near.filter(|near| edit_distance(name, near) <= 1) {
+        match near.filter(|near| edit_distance(&name.to_lowercase(), &near.to_lowercase()) <= 1) {
             Some(near) => finding.replace_with(Safety::Safe, format!("write `{near}`"), near).done(),
             None => finding.done(),
         }
