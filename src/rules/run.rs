@@ -25,12 +25,6 @@ pub(super) fn is_whole(expansion: &Expansion) -> bool {
     expansion.whole && !expansion.problems.iter().any(loses)
 }
 
-/// Whether links, joints or parts of them may be missing from an expansion.
-fn lost_content(expansion: &Expansion) -> bool {
-    let loses = |problem: &Problem| !problem.probed && LOSES_CONTENT.contains(&problem.code);
-    expansion.problems.iter().any(loses)
-}
-
 /// What expansion reported, and what the rules say about the expanded document.
 pub fn check_expansion(
     expansion: &Expansion,
