@@ -42,10 +42,20 @@ pub(super) fn merge(outcomes: Vec<Outcome>) -> Vec<Finding> {
     merged.into_iter().map(|merged| merged.finish(&runs)).collect()
 }
 
+/// A finding that stands for those of a whole package.
+struct Shared {
+    /// Its place in the list.
+    at: usize,
+    /// Where the others are.
+    others: Vec<Related>,
+    /// What mends the others.
+    edits: Vec<Edit>,
+}
+
 /// Of findings that whole packages share, keep the first of each package, with the others beside it.
 pub(super) fn once_per_package(findings: &mut Vec<Finding>, package: impl Fn(FileId) -> Option<PathBuf>) {
     const RULES: [&str; 1] = ["XML003"];
-    let mut groups: IndexMap<(&str, PathBuf), (usize, Vec<Related>, Vec<Edit>)> = IndexMap::new();
+    let mut groups: IndexMap<(&str, PathBuf), Shared> = IndexMap::new();
     let mut at = 0;
     findings.retain_mut(|finding| {
         let package = RULES.contains(&finding.rule.code).then(|| package(finding.span.file)).flatten();
@@ -53,17 +63,18 @@ pub(super) fn once_per_package(findings: &mut Vec<Finding>, package: impl Fn(Fil
             at += 1;
             return true;
         };
-        if let Some((_, others, edits)) = groups.get_mut(&(finding.rule.code, package.clone())) {
+        if let Some(shared) = groups.get_mut(&(finding.rule.code, package.clone())) {
             let message = "here too".to_owned();
-            others.push(Related { span: finding.span, message, is_call: false });
-            edits.extend(finding.fix.take().into_iter().flat_map(|fix| fix.edits));
+            shared.others.push(Related { span: finding.span, message, is_call: false });
+            shared.edits.extend(finding.fix.take().into_iter().flat_map(|fix| fix.edits));
             return false;
         }
-        groups.insert((finding.rule.code, package), (at, Vec::new(), Vec::new()));
+        let first = Shared { at, others: Vec::new(), edits: Vec::new() };
+        groups.insert((finding.rule.code, package), first);
         at += 1;
         true
     });
-    for (at, others, edits) in groups.into_values() {
+    for Shared { at, others, edits } in groups.into_values() {
         if let (Some(finding), false) = (findings.get_mut(at), others.is_empty()) {
             finding.message.push_str(&format!(", in {} files of this package", others.len() + 1));
             if let Some(fix) = &mut finding.fix {

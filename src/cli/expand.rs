@@ -1,6 +1,6 @@
 //! `xacro-lint expand`: a drop-in for `xacro`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use annotate_snippets::Level;
@@ -8,7 +8,12 @@ use annotate_snippets::Level;
 use super::io::Io;
 use super::options::{self, ExpandOptions, UsageError};
 use super::render::{Mark, Report, ShownFile, render, shown_path, visible};
-use crate::expand::{Expansion, Limits, Place, Problem, Request, Severity, World, expand, write};
+use crate::base::Encoding;
+use crate::expand::{
+    Expansion, FileUse, Limits, Place, Problem, Request, Severity, World, Written, expand, write,
+    write_mapped,
+};
+use crate::ide::source_map;
 use crate::vfs::{Environment, LoadError, Vfs};
 use crate::workspace::{PackageOptions, Packages};
 
@@ -86,8 +91,21 @@ fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
         // above verbosity 1 the reference ends in a stack trace
         return if options.verbosity > 1 && !xml { 1 } else { 2 };
     }
-    let text = if options.deps { deps(&expansion) } else { write(&expansion.tree, &request.file).text };
-    deliver(&text, options, env, io)
+    if options.deps {
+        return deliver(&deps(&expansion), options, env, io);
+    }
+    let written = match &options.source_map {
+        None => write(&expansion.tree, &request.file),
+        Some(file) => {
+            let written = write_mapped(&expansion.tree, &request.file);
+            if let Err(error) = save_map(&expansion, &written, &env.cwd.join(file)) {
+                io.line(&visible(&format!("error: Failed to write the source map: {error}: '{file}'")));
+                return 2;
+            }
+            written
+        }
+    };
+    deliver(&written.text, options, env, io)
 }
 
 /// Put standard input in the place of a file; the name to expand.
@@ -174,6 +192,14 @@ fn as_report<'a>(problem: &Problem, files: &'a [ShownFile<'a>]) -> Option<Report
         trace: trace.filter_map(|step| mark(step.place, step.message.clone())).collect(),
         help: problem.help.clone(),
     })
+}
+
+/// Write the map of an expansion; files are named by path, columns count characters.
+fn save_map(expansion: &Expansion, written: &Written, path: &Path) -> std::io::Result<()> {
+    let name = |file: &FileUse| file.source.path.display().to_string();
+    let map = source_map(expansion, written, Encoding::Utf32, name);
+    let text = serde_json::to_string(&map)?;
+    crate::vfs::write_atomically(path, text.as_bytes())
 }
 
 /// What `--deps` prints: each name once, blanks between, no line feed.

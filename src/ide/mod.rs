@@ -9,6 +9,7 @@ mod locate;
 mod names;
 mod outline;
 mod selection;
+mod source_map;
 mod tags;
 
 pub use context::Cx;
@@ -17,4 +18,5 @@ pub use locate::{At, Part, locate};
 pub use names::{NameUse, Target, definition_of, definitions, occurrences};
 pub use outline::{Outline, OutlineKind, outline};
 pub use selection::selection;
+pub use source_map::{Lines, SourceMap, entry_at, instances, origin_of, source_map, steps};
 pub use tags::{matching_tags, same_tag_names};

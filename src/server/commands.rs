@@ -8,7 +8,8 @@ use super::failure::Failure;
 use crate::base::CancelFlag;
 
 /// The commands.
-pub(super) const NAMES: &[&str] = &["xacro.expand", "xacro.restartAnalysis"];
+pub(super) const NAMES: &[&str] =
+    &["xacro.expand", "xacro.restartAnalysis", "xacro.selectRoot", "xacro.tree"];
 
 impl Engine {
     pub fn command(
@@ -21,6 +22,8 @@ impl Engine {
             "xacro.expand" => {
                 self.expand(parsed(argument)?, cancel).map(|answer| serde_json::to_value(answer).ok())
             }
+            "xacro.selectRoot" => self.set_root(parsed(argument)?, cancel).map(Some),
+            "xacro.tree" => self.tree(parsed(argument)?, cancel).map(|tree| serde_json::to_value(tree).ok()),
             "xacro.restartAnalysis" => {
                 self.world.reload();
                 self.schedule();

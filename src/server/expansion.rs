@@ -11,6 +11,7 @@ use super::failure::Failure;
 use crate::analysis::RootChoice;
 use crate::base::{CancelFlag, Span};
 use crate::expand::{Expansion, Place, Severity};
+use crate::ide::SourceMap;
 
 /// A root as the protocol names it.
 #[derive(Clone, Debug, Serialize, Deserialize, PartialEq, Eq)]
@@ -29,6 +30,8 @@ pub(super) struct ExpandParams {
     pub root: Option<Root>,
     #[serde(default)]
     pub args: BTreeMap<String, String>,
+    #[serde(default)]
+    pub source_map: bool,
 }
 
 /// The expanded document, and what kept it from being complete.
@@ -40,6 +43,8 @@ pub(super) struct Expanded {
     /// All arguments with the values they had.
     pub args: BTreeMap<String, String>,
     pub errors: Vec<ExpandError>,
+    #[serde(rename = "sourceMap", skip_serializing_if = "Option::is_none")]
+    pub source_map: Option<SourceMap>,
     /// How long it took, in milliseconds.
     pub ms: f64,
 }
@@ -72,13 +77,13 @@ impl Engine {
         }
         let analyzed = self.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
         let expansion = &analyzed.expansion;
-        let uri = self.uri(&root.file).ok_or_else(|| Failure::Invalid("the root has no name".to_owned()))?;
         Ok(Expanded {
             ok: !expansion.has_errors() && expansion.root_error.is_none(),
             urdf: analyzed.written().text.clone(),
-            root: Root { uri, args: root.args.iter().cloned().collect(), preset: root.preset.clone() },
+            root: self.named(&root)?,
             args: expansion.arguments.iter().map(|(n, v)| (n.to_string(), v.to_string())).collect(),
             errors: self.errors(expansion),
+            source_map: params.source_map.then(|| self.map_of(&analyzed)),
             ms: begin.elapsed().as_secs_f64() * 1e3,
         })
     }

@@ -9,6 +9,8 @@ use super::engine::Engine;
 use super::exit::Shutdown;
 use super::expansion::{ExpandParams, Expanded};
 use super::letterbox::Letterbox;
+use super::mapping::{Instances, Sources, ToExpandedParams, ToSourceParams};
+use super::roots::{Roots, RootsParams, SetRootParams, Tree, TreeParams};
 
 /// The protocol side of the server.
 pub(super) struct Handlers {
@@ -17,6 +19,26 @@ pub(super) struct Handlers {
 }
 
 impl Handlers {
+    pub async fn to_source(&self, params: ToSourceParams) -> Result<Sources> {
+        self.letterbox.ask(params, Engine::to_source).await
+    }
+
+    pub async fn to_expanded(&self, params: ToExpandedParams) -> Result<Instances> {
+        self.letterbox.ask(params, Engine::to_expanded).await
+    }
+
+    pub async fn roots(&self, params: RootsParams) -> Result<Roots> {
+        self.letterbox.ask(params, Engine::roots).await
+    }
+
+    pub async fn set_root(&self, params: SetRootParams) -> Result<Value> {
+        self.letterbox.ask(params, Engine::set_root).await
+    }
+
+    pub async fn tree(&self, params: TreeParams) -> Result<Tree> {
+        self.letterbox.ask(params, Engine::tree).await
+    }
+
     pub async fn bad_message(&self, params: Value) {
         self.letterbox.tell(params, Engine::bad_message);
     }

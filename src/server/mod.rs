@@ -16,8 +16,10 @@ mod framing;
 mod handlers;
 mod letterbox;
 mod lifecycle;
+mod mapping;
 mod navigation;
 mod outbox;
+mod roots;
 mod structure;
 mod sync;
 
@@ -57,6 +59,11 @@ async fn serve(env: Environment) -> u8 {
         Handlers { letterbox: post, shutdown: exit }
     })
     .custom_method("xacro/expand", Handlers::expand)
+    .custom_method("xacro/toSource", Handlers::to_source)
+    .custom_method("xacro/toExpanded", Handlers::to_expanded)
+    .custom_method("xacro/roots", Handlers::roots)
+    .custom_method("xacro/setRoot", Handlers::set_root)
+    .custom_method("xacro/tree", Handlers::tree)
     .custom_method(framing::BAD_MESSAGE, Handlers::bad_message)
     .finish();
     let service = Watched { inner: service, shutdown: shutdown.clone() };

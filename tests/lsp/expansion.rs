@@ -45,3 +45,71 @@ fn the_command_answers_the_same() {
     let params = json!({ "command": "xacro.expand", "arguments": [client.of(ROBOT)] });
     assert_eq!(client.request("workspace/executeCommand", params)["ok"], true);
 }
+
+/// `file:line text role` of the places that a text of the expanded document came from.
+#[track_caller]
+fn sources(client: &mut Client, pattern: &str) -> Vec<String> {
+    let expanded = client.request("xacro/expand", client.of(ROBOT));
+    let urdf = expanded["urdf"].as_str().unwrap().to_owned();
+    let (before, behind) = pattern.split_once('|').unwrap();
+    let start = urdf.find(&format!("{before}{behind}")).unwrap_or_else(|| panic!("`{pattern}` in {urdf}"));
+    let position = super::client::position(&urdf, start + before.len());
+    let answer = client.request("xacro/toSource", json!({ "root": client.uri(ROBOT), "position": position }));
+    let shown = |place: &serde_json::Value| {
+        let at = client.shown(place["uri"].as_str().unwrap(), &place["range"]);
+        format!("{at} {}", place["role"].as_str().unwrap())
+    };
+    answer["locations"].as_array().unwrap().iter().map(shown).collect()
+}
+
+#[test]
+fn the_parts_of_a_name_lead_to_those_who_gave_them() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    client.open(UNIT);
+    let call = "pan_tilt.urdf.xacro:8 <xacro:unit call";
+    assert_eq!(sources(&mut client, "<joint name=\"ti|lt\""), [
+        "pan_tilt.urdf.xacro:8 tilt origin",
+        "unit.xacro:5 ${name} argument",
+        call
+    ]);
+    assert_eq!(sources(&mut client, "<link name=\"tilt_b|ody\""), ["unit.xacro:4 _body origin", call]);
+}
+
+#[test]
+fn a_macro_body_shows_all_it_made() {
+    let mut client = Client::start();
+    client.open(UNIT);
+    let answer = client.request("xacro/toExpanded", client.at(UNIT, "<ax|is"));
+    let labels: Vec<&str> =
+        answer["instances"].as_array().unwrap().iter().map(|i| i["label"].as_str().unwrap()).collect();
+    assert_eq!(labels, ["unit @ pan_tilt.urdf.xacro:7", "unit @ pan_tilt.urdf.xacro:8"]);
+}
+
+#[test]
+fn the_tree_lists_links_with_their_joints_and_masses() {
+    let mut client = Client::start();
+    client.open(UNIT);
+    let tree = client.request("xacro/tree", client.of(UNIT));
+    let shown: Vec<String> = tree["nodes"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|node| format!("{} {} {}", node["link"], node["joint"], node["mass"]))
+        .collect();
+    assert_eq!(shown, ["\"desk\" null null", "\"pan_body\" \"pan\" 0.3", "\"tilt_body\" \"tilt\" 0.3"]);
+}
+
+#[test]
+fn roots_can_be_listed_and_picked() {
+    let mut client = Client::start();
+    client.open(UNIT);
+    let params = json!({ "textDocument": { "uri": client.uri(UNIT) } });
+    let roots = client.request("xacro/roots", params.clone());
+    assert!(roots["active"]["uri"].as_str().unwrap().ends_with("pan_tilt.urdf.xacro"), "{roots}");
+    assert_eq!(roots["args"], json!([{ "name": "mount", "value": "desk" }]));
+    let root = json!({ "uri": client.uri(ROBOT), "args": { "mount": "wall" } });
+    client.request("xacro/setRoot", json!({ "root": root, "textDocument": { "uri": client.uri(UNIT) } }));
+    let roots = client.request("xacro/roots", params);
+    assert_eq!(roots["args"], json!([{ "name": "mount", "value": "wall" }]));
+}

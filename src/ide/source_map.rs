@@ -1,0 +1,167 @@
+//! From the expanded text to the source and back.
+//!
+//! The map is like that of JavaScript, but its nodes have a call stack: a frame is an include, a macro call or an
+//! inserted block.
+
+use serde::Serialize;
+
+use crate::base::{Encoding, FastMap, TextRange};
+use crate::expand::{BindingKind, Expansion, FrameId, FrameKind, MapEntry, Origin, Written};
+use crate::xml::Document;
+
+/// The map as it is written: `files` are named by the caller.
+#[derive(Clone, Debug, Serialize)]
+pub struct SourceMap {
+    /// Version of the format.
+    pub version: u32,
+    /// The root file.
+    pub root: String,
+    /// The files.
+    pub files: Vec<String>,
+    /// Parent frame, file, start line and column, end line and column of the tag, name; the first is the root.
+    pub frames: Vec<(u32, u32, u32, u32, u32, u32, String)>,
+    /// Start and end in the expanded text, file, start and end in the source, frame, kind. Sorted by start.
+    pub map: Vec<[u32; 11]>,
+}
+
+/// The map of an expansion; `name` gives the name of each file. Columns are counted in `encoding`.
+pub fn source_map(
+    expansion: &Expansion,
+    written: &Written,
+    encoding: Encoding,
+    name: impl Fn(&crate::expand::FileUse) -> String,
+) -> SourceMap {
+    let files: Vec<String> = expansion.files.iter().map(&name).collect();
+    let places = Places { expansion, encoding };
+    let frames = expansion.frames.iter().map(|frame| {
+        let [file, sl, sc, el, ec] = places.of(frame.call).unwrap_or_default();
+        (frame.call.frame.0, file, sl, sc, el, ec, frame.name.to_string())
+    });
+    let out = Lines::of(&written.text, encoding);
+    let row = |entry: &MapEntry| {
+        let origin = origin_of(expansion, entry);
+        let [file, sl, sc, el, ec] = places.of(origin)?;
+        let ([gl, gc], [gel, gec]) = (out.position(entry.out.start), out.position(entry.out.end));
+        Some([gl, gc, gel, gec, file, sl, sc, el, ec, origin.frame.0, entry.kind as u32])
+    };
+    let mut map: Vec<[u32; 11]> = written.map.iter().filter_map(row).collect();
+    map.sort_by_key(|row| (row[0], row[1], std::cmp::Reverse((row[2], row[3]))));
+    let root = files.first().cloned().unwrap_or_default();
+    SourceMap { version: 1, root, files, frames: frames.collect(), map }
+}
+
+/// The text that made an entry. What an expression took from a macro's parameter as it is was made by the call.
+pub fn origin_of(expansion: &Expansion, entry: &MapEntry) -> Origin {
+    let mut origin = entry.origin;
+    let mut reads = &entry.reads;
+    // a value is handed down through calls as often as calls are nested
+    for _ in 0..64 {
+        let [read] = reads.as_ref() else { break };
+        let Some(binding) = expansion.bindings.get(*read as usize) else { break };
+        let is_name = whole_name(expansion, origin);
+        let Some(given) = binding.origin.filter(|_| binding.kind == BindingKind::Parameter && is_name) else {
+            break;
+        };
+        origin = given;
+        reads = &binding.reads;
+    }
+    origin
+}
+
+/// Whether the text at an origin is `${name}` and nothing else.
+fn whole_name(expansion: &Expansion, origin: Origin) -> bool {
+    let Some(source) = expansion.sources.get(origin.src.0 as usize) else { return false };
+    let text = origin.range.slice(source.item.text()).trim();
+    let name = text.strip_prefix("${").and_then(|text| text.strip_suffix('}'));
+    name.is_some_and(|name| crate::expr::is_identifier(name.trim()))
+}
+
+/// The innermost entry of the expanded text at an offset.
+pub fn entry_at(written: &Written, offset: u32) -> Option<&MapEntry> {
+    let here = |entry: &&MapEntry| entry.out.start <= offset && offset < entry.out.end;
+    written.map.iter().filter(here).min_by_key(|entry| (entry.out.len(), std::cmp::Reverse(entry.kind)))
+}
+
+/// What a source text made: the stretches of the expanded text whose origin holds or lies in `range` of `file`,
+/// of those around it the innermost only; with the frames that led there.
+pub fn instances(
+    expansion: &Expansion,
+    written: &Written,
+    file: crate::expand::FileIdx,
+    offset: u32,
+) -> Vec<(TextRange, FrameId)> {
+    let place = |entry: &MapEntry| {
+        let source = expansion.sources.get(entry.origin.src.0 as usize)?;
+        let range = entry.origin.range.shift(source.base);
+        (source.file == file && range.start <= offset && offset <= range.end).then_some(range)
+    };
+    let found = written.map.iter().filter_map(|entry| Some((entry, place(entry)?)));
+    let mut smallest: FastMap<FrameId, (u32, TextRange)> = FastMap::default();
+    for (entry, range) in found {
+        let kept = smallest.entry(entry.origin.frame).or_insert((range.len(), entry.out));
+        if range.len() < kept.0 {
+            *kept = (range.len(), entry.out);
+        }
+    }
+    let least = smallest.values().map(|(length, _)| *length).min().unwrap_or(0);
+    let mut found: Vec<(TextRange, FrameId)> = smallest
+        .into_iter()
+        .filter(|(_, (length, _))| *length == least)
+        .map(|(frame, (_, out))| (out, frame))
+        .collect();
+    found.sort_by_key(|(out, _)| out.start);
+    found
+}
+
+/// The steps that led to an origin, innermost first, without the root.
+pub fn steps(expansion: &Expansion, origin: Origin) -> impl Iterator<Item = (FrameKind, Origin)> {
+    expansion.frames_of(origin).map(|frame| (frame.kind, frame.call))
+}
+
+/// Lines and columns in the sources.
+struct Places<'a> {
+    expansion: &'a Expansion,
+    encoding: Encoding,
+}
+
+impl Places<'_> {
+    /// File, start line and column, end line and column.
+    fn of(&self, origin: Origin) -> Option<[u32; 5]> {
+        let place = self.expansion.place(origin)?;
+        let document: &Document = &self.expansion.files.get(place.file.0 as usize)?.source.document;
+        let start = document.line_col(place.range.start, self.encoding);
+        let end = document.line_col(place.range.end, self.encoding);
+        Some([place.file.0, start.line, start.col, end.line, end.col])
+    }
+}
+
+/// Lines of a text that is no document.
+pub struct Lines<'a> {
+    text: &'a str,
+    starts: Vec<u32>,
+    encoding: Encoding,
+}
+
+impl<'a> Lines<'a> {
+    /// The lines of a text whose lines end with a line feed.
+    pub fn of(text: &'a str, encoding: Encoding) -> Self {
+        let ends = memchr::memchr_iter(b'\n', text.as_bytes()).map(|at| at as u32 + 1);
+        Self { text, starts: std::iter::once(0).chain(ends).collect(), encoding }
+    }
+
+    /// Line and column of an offset.
+    pub fn position(&self, offset: u32) -> [u32; 2] {
+        let line = self.starts.partition_point(|&start| start <= offset).saturating_sub(1);
+        let start = self.starts.get(line).copied().unwrap_or(0) as usize;
+        let before = self.text.get(start..offset as usize).unwrap_or("");
+        [line as u32, self.encoding.width(before)]
+    }
+
+    /// The offset of a line and column; behind the end of a line: its end.
+    pub fn offset(&self, line: u32, column: u32) -> u32 {
+        let Some(&start) = self.starts.get(line as usize) else { return self.text.len() as u32 };
+        let end = self.starts.get(line as usize + 1).map_or(self.text.len(), |&next| next as usize - 1);
+        let text = self.text.get(start as usize..end).unwrap_or("");
+        start + self.encoding.locate(text, column).unwrap_or(text.len()) as u32
+    }
+}

@@ -1,0 +1,158 @@
+//! `xacro/toSource` and `xacro/toExpanded`: jumping between the expanded text and its sources.
+
+use std::sync::Arc;
+
+use lsp_types::{Location, Position, Range, TextDocumentIdentifier, TextDocumentPositionParams, Url};
+use serde::{Deserialize, Serialize};
+
+use super::engine::Engine;
+use super::expansion::Root;
+use super::failure::Failure;
+use crate::analysis::{Analyzed, RootChoice};
+use crate::base::{CancelFlag, TextRange};
+use crate::expand::{FrameId, FrameKind, Origin};
+use crate::ide::{self, Lines, SourceMap};
+
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct ToSourceParams {
+    /// The root file, or the file that is shown under it.
+    pub root: Url,
+    /// In the expanded text.
+    pub position: Position,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Sources {
+    /// The origin first, then outwards.
+    pub locations: Vec<SourceLocation>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct SourceLocation {
+    #[serde(flatten)]
+    pub location: Location,
+    pub role: &'static str,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct ToExpandedParams {
+    #[serde(flatten)]
+    pub at: TextDocumentPositionParams,
+    pub root: Option<Root>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Instances {
+    pub root: Root,
+    pub instances: Vec<Instance>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Instance {
+    /// In the expanded text.
+    pub range: Range,
+    pub label: String,
+}
+
+impl Engine {
+    pub fn to_source(&mut self, params: ToSourceParams, cancel: &CancelFlag) -> Result<Sources, Failure> {
+        let document = TextDocumentIdentifier { uri: params.root };
+        let (_, analyzed) = self.shown_under(&document, None, cancel)?;
+        let written = analyzed.written();
+        let lines = Lines::of(&written.text, self.encoding);
+        let offset = lines.offset(params.position.line, params.position.character);
+        let mut locations = Vec::new();
+        let expansion = &analyzed.expansion;
+        if let Some(entry) = ide::entry_at(written, offset) {
+            let origin = ide::origin_of(expansion, entry);
+            locations.extend(self.mapped(&analyzed, origin, "origin"));
+            if origin != entry.origin {
+                // the value was given by a call: the place in the macro comes second
+                locations.extend(self.mapped(&analyzed, entry.origin, "argument"));
+            }
+            for (kind, call) in ide::steps(expansion, entry.origin) {
+                let role = if kind == FrameKind::Include { "include" } else { "call" };
+                locations.extend(self.mapped(&analyzed, call, role));
+            }
+        }
+        Ok(Sources { locations })
+    }
+
+    fn mapped(&self, analyzed: &Analyzed, origin: Origin, role: &'static str) -> Option<SourceLocation> {
+        let place = analyzed.expansion.place(origin)?;
+        let file = analyzed.expansion.files.get(place.file.0 as usize)?.source.id;
+        let location = self.location(crate::base::Span { file, range: place.range })?;
+        Some(SourceLocation { location, role })
+    }
+
+    pub fn to_expanded(
+        &mut self,
+        params: ToExpandedParams,
+        cancel: &CancelFlag,
+    ) -> Result<Instances, Failure> {
+        let (root, analyzed) = self.shown_under(&params.at.text_document, params.root, cancel)?;
+        let (path, source) = self.source(&params.at.text_document.uri)?;
+        let offset = super::convert::offset(&source.document, params.at.position, self.encoding);
+        let written = analyzed.written();
+        let lines = Lines::of(&written.text, self.encoding);
+        let file = analyzed.expansion.files.iter().position(|file| *file.source.path == *path);
+        let file = file.map(|index| crate::expand::FileIdx(index as u32));
+        let found =
+            file.map(|file| ide::instances(&analyzed.expansion, written, file, offset)).unwrap_or_default();
+        let instance = |(out, frame): (TextRange, FrameId)| Instance {
+            range: expanded_range(&lines, out),
+            label: self.label(&analyzed, frame),
+        };
+        Ok(Instances { root: self.named(&root)?, instances: found.into_iter().map(instance).collect() })
+    }
+
+    /// A call in a few words: `unit @ robot.urdf.xacro:7`.
+    fn label(&self, analyzed: &Analyzed, frame: FrameId) -> String {
+        let Some(frame) = analyzed.expansion.frames.get(frame.0 as usize) else { return String::new() };
+        let Some(place) = analyzed.expansion.place(frame.call) else { return frame.name.to_string() };
+        let Some(file) = analyzed.expansion.files.get(place.file.0 as usize) else {
+            return frame.name.to_string();
+        };
+        let line = file.source.document.line_col(place.range.start, self.encoding).line + 1;
+        let name = file.source.path.file_name().unwrap_or_default().to_string_lossy();
+        format!("{} @ {name}:{line}", frame.name)
+    }
+
+    /// A root as the protocol names it.
+    pub fn named(&self, root: &RootChoice) -> Result<Root, Failure> {
+        let uri = self.uri(&root.file).ok_or_else(|| Failure::Invalid("the root has no name".to_owned()))?;
+        Ok(Root { uri, args: root.args.iter().cloned().collect(), preset: root.preset.clone() })
+    }
+
+    /// The root that a request names or that the file is shown under, expanded.
+    pub fn shown_under(
+        &mut self,
+        document: &TextDocumentIdentifier,
+        root: Option<Root>,
+        cancel: &CancelFlag,
+    ) -> Result<(RootChoice, Arc<Analyzed>), Failure> {
+        let (path, _) = self.source(&document.uri)?;
+        let root = match root {
+            Some(root) => self.chosen(root)?,
+            None => self.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path)),
+        };
+        let analyzed = self.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+        Ok((root, analyzed))
+    }
+
+    /// The source map of an expansion, its files named by URI.
+    pub fn map_of(&self, analyzed: &Analyzed) -> SourceMap {
+        let name = |file: &crate::expand::FileUse| {
+            self.uri(&file.source.path).map_or_else(|| file.name.clone(), |uri| uri.to_string())
+        };
+        ide::source_map(&analyzed.expansion, analyzed.written(), self.encoding, name)
+    }
+}
+
+fn expanded_range(lines: &Lines<'_>, range: TextRange) -> Range {
+    let at = |offset| {
+        let [line, column] = lines.position(offset);
+        Position::new(line, column)
+    };
+    Range::new(at(range.start), at(range.end))
+}

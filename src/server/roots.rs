@@ -1,0 +1,179 @@
+//! `xacro/roots`, `xacro/setRoot` and `xacro/tree`: contexts and the kinematic tree.
+
+use lsp_types::{Location, TextDocumentIdentifier};
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+use super::engine::Engine;
+use super::expansion::{ExpandError, Root};
+use super::failure::Failure;
+use super::outbox::Message;
+use crate::analysis::{Analyzed, RootChoice};
+use crate::base::CancelFlag;
+use crate::expand::Origin;
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct RootsParams {
+    pub text_document: TextDocumentIdentifier,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Roots {
+    pub active: Option<Root>,
+    pub reason: &'static str,
+    pub candidates: Vec<Candidate>,
+    pub args: Vec<Argument>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Candidate {
+    #[serde(flatten)]
+    pub root: Root,
+    pub distance: u32,
+}
+
+/// An argument of the active root and its value there.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Argument {
+    pub name: String,
+    pub value: String,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct SetRootParams {
+    pub root: Option<Root>,
+    pub text_document: Option<TextDocumentIdentifier>,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct TreeParams {
+    pub root: Option<Root>,
+    pub text_document: Option<TextDocumentIdentifier>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Tree {
+    pub nodes: Vec<TreeNode>,
+    pub problems: Vec<ExpandError>,
+}
+
+/// A link, and the joint that holds it.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct TreeNode {
+    pub link: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub joint: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub parent: Option<String>,
+    pub location: Location,
+    /// kg
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mass: Option<f64>,
+}
+
+impl Engine {
+    pub fn roots(&mut self, params: RootsParams, cancel: &CancelFlag) -> Result<Roots, Failure> {
+        let (path, _) = self.source(&params.text_document.uri)?;
+        let context = self.world.context(&path);
+        let mut args = Vec::new();
+        if let Some(root) = &context.root {
+            let analyzed = self.world.analyzed(root, cancel).ok_or(Failure::Cancelled)?;
+            let known = analyzed.expansion.arguments.iter();
+            args.extend(
+                known.map(|(name, value)| Argument { name: name.to_string(), value: value.to_string() }),
+            );
+        }
+        let candidates = context.candidates.iter().filter_map(|(root, distance)| {
+            Some(Candidate { root: self.named(root).ok()?, distance: *distance })
+        });
+        Ok(Roots {
+            active: context.root.as_ref().and_then(|root| self.named(root).ok()),
+            reason: context.reason.text(),
+            candidates: candidates.collect(),
+            args,
+        })
+    }
+
+    pub fn set_root(&mut self, params: SetRootParams, _: &CancelFlag) -> Result<Value, Failure> {
+        let root = params.root.map(|root| self.chosen(root)).transpose()?;
+        match &params.text_document {
+            Some(document) => {
+                let path = self.path(&document.uri);
+                self.world.pick(&path, root);
+            }
+            None => self.world.pick_all(root),
+        }
+        let open: Vec<_> = self.documents.keys().cloned().collect();
+        for path in open {
+            self.tell_context(&path);
+        }
+        self.schedule();
+        self.refresh();
+        Ok(Value::Null)
+    }
+
+    /// Tell the client under which root a file is shown now.
+    fn tell_context(&mut self, path: &std::path::Path) {
+        let context = self.world.context(path);
+        let Some(uri) = self.uri(path) else { return };
+        let active = context.root.as_ref().and_then(|root| self.named(root).ok());
+        let text = context.root.as_ref().map_or_else(|| context.reason.text().to_owned(), label);
+        let params = json!({ "textDocument": { "uri": uri }, "active": active, "text": text });
+        self.outbox.send(Message::Custom("xacro/contextChanged", params));
+    }
+
+    pub fn tree(&mut self, params: TreeParams, cancel: &CancelFlag) -> Result<Tree, Failure> {
+        let asked = params.root.as_ref().map(|root| TextDocumentIdentifier { uri: root.uri.clone() });
+        let Some(document) = params.text_document.or(asked) else {
+            return Err(Failure::Invalid("name a `root` or a `textDocument`".to_owned()));
+        };
+        let (_, analyzed) = self.shown_under(&document, params.root, cancel)?;
+        Ok(Tree { nodes: self.nodes(&analyzed), problems: self.errors(&analyzed.expansion) })
+    }
+
+    /// The links of a robot, each with its joint, roots first.
+    fn nodes(&self, analyzed: &Analyzed) -> Vec<TreeNode> {
+        let (Some(robot), Some(kinematics)) = (&analyzed.robot, &analyzed.kinematics) else {
+            return Vec::new();
+        };
+        let mut nodes = Vec::new();
+        let mut open: Vec<usize> = kinematics.roots(robot).into_iter().rev().collect();
+        let mut seen = vec![false; robot.links.len()];
+        while let Some(index) = open.pop() {
+            let Some(link) = robot.links.get(index) else { continue };
+            if seen.get_mut(index).is_none_or(|seen| std::mem::replace(seen, true)) {
+                continue;
+            }
+            let joint = kinematics.up(index).first().and_then(|&joint| robot.joints.get(joint));
+            let parent = joint.and_then(|joint| joint.parent.as_ref());
+            let origin = link.name.as_ref().map(|name| name.origin);
+            let location = origin.and_then(|origin| self.origin_location(analyzed, origin));
+            nodes.extend(location.map(|location| TreeNode {
+                link: link.shown().to_owned(),
+                joint: joint.map(|joint| joint.shown().to_owned()),
+                parent: parent.map(|parent| parent.value.to_string()),
+                location,
+                mass: link.inertial.as_ref().and_then(|inertial| inertial.mass()),
+            }));
+            let below = kinematics.down(index).iter().rev();
+            open.extend(below.filter_map(|&joint| Some(kinematics.ends(joint)?.1)));
+        }
+        nodes
+    }
+
+    fn origin_location(&self, analyzed: &Analyzed, origin: Origin) -> Option<Location> {
+        let place = analyzed.expansion.place(origin)?;
+        let file = analyzed.expansion.files.get(place.file.0 as usize)?.source.id;
+        self.location(crate::base::Span { file, range: place.range })
+    }
+}
+
+/// A root for a status line: its file and what it is run with.
+fn label(root: &RootChoice) -> String {
+    let name = root.file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let args = root.args.iter().map(|(name, value)| format!(" {name}:={value}"));
+    std::iter::once(name).chain(args).collect()
+}
