@@ -20,11 +20,11 @@ pub(super) struct Handlers {
 
 impl Handlers {
     pub async fn to_source(&self, params: ToSourceParams) -> Result<Sources> {
-        self.letterbox.ask(params, Engine::to_source).await
+        self.letterbox.ask(params, Engine::sources_of).await
     }
 
     pub async fn to_expanded(&self, params: ToExpandedParams) -> Result<Instances> {
-        self.letterbox.ask(params, Engine::to_expanded).await
+        self.letterbox.ask(params, Engine::instances_of).await
     }
 
     pub async fn roots(&self, params: RootsParams) -> Result<Roots> {

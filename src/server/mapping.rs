@@ -55,7 +55,7 @@ pub(super) struct Instance {
 }
 
 impl Engine {
-    pub fn to_source(&mut self, params: ToSourceParams, cancel: &CancelFlag) -> Result<Sources, Failure> {
+    pub fn sources_of(&mut self, params: ToSourceParams, cancel: &CancelFlag) -> Result<Sources, Failure> {
         let document = TextDocumentIdentifier { uri: params.root };
         let (_, analyzed) = self.shown_under(&document, None, cancel)?;
         let written = analyzed.written();
@@ -85,7 +85,7 @@ impl Engine {
         Some(SourceLocation { location, role })
     }
 
-    pub fn to_expanded(
+    pub fn instances_of(
         &mut self,
         params: ToExpandedParams,
         cancel: &CancelFlag,
