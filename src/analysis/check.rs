@@ -218,8 +218,19 @@ impl Session {
         if finding.message.contains(&cwd) {
             finding.message = finding.message.replace(&cwd, "");
         }
+        shorten(&mut finding.message);
+        finding.help.iter_mut().for_each(shorten);
         let is_config = finding.rule.code == "LNT004";
         severity == Severity::Error || is_config || homes.iter().any(|home| path.starts_with(home))
+    }
+}
+
+/// Names can be as long as files: what a message shows of them has a bound.
+fn shorten(message: &mut String) {
+    const MOST: usize = 1000;
+    if message.len() > MOST {
+        message.truncate(message.floor_char_boundary(MOST));
+        message.push('…');
     }
 }
 

@@ -79,7 +79,20 @@ fn kind(expansion: &Expansion, job: &Job) -> RootKind {
     let plain = job.file.extension().is_some_and(|ending| ending == "urdf")
         && !expansion.files.first().is_some_and(uses_xacro);
     let by_itself = || Robot::of(expansion).is_some_and(|robot| robot.is_entry());
-    if job.reason == Reason::Root || plain || by_itself() { RootKind::Robot } else { RootKind::Library }
+    if job.reason == Reason::Root || plain || by_itself() || is_bare(expansion) {
+        RootKind::Robot
+    } else {
+        RootKind::Library
+    }
+}
+
+/// A robot with a name and without a single tag of xacro is no library: its links are missing.
+fn is_bare(expansion: &Expansion) -> bool {
+    let Some(file) = expansion.files.first() else { return false };
+    let document = &file.source.document;
+    let named = document.root().is_some_and(|root| root.name() == "robot" && root.attr("name").is_some());
+    let mut nodes = document.parts().flat_map(|(_, item)| item.all_nodes());
+    named && document.errors().is_empty() && !nodes.any(|node| node.name().starts_with("xacro:"))
 }
 
 fn reads(expansion: &Expansion) -> Vec<PathBuf> {

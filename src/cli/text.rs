@@ -92,13 +92,25 @@ fn drawing(
     cwd: &Path,
     color: bool,
 ) -> String {
+    // what is no description by its name may be anything: its text is not for a log
+    let is_shown = |span: &Span| is_source(report.path(span.file));
     let mark = |span: Span, label: &str| {
+        is_shown(&span).then_some(())?;
         Some(Mark { file: files.get(&span.file)?, range: span.range, label: label.to_owned() })
     };
     let Some(primary) = mark(finding.span, "") else {
         let path = shown_path(report.path(finding.span.file), cwd);
         let Finding { severity, rule, message, .. } = finding;
-        return visible(&format!("{severity}[{}]: {path}: {message}", rule.name));
+        let from = finding.related.iter().find(|related| is_shown(&related.span)).map(|related| {
+            let (row, column) = report.position(related.span).start;
+            format!(
+                " ({} {}:{row}:{column})",
+                related.message,
+                shown_path(report.path(related.span.file), cwd)
+            )
+        });
+        let from = from.unwrap_or_default();
+        return visible(&format!("{severity}[{}]: {path}: {message}{from}", rule.name));
     };
     let drawing = Drawing {
         level: level(finding.severity),
@@ -110,6 +122,12 @@ fn drawing(
         help: finding.help.clone(),
     };
     render(&drawing, color)
+}
+
+/// Whether the text of a file may be shown.
+fn is_source(path: &Path) -> bool {
+    const ENDINGS: [&str; 9] = ["xacro", "urdf", "xml", "srdf", "sdf", "yaml", "yml", "toml", "txt"];
+    path.extension().and_then(|ending| ending.to_str()).is_some_and(|ending| ENDINGS.contains(&ending))
 }
 
 fn level(severity: Severity) -> Level<'static> {

@@ -142,8 +142,20 @@ impl Expander<'_> {
     }
 
     fn eval_text_node(&mut self, node: Node<'_>, src: SrcId, out: XId, cx: Cx, siblings: &mut Siblings) {
+        if let Some(name) = self.entities(src).markup_entity(node.raw()).map(str::to_owned) {
+            self.refuse_markup(&name, Origin { src, range: node.raw_range(), frame: cx.frame });
+        }
         let text = node.text(self.entities(src));
         self.push_text(&text, node, src, out, cx, siblings);
+    }
+
+    /// An entity that stands for elements: the tree does not show them.
+    fn refuse_markup(&mut self, name: &str, at: Origin) {
+        let message = format!("entity `{name}` holds markup, which is not read here");
+        let problem = self.problem("XML001", at, message.clone()).says(message);
+        self.push(problem.help("write the elements where they belong, or as a macro"));
+        self.result.complete = false;
+        self.content_lost = true;
     }
 
     fn push_text(

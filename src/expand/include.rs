@@ -184,7 +184,7 @@ impl Expander<'_> {
                 self.by_path.insert(source.path.clone(), file);
                 self.add_sources(file, name, &source);
                 self.report_encoding(file, &source);
-                self.report_syntax(file);
+                self.report_syntax(file, at);
                 Some(file)
             }
             Err(error) => {
@@ -251,7 +251,7 @@ impl Expander<'_> {
     }
 
     /// One finding a file that is not well-formed; what its recovered tree seems to say is not trusted.
-    fn report_syntax(&mut self, file: FileIdx) {
+    fn report_syntax(&mut self, file: FileIdx, include: Origin) {
         let Some(used) = self.result.files.get(file.0 as usize) else { return };
         let (document, base) = (used.source.document.clone(), used.first_source);
         let errors = document.errors();
@@ -263,6 +263,10 @@ impl Expander<'_> {
         let position = document.line_col(first.expat_offset, crate::base::Encoding::Utf32);
         let at = Origin { src: base, range: first.range, frame: super::FrameId::ROOT };
         let mut problem = self.syntax_problem(first, at, file);
+        if let Some(place) = self.result.place(include) {
+            problem.trace.push(super::Step { place, message: "included here".to_owned() });
+            problem.trace.extend(self.problem("XML001", include, "").trace);
+        }
         problem.reference = format!(
             "XML parsing error: {}: line {}, column {}",
             first.expat,

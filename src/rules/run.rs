@@ -167,7 +167,9 @@ fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Option<Findin
     let mut place = Span { file, range: place::fit(rule.code, document, range) };
     if let Some((range, opened)) = place::syntax(document, file).filter(|_| rule.code == "XML001") {
         place.range = range;
-        calls = opened.into_iter().collect();
+        // of the steps, only those in other files led here: the includes
+        let includes = calls.into_iter().filter(|step| step.span.file != file);
+        calls = opened.into_iter().chain(includes).collect();
     }
     let fix = problem.replacement.as_ref().map(|content| Fix {
         safety: rule.fix.unwrap_or(Safety::Unsafe),

@@ -109,11 +109,26 @@ pub(super) fn bytes(path: &Path, limit: u64) -> Result<Vec<u8>, LoadError> {
     }
     // Files of /proc and files that grow say a smaller size than they have.
     let mut bytes = Vec::with_capacity(usize::try_from(found.len()).unwrap_or(0));
-    File::open(path).map_err(io)?.take(limit.saturating_add(1)).read_to_end(&mut bytes).map_err(io)?;
+    open(path).map_err(io)?.take(limit.saturating_add(1)).read_to_end(&mut bytes).map_err(io)?;
     if bytes.len() as u64 > limit {
         return Err(LoadError::new(LoadErrorKind::TooLarge { limit }, path));
     }
     Ok(bytes)
+}
+
+/// Open a file for reading. Some files of /proc say that they are regular and then let readers wait: those answer
+/// that they would.
+#[cfg(target_os = "linux")]
+fn open(path: &Path) -> std::io::Result<File> {
+    use std::os::unix::fs::OpenOptionsExt;
+    /// `O_NONBLOCK` of Linux.
+    const NON_BLOCKING: i32 = 0o4000;
+    std::fs::OpenOptions::new().read(true).custom_flags(NON_BLOCKING).open(path)
+}
+
+#[cfg(not(target_os = "linux"))]
+fn open(path: &Path) -> std::io::Result<File> {
+    File::open(path)
 }
 
 /// A hash that is the same in every run of one build.

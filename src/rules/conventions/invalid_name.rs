@@ -4,6 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::names;
+use crate::model::Text;
 
 pub(super) const RULE: Rule = Rule {
     code: "CNV001",
@@ -23,7 +24,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let what = named.word();
         let shown = if bad.is_whitespace() { "white space".to_owned() } else { format!("`{bad}`") };
         let report = out
-            .report(name.origin, format!("the name of {what} `{}` has {shown} in it", name.value))
+            .report(name.origin, format!("the name of {what} {}has {shown} in it", quoted(name)))
             .help("use letters, digits, `_`, `-`, `.` and `/`");
         let new: String = name.value.trim().chars().map(|c| if is_admitted(c) { c } else { '_' }).collect();
         match names::rename(cx, named, &name.value, &new).filter(|_| !new.is_empty()) {
@@ -33,6 +34,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             None => report.done(),
         }
     }
+}
+
+/// The name, unless it is so long that it cannot be meant as one: then it may be the text of some file.
+fn quoted(name: &Text) -> String {
+    const MOST: usize = 100;
+    if name.value.len() > MOST { String::new() } else { format!("`{}` ", name.value) }
 }
 
 fn is_admitted(c: char) -> bool {
