@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::model::tag_start;
+use crate::model::{ControlJoint, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL011",
@@ -20,7 +20,7 @@ pub(super) const RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let Some(robot) = cx.robot.filter(|_| cx.whole()) else { return };
     for joint in robot.controls.iter().flat_map(|control| &control.joints) {
-        if joint.interfaces().next().is_none() {
+        if joint.interfaces().next().is_none() && !mimics(cx, joint) {
             out.report(
                 tag_start(cx.expansion, joint.element),
                 format!("joint `{}` has no interface", joint.shown()),
@@ -29,4 +29,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .done();
         }
     }
+}
+
+/// Joints that follow another one need no interface: by attribute, or by a parameter as it used to be written.
+fn mimics(cx: &DocumentCx<'_>, joint: &ControlJoint) -> bool {
+    let tree = &cx.expansion.tree;
+    let is_mimic =
+        |id| tree.get(id).text == "param" && tree.attr(id, "name").is_some_and(|a| a.value == "mimic");
+    joint.mimic.is_some() || tree.elements(joint.element).any(is_mimic)
 }

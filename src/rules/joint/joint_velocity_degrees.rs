@@ -5,7 +5,7 @@ use super::super::numbers::{UNLIMITED, from_degrees, whole};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::thresholds::MAX_JOINT_VELOCITY;
-use crate::model::{JointType, Limit, Text};
+use crate::model::{Joint, JointType, Limit, Text};
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT007",
@@ -21,11 +21,15 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let most = MAX_JOINT_VELOCITY.value(cx.world.config);
-    for joint in cx.joints().iter().filter(|joint| joint.is(&[JointType::Revolute])) {
+    let joints: Vec<&Joint> = cx.joints().iter().filter(|joint| joint.is(&[JointType::Revolute])).collect();
+    for joint in &joints {
         if joint.limit.as_ref().is_some_and(is_made_up) {
             continue;
         }
-        let Some(text) = joint.limit.as_ref().and_then(|limit| limit.velocity.as_ref()) else { continue };
+        let Some(text) = velocity(joint) else { continue };
+        if text.number().is_some_and(|value| is_everywhere(&joints, value)) {
+            continue;
+        }
         if text.number().is_some_and(|value| value > most && value < UNLIMITED) {
             let message = format!("revolute joint `{}` may turn at {} rad/s", joint.shown(), text.value);
             let report = out
@@ -34,6 +38,17 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             from_degrees(report, cx.expansion, text, whole(text)).done();
         }
     }
+}
+
+fn velocity(joint: &Joint) -> Option<&Text> {
+    joint.limit.as_ref()?.velocity.as_ref()
+}
+
+/// Whether many joints have the same velocity: nobody measured that, it only means "enough".
+fn is_everywhere(joints: &[&Joint], value: f64) -> bool {
+    const MANY: usize = 8;
+    let same = |joint: &&&Joint| velocity(joint).and_then(Text::number) == Some(value);
+    joints.iter().filter(same).count() >= MANY
 }
 
 /// Whether effort and velocity are round numbers that only mean "enough", such as 1000 and 100.
