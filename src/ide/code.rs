@@ -67,9 +67,9 @@ pub(super) fn cursor(code: &str) -> Cursor<'_> {
     if let Some(start) = open_text(code) {
         return Cursor::Text { start };
     }
-    let start = code.rfind(|c: char| !is_word(c)).map_or(0, |at| {
-        at + code.get(at..).and_then(|rest| rest.chars().next()).map_or(1, char::len_utf8)
-    });
+    let start = code
+        .rfind(|c: char| !is_word(c))
+        .map_or(0, |at| at + code.get(at..).and_then(|rest| rest.chars().next()).map_or(1, char::len_utf8));
     let (before, word) = (code.get(..start).unwrap_or(""), code.get(start..).unwrap_or(""));
     if word.starts_with(|c: char| c.is_ascii_digit()) {
         return Cursor::Nowhere;

@@ -6,6 +6,8 @@ use crate::xml::Node;
 /// An element whose start tag was read, as far as it was.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Open {
+    /// Where its start tag begins, from the start of the text that was read.
+    pub start: usize,
     /// Its name.
     pub name: String,
     /// Its attributes with their values as written.
@@ -18,7 +20,12 @@ impl Open {
     /// An element of a tree.
     pub fn of(node: Node<'_>) -> Self {
         let attrs = node.attrs().map(|attr| (attr.name().to_owned(), attr.raw().to_owned()));
-        Self { name: node.name().to_owned(), attrs: attrs.collect(), children: Vec::new() }
+        Self {
+            start: node.range().start as usize,
+            name: node.name().to_owned(),
+            attrs: attrs.collect(),
+            children: Vec::new(),
+        }
     }
 
     /// The value of an attribute as written.
@@ -54,6 +61,8 @@ pub(super) struct Reader<'t> {
     pos: usize,
     /// The elements that are open.
     pub open: Vec<Open>,
+    /// The end of the last start tag that opened an element.
+    pub opened_at: Option<usize>,
     /// Names of end tags that closed nothing.
     pub unmatched: Vec<String>,
     most_unmatched: usize,
@@ -61,7 +70,14 @@ pub(super) struct Reader<'t> {
 
 impl<'t> Reader<'t> {
     pub fn new(text: &'t str) -> Self {
-        Self { text, pos: 0, open: Vec::new(), unmatched: Vec::new(), most_unmatched: usize::MAX }
+        Self {
+            text,
+            pos: 0,
+            open: Vec::new(),
+            opened_at: None,
+            unmatched: Vec::new(),
+            most_unmatched: usize::MAX,
+        }
     }
 
     /// Stop after so many end tags that close nothing.
@@ -147,6 +163,7 @@ impl<'t> Reader<'t> {
     }
 
     fn start_tag(&mut self) -> Option<State> {
+        let begin = self.pos;
         self.pos += "<".len();
         let start = self.pos;
         let name = self.name();
@@ -156,7 +173,7 @@ impl<'t> Reader<'t> {
         if name.is_empty() {
             return None;
         }
-        let mut tag = Open { name: name.to_owned(), ..Open::default() };
+        let mut tag = Open { start: begin, name: name.to_owned(), ..Open::default() };
         let ending = self.attributes(&mut tag);
         if let Ending::Cut(state) = ending {
             return Some(state);
@@ -166,6 +183,7 @@ impl<'t> Reader<'t> {
         }
         if matches!(ending, Ending::Open) {
             self.open.push(tag);
+            self.opened_at = Some(self.pos);
         }
         None
     }
@@ -321,7 +339,10 @@ mod tests {
             ("\n  <b x=\"1\"/>", vec![], false),
             ("", vec![], false),
         ] {
-            assert_eq!(Reader::new(text).rest_of_tag(), (names.into_iter().map(String::from).collect(), ends));
+            assert_eq!(
+                Reader::new(text).rest_of_tag(),
+                (names.into_iter().map(String::from).collect(), ends)
+            );
         }
     }
 }

@@ -5,7 +5,7 @@
 
 use super::tokens::{Open, Reader, State};
 use crate::base::TextRange;
-use crate::xml::{Document, Part};
+use crate::xml::{Document, Node, Part};
 
 /// What is being typed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,6 +35,8 @@ pub struct Typed {
     pub open: Vec<Open>,
     /// What was typed of it so far.
     pub before: String,
+    /// Where the innermost element begins, and where its start tag ends, when that is the last tag in front.
+    pub just_opened: Option<(u32, u32)>,
     /// The text behind the offset.
     pub after: String,
     /// The offset.
@@ -47,15 +49,18 @@ const MOST_BEHIND: u32 = 1 << 20;
 /// What is being typed at `offset`.
 pub fn typed(document: &Document, offset: u32) -> Typed {
     let offset = offset.min(document.len());
-    let place = document.item_at(offset.saturating_sub(1));
-    let inside = offset.saturating_sub(place.start) as usize;
-    let text = place.item.text().get(..inside).unwrap_or("");
-    let mut reader = Reader::new(text);
-    if let (true, Some(root)) = (place.part != Part::Header, document.root()) {
+    let begin = beginning(document, offset);
+    let text = document.slice(TextRange::new(begin, offset));
+    let mut reader = Reader::new(&text);
+    if let (true, Some(root)) = (begin > 0, document.root()) {
         reader.open.push(Open::of(root));
     }
     let behind_root = document.root_end_tag().is_some_and(|tag| tag.end <= offset);
     let state = reader.run();
+    let state_start = match &state {
+        State::Content(start) => Some(*start),
+        _ => None,
+    };
     let from = |start: usize| text.get(start..).unwrap_or("").to_owned();
     let (what, before) = match state {
         _ if behind_root => (Typing::Nothing, String::new()),
@@ -67,9 +72,34 @@ pub fn typed(document: &Document, offset: u32) -> Typed {
         State::Value(tag, name, start) => (Typing::Value(tag, name), from(start)),
         State::Nothing => (Typing::Nothing, String::new()),
     };
+    let opened = reader.opened_at.filter(|&end| state_start == Some(end));
+    let inner = opened.zip(reader.open.last());
+    let inner = inner.map(|(end, open)| (begin + open.start as u32, begin + end as u32));
+    // the root's start tag is a part of its own
+    let root = document.root().filter(|_| reader.open.len() == 1 && state_start == Some(0));
+    let root = root.map(Node::start_tag_range).filter(|tag| tag.end == begin);
+    let just_opened = inner.or(root.map(|tag| (tag.start, tag.end)));
     let end = document.len().min(offset.saturating_add(MOST_BEHIND));
     let after = document.slice(TextRange::new(offset, end));
-    Typed { what, open: reader.open, before, after, offset }
+    Typed { what, open: reader.open, before, just_opened, after, offset }
+}
+
+/// Where to begin reading: with the item around `offset`, or in front of it when a tag was left open there.
+fn beginning(document: &Document, offset: u32) -> u32 {
+    let place = document.item_at(offset.saturating_sub(1));
+    let mut index = match place.part {
+        Part::Header => return 0,
+        Part::Item(index) => index,
+        Part::Footer => document.item_count(),
+    };
+    let mut start = place.start;
+    while let Some((before, item)) = index.checked_sub(1).and_then(|index| document.item(index)) {
+        if item.text().ends_with('>') {
+            return start;
+        }
+        (index, start) = (index - 1, before);
+    }
+    if document.header().text().ends_with('>') { start } else { 0 }
 }
 
 impl Typed {

@@ -24,8 +24,7 @@ pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed, tag: &Open) -> Comple
     let rest = typed.rest_of_word(is_name_char);
     let (behind, _) = typed.rest_of_tag();
     let has = |name: &str| tag.attr(name).is_some() || behind.iter().any(|given| given == name);
-    let has_value =
-        typed.after.get(rest as usize..).is_some_and(|after| after.trim_start().starts_with('='));
+    let has_value = typed.after.get(rest as usize..).is_some_and(|after| after.trim_start().starts_with('='));
     let mut items = if let Some(directive) = directive(&tag.name) {
         let all = directive.attributes.iter();
         all.map(|attribute| {

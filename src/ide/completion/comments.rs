@@ -37,9 +37,8 @@ pub(super) fn comment(scope: &Scope<'_>, typed: &Typed) -> Completions {
 
 fn lint(typed: &Typed, text: &str) -> Completions {
     let rest = typed.rest_of_word(|c| c.is_alphanumeric() || c == '-');
-    let answer = |word: &str, items| {
-        Completions::new(typed.offset - word.len() as u32, typed.offset, rest, items)
-    };
+    let answer =
+        |word: &str, items| Completions::new(typed.offset - word.len() as u32, typed.offset, rest, items);
     let Some((_, selected)) = text.split_once(' ') else {
         let items = DIRECTIVES.iter().enumerate().map(|(place, (name, detail))| {
             Completion::new(ItemKind::Directive, *name)

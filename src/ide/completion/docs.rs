@@ -15,7 +15,8 @@ pub fn documentation(scope: &Scope<'_>, topic: &Topic) -> Option<String> {
     match topic {
         Topic::Element { key } => elements().find(|spec| spec.key == *key).map(element),
         Topic::Attribute { element, name } => {
-            let attribute = elements().filter(|spec| spec.key == *element).find_map(|spec| spec.attribute(name));
+            let attribute =
+                elements().filter(|spec| spec.key == *element).find_map(|spec| spec.attribute(name));
             attribute.map(of_attribute)
         }
         Topic::Directive { name } => directive(name).map(|directive| {
@@ -26,7 +27,9 @@ pub fn documentation(scope: &Scope<'_>, topic: &Topic) -> Option<String> {
             let lines: Vec<String> = attributes.collect();
             format!("{}.\n\n{}", directive.docs, lines.join("\n"))
         }),
-        Topic::Macro { name } => scope.macros().into_iter().find(|info| info.name == *name).map(|i| of_macro(&i)),
+        Topic::Macro { name } => {
+            scope.macros().into_iter().find(|info| info.name == *name).map(|i| of_macro(&i))
+        }
         Topic::Property { name } => property(scope, name),
         Topic::Symbol { module, name } => {
             let is_it = |symbol: &crate::expr::GlobalSymbol| {
@@ -50,7 +53,11 @@ fn element(spec: &'static ElementSpec) -> String {
         lines.push(format!("In {}.", parents.join(", ")));
         lines.push(String::new());
     }
-    lines.extend(spec.attributes.iter().map(|attribute| format!("- `{}`: {}", attribute.name, of_attribute(attribute))));
+    lines.extend(
+        spec.attributes
+            .iter()
+            .map(|attribute| format!("- `{}`: {}", attribute.name, of_attribute(attribute))),
+    );
     lines.join("\n").trim_end().to_owned()
 }
 

@@ -34,20 +34,25 @@ pub(super) struct Evaluator<'a> {
     open: Vec<String>,
     /// The file that relative names start from.
     file: Arc<Path>,
-    budget: Budget,
+    /// How many more expressions may be evaluated.
+    evaluations: u32,
 }
 
 impl<'a> Evaluator<'a> {
-    const STEPS: u64 = 100_000;
-    const BYTES: u64 = 4 << 20;
-    const DEPTH: u32 = 200;
-    const MOST_OPEN: usize = 30;
+    const MOST_EVALUATIONS: u32 = 1000;
+    const STEPS: u64 = 10_000;
+    const BYTES: u64 = 1 << 20;
+    const DEPTH: u32 = 120;
+    const LEAST_DEPTH: u32 = 16;
+    const MOST_OPEN: usize = 12;
 
     /// For the place at `offset` of the edited file.
     pub fn new(scope: &'a Scope<'a>, offset: u32) -> Self {
         let mut given: FastMap<String, Given> = FastMap::default();
         for property in scope.properties(offset) {
-            let (Some(value), Some(file)) = (property.value, scope.files.get(property.file)) else { continue };
+            let (Some(value), Some(file)) = (property.value, scope.files.get(property.file)) else {
+                continue;
+            };
             let file = file.source.path.clone();
             let known = given.get(&property.name);
             let ambiguous = known.is_some_and(|known| known.ambiguous || known.value != value);
@@ -60,7 +65,7 @@ impl<'a> Evaluator<'a> {
             memo: FastMap::default(),
             open: Vec::new(),
             file: scope.sources.source.path.clone(),
-            budget: Budget::new(Self::STEPS, Self::BYTES, Self::DEPTH),
+            evaluations: Self::MOST_EVALUATIONS,
         }
     }
 
@@ -108,10 +113,11 @@ impl<'a> Evaluator<'a> {
         if !parsed.errors.is_empty() {
             return Value::Unknown;
         }
-        let mut budget =
-            std::mem::replace(&mut self.budget, Budget::new(0, 0, 0));
-        let value = expr::evaluate(&parsed.expr, self, &mut budget);
-        self.budget = budget;
+        let Some(left) = self.evaluations.checked_sub(1) else { return Value::Unknown };
+        self.evaluations = left;
+        // a property may be read inside of another one's evaluation: all of them share the stack
+        let depth = (Self::DEPTH >> self.open.len().min(8)).max(Self::LEAST_DEPTH);
+        let value = expr::evaluate(&parsed.expr, self, &mut Budget::new(Self::STEPS, Self::BYTES, depth));
         value.unwrap_or(Value::Unknown)
     }
 
@@ -151,9 +157,7 @@ impl<'a> Evaluator<'a> {
 
     fn substitution(&mut self, inner: &str) -> Value {
         let found = expr::resolve_substitution(inner, |subst| match subst {
-            Subst::Arg(word) => {
-                self.argument(&word.text).ok_or_else(|| SubstError::new("not known"))
-            }
+            Subst::Arg(word) => self.argument(&word.text).ok_or_else(|| SubstError::new("not known")),
             Subst::Find(word) => {
                 let found = self.scope.sources.packages.find(&word.text, &self.file);
                 let path = found.ok().and_then(|found| Some(EcoString::from(found.path.to_str()?)));
@@ -255,9 +259,7 @@ pub(super) fn shown(value: &Value) -> Option<String> {
 /// The keys of a value that has some, with what they stand for.
 pub(super) fn keys(value: &Value) -> Vec<(Value, Option<String>)> {
     match value {
-        Value::Dict(dict) => {
-            dict.entries().into_iter().map(|(key, value)| (key, shown(&value))).collect()
-        }
+        Value::Dict(dict) => dict.entries().into_iter().map(|(key, value)| (key, shown(&value))).collect(),
         _ => Vec::new(),
     }
 }

@@ -52,10 +52,13 @@ fn code(scope: &Scope<'_>, typed: &Typed, code: &str, is_eval: bool) -> Completi
             let before = code.get(..start.saturating_sub(1)).unwrap_or("").trim_end();
             let within = code.get(start..).unwrap_or("");
             if let Some(object) = before.strip_suffix('[') {
-                return answer(start, entries(scope, typed, chain_before(object), |key| match key {
-                    Value::Str(text) => Some(text.to_string()),
-                    _ => None,
-                }));
+                return answer(
+                    start,
+                    entries(scope, typed, chain_before(object), |key| match key {
+                        Value::Str(text) => Some(text.to_string()),
+                        _ => None,
+                    }),
+                );
             }
             if before.ends_with("load_yaml(") {
                 return paths::in_text(scope, typed, within, paths::Wanted::Yaml);
@@ -88,10 +91,8 @@ fn entries(
 ) -> Vec<Completion> {
     let value = Evaluator::new(scope, typed.offset).code(object);
     let keys = keys(&value).into_iter().filter_map(|(key, shown)| Some((spelled(&key)?, shown)));
-    keys.map(|(key, shown)| {
-        Completion::new(ItemKind::Key, key).note(shown.unwrap_or_default()).rank(1)
-    })
-    .collect()
+    keys.map(|(key, shown)| Completion::new(ItemKind::Key, key).note(shown.unwrap_or_default()).rank(1))
+        .collect()
 }
 
 /// What can stand behind a dot.

@@ -220,6 +220,6 @@ mod tests {
         let all = Completions::new(0, 0, 0, many.clone()).bounded("");
         assert!(all.more && all.items.len() == 200);
         let some = Completions::new(0, 0, 0, many).bounded("49");
-        assert!(some.more && some.items.len() == 14, "{}", some.items.len());
+        assert!(some.more && some.items.len() == 23, "{}", some.items.len());
     }
 }

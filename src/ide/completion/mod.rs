@@ -15,15 +15,14 @@ mod item;
 mod names;
 mod paths;
 mod scope;
+mod signature;
 mod substitutions;
 mod tags;
 
 pub use docs::documentation;
 pub use item::{Completion, Completions, ItemKind, Topic};
 pub use scope::{Scope, Sources};
-
-pub(super) use directives::directive;
-pub(super) use docs::{parameter, signature};
+pub use signature::{Signature, signature_help};
 
 use super::typed::{Typed, Typing, is_name_char, typed};
 use names::Wanted;
@@ -59,7 +58,8 @@ fn content(scope: &Scope<'_>, typed: &Typed, trigger: Option<char>) -> Completio
         return Completions::default();
     }
     let parent = typed.open.last().map_or("", |open| open.name.as_str());
-    if matches!(parent, "frame_id" | "frameName" | "frame_name" | "bodyName" | "baseLink" | "robotBaseFrame") {
+    if matches!(parent, "frame_id" | "frameName" | "frame_name" | "bodyName" | "baseLink" | "robotBaseFrame")
+    {
         let text = typed.before.trim_start();
         let rest = typed.rest_of_word(is_name_char);
         let items = names::names(scope, typed, Wanted::Link, false);

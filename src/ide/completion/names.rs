@@ -78,7 +78,9 @@ fn link_parameters(typed: &Typed) -> Vec<Completion> {
     let params = typed.in_macro().and_then(|open| parse_params(open.attr("params")?)).unwrap_or_default();
     let links = params.iter().filter(|param| !param.is_block() && is_link_name(&param.name));
     links
-        .map(|param| Completion::new(ItemKind::Link, format!("${{{}}}", param.name)).note("parameter").rank(1))
+        .map(|param| {
+            Completion::new(ItemKind::Link, format!("${{{}}}", param.name)).note("parameter").rank(1)
+        })
         .collect()
 }
 
@@ -103,9 +105,9 @@ fn flow(scope: &Scope<'_>, info: &MacroInfo, param: &str, depth: u32) -> Option<
     for node in inside {
         for attr in node.attrs().filter(|attr| attr.raw().trim() == read) {
             let found = match node.name() {
-                name if name.starts_with("xacro:") && depth > 0 => scope
-                    .called(name)
-                    .and_then(|inner| flow(scope, &inner, attr.name(), depth - 1)),
+                name if name.starts_with("xacro:") && depth > 0 => {
+                    scope.called(name).and_then(|inner| flow(scope, &inner, attr.name(), depth - 1))
+                }
                 _ => spec(node)
                     .and_then(|spec| spec.attribute(attr.name()))
                     .and_then(|attribute| Wanted::of(attribute.kind)),
@@ -169,7 +171,8 @@ pub(super) fn blocks(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
         })
         .collect();
     let properties = scope.properties(typed.offset).into_iter().filter(|property| property.value.is_none());
-    let properties = properties.map(|property| Completion::new(ItemKind::Block, property.name).note("property"));
+    let properties =
+        properties.map(|property| Completion::new(ItemKind::Block, property.name).note("property"));
     params.into_iter().chain(properties).collect()
 }
 

@@ -119,11 +119,14 @@ fn entries(scope: &Scope<'_>, folder: &Path, wanted: Wanted) -> Vec<Completion> 
 /// How a value can begin.
 fn beginnings(scope: &Scope<'_>, wanted: Wanted) -> Vec<Completion> {
     let own = scope.sources.packages.containing(&scope.sources.source.path).map(|package| package.name);
-    let item = |text: String, snippet: String| Completion::new(ItemKind::Snippet, text).snippet(snippet).rank(2);
+    let item =
+        |text: String, snippet: String| Completion::new(ItemKind::Snippet, text).snippet(snippet).rank(2);
     let mut items = Vec::new();
     if wanted.takes_uris() {
         items.push(item("package://".to_owned(), "package://$1".to_owned()));
-        items.extend(own.iter().map(|name| item(format!("package://{name}/"), format!("package://{name}/$1"))));
+        items.extend(
+            own.iter().map(|name| item(format!("package://{name}/"), format!("package://{name}/$1"))),
+        );
     }
     items.extend(own.iter().map(|name| {
         let text = format!("$(find {name})/");

@@ -137,9 +137,7 @@ impl<'a> Scope<'a> {
     /// All items with the index of their file.
     fn items(&self) -> impl Iterator<Item = (usize, &InScope, &Arc<Item>)> {
         let files = self.files.iter().enumerate();
-        files.flat_map(|(index, file)| {
-            file.source.document.parts().map(move |(_, item)| (index, file, item))
-        })
+        files.flat_map(|(index, file)| file.source.document.parts().map(move |(_, item)| (index, file, item)))
     }
 
     /// The macros that can be called, each name once: the last definition counts.
@@ -229,7 +227,9 @@ impl<'a> Scope<'a> {
     /// The names of a kind that the macro around `offset` gives, as they are written.
     pub(super) fn patterns(&self, kind: FactKind, offset: u32) -> Vec<EcoString> {
         let place = self.sources.source.document.item_at(offset.saturating_sub(1));
-        let Some(around) = macro_at(place.item, offset.saturating_sub(place.start)) else { return Vec::new() };
+        let Some(around) = macro_at(place.item, offset.saturating_sub(place.start)) else {
+            return Vec::new();
+        };
         let facts = facts_of(place.item);
         let own = facts.of(kind).filter(|fact| macro_around(place.item.node(fact.node)) == Some(around));
         own.map(|fact| fact.name.clone()).collect()

@@ -94,7 +94,8 @@ fn children(typed: &Typed) -> Vec<Completion> {
 
 /// All elements of URDF, for places where nothing says which.
 fn anything() -> Vec<Completion> {
-    let common = |spec: &&ElementSpec| matches!(spec.name, "origin" | "link" | "joint" | "inertial" | "geometry");
+    let common =
+        |spec: &&ElementSpec| matches!(spec.name, "origin" | "link" | "joint" | "inertial" | "geometry");
     elements()
         .filter(|spec| spec.name != robot().name)
         .map(|spec| element(spec).rank(if common(&spec) { 4 } else { 5 }))
@@ -156,7 +157,9 @@ fn is_usual(spec: &ElementSpec, attribute: &AttributeSpec) -> bool {
     match spec.name {
         "robot" | "link" | "visual" | "collision" => attribute.required,
         "limit" => limit(),
-        _ => attribute.required || !any_required && (attribute.default.is_some() || spec.attributes.len() == 1),
+        _ => {
+            attribute.required || !any_required && (attribute.default.is_some() || spec.attributes.len() == 1)
+        }
     }
 }
 
@@ -175,8 +178,12 @@ fn called(info: &MacroInfo) -> Completion {
     let required = info.params.iter().filter(|param| !param.is_block() && is_required(param));
     let attributes: String =
         required.map(|param| format!(" {}=\"{}\"", param.name, places.next(""))).collect();
-    let blocks: Vec<String> =
-        info.params.iter().filter(|param| param.is_block()).map(|param| block(&param.name, &mut places)).collect();
+    let blocks: Vec<String> = info
+        .params
+        .iter()
+        .filter(|param| param.is_block())
+        .map(|param| block(&param.name, &mut places))
+        .collect();
     let snippet = match blocks.as_slice() {
         [] => format!("{tag}{attributes}/>$0"),
         blocks => format!("{tag}{attributes}>\n\t{}\n</{tag}>$0", blocks.join("\n\t")),
