@@ -328,7 +328,7 @@ impl Vfs {
     /// The size of a file on the disk in bytes; none when there is no such file.
     pub fn size(&self, path: &Path) -> Option<u64> {
         let found = std::fs::metadata(self.absolute(path)).ok()?;
-        found.is_file().then(|| found.len())
+        found.is_file().then_some(found.len())
     }
 
     /// The names in a folder, sorted; none when it cannot be read. Names that are not UTF-8 are left

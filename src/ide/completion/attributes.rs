@@ -39,7 +39,7 @@ pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed, tag: &Open) -> Comple
         parameters(scope, tag)
     } else {
         let spec = spec_of_tag(typed, tag);
-        spec.map(|spec| of_urdf(spec)).unwrap_or_default()
+        spec.map(of_urdf).unwrap_or_default()
     };
     if typed.open.is_empty() {
         let text = format!("xmlns:xacro=\"{NAMESPACE}\"");
