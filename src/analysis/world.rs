@@ -324,6 +324,33 @@ impl World {
         Some(made)
     }
 
+    /// Expansions to take names from while somebody types in the file at `path`, the newest first. None is made
+    /// anew for what stands in that file, nor while a text is broken, unless there is none at all: what comes out
+    /// of half-typed text is worth little, and the next letter is waited for.
+    pub fn while_typing(
+        &mut self,
+        root: &RootChoice,
+        path: &Path,
+        cancel: &CancelFlag,
+    ) -> Vec<Arc<Analyzed>> {
+        let known = self.cache.get(root).cloned();
+        let is_fresh = known.as_ref().is_some_and(|known| self.is_current_beside(known, path));
+        let any = known.is_some() || self.good.contains_key(root);
+        let whole = || {
+            let files = known.iter().flat_map(|known| &known.expansion.files);
+            let mut files = files.filter_map(|file| self.document(&file.source.path));
+            files.all(|source| source.document.errors().is_empty())
+        };
+        if !any || !is_fresh && whole() {
+            let _ = self.analyzed(root, cancel);
+        }
+        let newest = self.cache.get(root).cloned();
+        let good =
+            self.good.get(root).filter(|good| newest.as_ref().is_none_or(|new| !Arc::ptr_eq(new, good)));
+        let finished = newest.as_ref().is_some_and(|new| new.expansion.complete && self.is_current(new));
+        newest.iter().chain(good.filter(|_| !finished)).cloned().collect()
+    }
+
     /// The last expansion of a root that had no errors.
     pub fn last_good(&self, root: &RootChoice) -> Option<Arc<Analyzed>> {
         self.good.get(root).cloned()
@@ -331,8 +358,14 @@ impl World {
 
     /// Whether everything that an expansion read is as it was.
     fn is_current(&self, known: &Analyzed) -> bool {
+        self.is_current_beside(known, Path::new(""))
+    }
+
+    /// The same without a look at one file.
+    fn is_current_beside(&self, known: &Analyzed, except: &Path) -> bool {
         let vfs = &self.session.vfs;
         known.expansion.record.iter().all(|read| match read {
+            Read::File(path, _) if path == except => true,
             Read::File(path, hash) => vfs.document_hash(path) == Some(*hash),
             Read::Missing(path) => !vfs.is_file(path),
             Read::Glob(pattern, found) => vfs.glob(pattern, &self.env.cwd) == *found,

@@ -31,11 +31,14 @@ mod yaml_value;
 
 pub use machine::{Expansion, FileUse, Limits, Request, World, expand};
 pub use origin::{FileIdx, Frame, FrameId, FrameKind, Origin, Source, SrcId};
+pub use params::parse as parse_params;
 pub use probe::Probe;
 pub use problem::{Place, Problem, Severity, Step};
 pub use record::{Read, Record};
 pub use resolve::{BindingInfo, BindingKind};
+pub use scope::Param;
 pub use source_map::{MapEntry, MapKind};
 pub use symbols::{Definition, DefinitionId, SourceRange, SymbolKind, Symbols, Use, UseKind};
 pub use tree::{Piece, XAttr, XId, XKind, XNode, XTree};
 pub use write::{Written, banner, write, write_mapped};
+pub use yaml_value::file_value as yaml_value;

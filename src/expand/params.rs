@@ -19,7 +19,7 @@ pub(super) fn strip(text: &str) -> &str {
 }
 
 /// The parameters of a `params` text; `None` when it holds nothing but blanks, which the reference refuses.
-pub(super) fn parse(text: &str) -> Option<Vec<Param>> {
+pub fn parse(text: &str) -> Option<Vec<Param>> {
     let mut params = Vec::new();
     let (mut text, mut at) = (text, 0);
     while at < text.len() {

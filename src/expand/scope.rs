@@ -171,7 +171,8 @@ pub(super) struct MacroDef {
 
 /// A parameter specification.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Param {
+pub struct Param {
+    /// Its name; that of a block begins with `*` or `**`.
     pub name: EcoString,
     /// Where it stands in the (decoded) `params` text.
     pub range: TextRange,
@@ -184,6 +185,7 @@ pub(super) struct Param {
 }
 
 impl Param {
+    /// Whether a call gives it as a child element.
     pub fn is_block(&self) -> bool {
         self.name.starts_with('*')
     }

@@ -10,7 +10,10 @@ use crate::yaml::{Kind, Node, Unit};
 
 /// The value of a loaded file, with xacro's unit tags computed. Only the outermost list or mapping has
 /// dotted access; it hands it on to what is taken out of it.
-pub(super) fn file_value(node: &Node, budget: &mut Budget) -> Result<Value, EvalError> {
+///
+/// # Errors
+/// When the expression of a value with a unit cannot be evaluated.
+pub fn file_value(node: &Node, budget: &mut Budget) -> Result<Value, EvalError> {
     convert(node, true, budget)
 }
 

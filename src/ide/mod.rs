@@ -3,19 +3,29 @@
 //! Every feature is a file. Those that need only the text of a file take its document; those that need the
 //! meaning of names take a [`Cx`]: the file in the expansion of its active root.
 
+mod code;
+mod completion;
 mod context;
 mod folding;
 mod locate;
 mod names;
+mod on_type;
 mod outline;
 mod selection;
 mod source_map;
 mod tags;
+mod tokens;
+mod typed;
 
+pub use completion::{
+    Completion, Completions, ItemKind, Scope, Signature, Sources, Topic, completions, documentation,
+    signature_help,
+};
 pub use context::Cx;
 pub use folding::{Fold, FoldKind, folds};
 pub use locate::{At, Part, locate};
 pub use names::{NameUse, Target, definition_of, definitions, occurrences};
+pub use on_type::{Insertion, on_type};
 pub use outline::{Outline, OutlineKind, outline};
 pub use selection::selection;
 pub use source_map::{Lines, SourceMap, entry_at, instances, origin_of, source_map, steps};

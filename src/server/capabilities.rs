@@ -1,11 +1,12 @@
 //! What the server offers.
 
 use lsp_types::{
-    DiagnosticOptions, DiagnosticServerCapabilities, ExecuteCommandOptions, FoldingRangeProviderCapability,
+    CompletionOptions, CompletionOptionsCompletionItem, DiagnosticOptions, DiagnosticServerCapabilities,
+    DocumentOnTypeFormattingOptions, ExecuteCommandOptions, FoldingRangeProviderCapability,
     LinkedEditingRangeServerCapabilities, OneOf, PositionEncodingKind, SaveOptions,
-    SelectionRangeProviderCapability, ServerCapabilities, TextDocumentSyncCapability, TextDocumentSyncKind,
-    TextDocumentSyncOptions, TextDocumentSyncSaveOptions, WorkspaceFoldersServerCapabilities,
-    WorkspaceServerCapabilities,
+    SelectionRangeProviderCapability, ServerCapabilities, SignatureHelpOptions, TextDocumentSyncCapability,
+    TextDocumentSyncKind, TextDocumentSyncOptions, TextDocumentSyncSaveOptions,
+    WorkspaceFoldersServerCapabilities, WorkspaceServerCapabilities,
 };
 use serde_json::json;
 
@@ -29,6 +30,20 @@ pub(super) fn offered(encoding: PositionEncodingKind, client: &ClientFacts) -> S
             ..TextDocumentSyncOptions::default()
         })),
         diagnostic_provider: client.pulls_diagnostics.then_some(diagnostics),
+        completion_provider: Some(CompletionOptions {
+            resolve_provider: Some(true),
+            trigger_characters: Some(characters(&["<", "/", ":", "\"", "'", "$", "{", "(", "[", ".", " "])),
+            completion_item: Some(CompletionOptionsCompletionItem { label_details_support: Some(true) }),
+            ..CompletionOptions::default()
+        }),
+        signature_help_provider: Some(SignatureHelpOptions {
+            trigger_characters: Some(characters(&[" ", "\"", "(", ","])),
+            ..SignatureHelpOptions::default()
+        }),
+        document_on_type_formatting_provider: Some(DocumentOnTypeFormattingOptions {
+            first_trigger_character: ">".to_owned(),
+            more_trigger_character: Some(characters(&["/", "\n"])),
+        }),
         document_symbol_provider: Some(OneOf::Left(true)),
         folding_range_provider: Some(FoldingRangeProviderCapability::Simple(true)),
         selection_range_provider: Some(SelectionRangeProviderCapability::Simple(true)),
@@ -50,4 +65,8 @@ pub(super) fn offered(encoding: PositionEncodingKind, client: &ClientFacts) -> S
         experimental: Some(json!({ "xacro": { "expand": 1, "sourceMap": 1 } })),
         ..ServerCapabilities::default()
     }
+}
+
+fn characters(all: &[&str]) -> Vec<String> {
+    all.iter().map(|character| (*character).to_owned()).collect()
 }

@@ -22,12 +22,24 @@ pub(super) struct ClientFacts {
     pub progress: bool,
     /// It takes links with the range they start from.
     pub links: bool,
+    /// It fills in the places of snippets.
+    pub snippets: bool,
+    /// It lets the user choose whether a completion replaces the rest of the word.
+    pub insert_replace: bool,
+    /// It shows more beside the label of a completion.
+    pub label_details: bool,
+    /// It takes the places of parameters in the label of a signature.
+    pub label_offsets: bool,
 }
 
 impl ClientFacts {
     pub fn of(capabilities: &ClientCapabilities) -> Self {
         let workspace = capabilities.workspace.clone().unwrap_or_default();
         let text = capabilities.text_document.clone().unwrap_or_default();
+        let item = text.completion.as_ref().and_then(|completion| completion.completion_item.clone());
+        let item = item.unwrap_or_default();
+        let signature = text.signature_help.as_ref().and_then(|help| help.signature_information.clone());
+        let parameter = signature.and_then(|signature| signature.parameter_information);
         let yes = |flag: Option<Option<bool>>| flag.flatten().unwrap_or(false);
         Self {
             pulls_diagnostics: text.diagnostic.is_some(),
@@ -43,6 +55,10 @@ impl ClientFacts {
                 .map(|w| w.dynamic_registration)),
             progress: capabilities.window.as_ref().and_then(|w| w.work_done_progress).unwrap_or(false),
             links: text.definition.as_ref().and_then(|d| d.link_support).unwrap_or(false),
+            snippets: item.snippet_support.unwrap_or(false),
+            insert_replace: item.insert_replace_support.unwrap_or(false),
+            label_details: item.label_details_support.unwrap_or(false),
+            label_offsets: parameter.and_then(|p| p.label_offset_support).unwrap_or(false),
         }
     }
 }

@@ -101,6 +101,25 @@ impl LanguageServer for Handlers {
         self.letterbox.ask(params, Engine::pull_workspace).await
     }
 
+    async fn completion(&self, params: CompletionParams) -> Result<Option<CompletionResponse>> {
+        self.letterbox.ask(params, Engine::completion).await
+    }
+
+    async fn completion_resolve(&self, params: CompletionItem) -> Result<CompletionItem> {
+        self.letterbox.ask(params, Engine::resolve_completion).await
+    }
+
+    async fn signature_help(&self, params: SignatureHelpParams) -> Result<Option<SignatureHelp>> {
+        self.letterbox.ask(params, Engine::signature_help).await
+    }
+
+    async fn on_type_formatting(
+        &self,
+        params: DocumentOnTypeFormattingParams,
+    ) -> Result<Option<Vec<TextEdit>>> {
+        self.letterbox.ask(params, Engine::on_type).await
+    }
+
     async fn document_symbol(&self, params: DocumentSymbolParams) -> Result<Option<DocumentSymbolResponse>> {
         self.letterbox.ask(params, Engine::symbols).await
     }

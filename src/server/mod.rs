@@ -6,6 +6,7 @@
 mod capabilities;
 mod client;
 mod commands;
+mod completion;
 mod convert;
 mod diagnostics;
 mod engine;

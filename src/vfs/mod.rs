@@ -325,6 +325,12 @@ impl Vfs {
         Some(stat.identity.map_or_else(|| u128::from(read::hash(&self.canonical(&path))), Identity::number))
     }
 
+    /// The size of a file on the disk in bytes; none when there is no such file.
+    pub fn size(&self, path: &Path) -> Option<u64> {
+        let found = std::fs::metadata(self.absolute(path)).ok()?;
+        found.is_file().then_some(found.len())
+    }
+
     /// The names in a folder, sorted; none when it cannot be read. Names that are not UTF-8 are left
     /// out: no description can name them.
     pub fn list_dir(&self, path: &Path) -> Vec<DirEntry> {

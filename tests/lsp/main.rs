@@ -8,10 +8,12 @@
 )] // a test may fail loudly
 
 mod client;
+mod completion;
 mod context;
 mod diagnostics;
 mod expansion;
 mod lifecycle;
 mod navigation;
 mod structure;
+mod typing;
 mod workspace;

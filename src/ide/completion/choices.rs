@@ -1,0 +1,187 @@
+//! Values of attributes: words to choose from, names, useful numbers.
+
+use super::attributes::spec_of_tag;
+use super::directives::directive;
+use super::expressions::expression;
+use super::item::{Completion, Completions, ItemKind, escaped};
+use super::names::{self, Wanted, blocks, flows_into, materials};
+use super::paths;
+use super::scope::Scope;
+use super::substitutions;
+use super::tags::is_directive;
+use crate::ide::tokens::Open;
+use crate::ide::typed::Typed;
+use crate::rules::schema::{AttributeKind, ElementSpec};
+
+/// What the types of joints do.
+const JOINT_TYPES: &[(&str, &str)] = &[
+    ("revolute", "turns about the axis, between lower and upper"),
+    ("continuous", "turns about the axis without end"),
+    ("prismatic", "slides along the axis, between lower and upper"),
+    ("fixed", "does not move"),
+    ("floating", "moves freely: six degrees of freedom"),
+    ("planar", "moves in the plane perpendicular to the axis"),
+];
+
+/// Names of interfaces that most hardware has.
+const INTERFACES: &[&str] = &["position", "velocity", "effort", "acceleration"];
+
+/// Values of an attribute of a start tag.
+pub(super) fn values(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &str) -> Completions {
+    if let Some(found) = expression(scope, typed) {
+        return found;
+    }
+    let spec = spec_of_tag(typed, tag);
+    if let Some(wanted) = file_wanted(spec, tag, attribute) {
+        return paths::in_text(scope, typed, &typed.before, wanted);
+    }
+    let items = match directive(&tag.name) {
+        Some(_) => of_directive(scope, typed, tag, attribute),
+        None if tag.name.starts_with("xacro:") => of_call(scope, typed, tag, attribute),
+        None => of_element(scope, typed, spec, tag, attribute),
+    };
+    whole_value(typed, items)
+}
+
+/// Items for all of a value.
+fn whole_value(typed: &Typed, items: Vec<Completion>) -> Completions {
+    let start = typed.offset - typed.before.len() as u32;
+    Completions::new(start, typed.offset, typed.rest_of_value(), items)
+}
+
+/// The files that an attribute names.
+fn file_wanted(spec: Option<&ElementSpec>, tag: &Open, attribute: &str) -> Option<paths::Wanted> {
+    match (tag.name.as_str(), attribute) {
+        ("xacro:include", "filename") => return Some(paths::Wanted::Description),
+        (name, _) if is_directive(name) => return None,
+        _ => {}
+    }
+    let named = spec.and_then(|spec| spec.attribute(attribute));
+    match (tag.name.as_str(), named.map(|attribute| attribute.kind)) {
+        ("texture", Some(AttributeKind::Uri)) => Some(paths::Wanted::Picture),
+        ("mesh", _) if attribute == "filename" => Some(paths::Wanted::Mesh),
+        _ => None,
+    }
+}
+
+fn of_directive(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &str) -> Vec<Completion> {
+    match (tag.name.as_str(), attribute) {
+        ("xacro:insert_block", "name") => blocks(scope, typed),
+        ("xacro:if" | "xacro:unless", "value") => conditions(scope, typed),
+        ("xacro:call", "macro") => {
+            let macros = scope.macros().into_iter();
+            macros.map(|info| Completion::new(ItemKind::Macro, info.name)).collect()
+        }
+        (name, _) => {
+            let all = directive(name).map(|directive| directive.attributes).unwrap_or_default();
+            let words = all.iter().find(|given| given.name == attribute).map_or(&[][..], |given| given.words);
+            words.iter().map(|word| Completion::new(ItemKind::Choice, *word)).collect()
+        }
+    }
+}
+
+/// An expression, and the arguments that are true or false.
+fn conditions(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
+    let is_truth = |text: &str| matches!(text.to_ascii_lowercase().as_str(), "true" | "false" | "0" | "1");
+    let mut items = vec![Completion::new(ItemKind::Snippet, "${}").snippet("\\${$1}$0").rank(0)];
+    items.extend(substitutions::arguments(scope, typed).into_iter().filter(|item| is_truth(&item.note)).map(
+        |item| {
+            let text = format!("$(arg {})", item.label);
+            Completion::new(ItemKind::Argument, text).note(item.note).rank(1)
+        },
+    ));
+    items
+}
+
+/// Arguments of macro calls: names, when that is what the macro makes of them.
+fn of_call(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &str) -> Vec<Completion> {
+    let Some(info) = scope.called(&tag.name) else { return Vec::new() };
+    let mut items = match flows_into(scope, &info, attribute) {
+        Some(wanted) => names::names(scope, typed, wanted, false),
+        None => Vec::new(),
+    };
+    let param = info.params.iter().find(|param| param.name == attribute);
+    if let Some((default, _)) = param.and_then(|param| param.default.as_ref()) {
+        let value = default.trim_matches('\'').to_owned();
+        if !value.is_empty() {
+            let snippet = escaped(&value);
+            items.push(Completion::new(ItemKind::Choice, value).snippet(snippet).note("default").rank(4));
+        }
+    }
+    items
+}
+
+fn of_element(
+    scope: &Scope<'_>,
+    typed: &Typed,
+    spec: Option<&'static ElementSpec>,
+    tag: &Open,
+    attribute: &str,
+) -> Vec<Completion> {
+    if tag.name == "material" && attribute == "name" {
+        return materials(scope);
+    }
+    if tag.name.ends_with("_interface") && attribute == "name" {
+        return INTERFACES.iter().map(|name| Completion::new(ItemKind::Choice, *name)).collect();
+    }
+    if attribute == "frame_id" || attribute == "frame_name" {
+        return names::names(scope, typed, Wanted::Link, false);
+    }
+    let Some(kind) = spec.and_then(|spec| spec.attribute(attribute)).map(|given| given.kind) else {
+        return Vec::new();
+    };
+    if let Some(wanted) = Wanted::of(kind) {
+        return names::names(scope, typed, wanted, tag.name == "child");
+    }
+    match kind {
+        AttributeKind::Choice(words) => {
+            words.iter().map(|word| Completion::new(ItemKind::Choice, *word).detail(meaning(word))).collect()
+        }
+        _ => numbers(&tag.name, attribute),
+    }
+}
+
+fn meaning(word: &str) -> &'static str {
+    JOINT_TYPES.iter().find(|(name, _)| *name == word).map_or("", |(_, meaning)| meaning)
+}
+
+/// A few values that people often write.
+fn numbers(tag: &str, attribute: &str) -> Vec<Completion> {
+    let values: &[(&str, &str)] = match (tag, attribute) {
+        ("axis", "xyz") => &[
+            ("1 0 0", "along x"),
+            ("0 1 0", "along y"),
+            ("0 0 1", "along z"),
+            ("-1 0 0", "against x"),
+            ("0 -1 0", "against y"),
+            ("0 0 -1", "against z"),
+        ],
+        (_, "xyz") => &[("0 0 0", "m"), ("0 0 0.1", "m"), ("${x} ${y} ${z}", "m")],
+        (_, "rpy") => &[
+            ("0 0 0", "rad"),
+            ("${pi/2} 0 0", "a quarter turn about x"),
+            ("0 ${pi/2} 0", "a quarter turn about y"),
+            ("0 0 ${pi/2}", "a quarter turn about z"),
+            ("0 0 ${pi}", "half a turn about z"),
+            ("${-pi/2} 0 ${-pi/2}", "from a body to a camera's optical frame"),
+        ],
+        ("box", "size") => &[("0.1 0.1 0.1", "m"), ("1 1 1", "m")],
+        ("mesh", "scale") => &[("1 1 1", "metres"), ("0.001 0.001 0.001", "millimetres to metres")],
+        (_, "rgba") => &[
+            ("0.8 0.8 0.8 1", "light grey"),
+            ("0.2 0.2 0.2 1", "dark grey"),
+            ("1 1 1 1", "white"),
+            ("0 0 0 1", "black"),
+            ("0.8 0 0 1", "red"),
+            ("0 0.6 0 1", "green"),
+            ("0 0 0.8 1", "blue"),
+            ("1 0.5 0 1", "orange"),
+        ],
+        _ => &[],
+    };
+    let item = |(place, (value, note)): (usize, &(&str, &str))| {
+        let snippet = format!("{}$0", escaped(value));
+        Completion::new(ItemKind::Snippet, *value).snippet(snippet).note(*note).rank(place as u8)
+    };
+    values.iter().enumerate().map(item).collect()
+}

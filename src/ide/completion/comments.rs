@@ -1,0 +1,101 @@
+//! Comments that speak to the linter and the server.
+
+use std::path::Path;
+
+use super::item::{Completion, Completions, ItemKind, Topic};
+use super::names::file_name;
+use super::scope::Scope;
+use crate::ide::typed::Typed;
+use crate::rules;
+
+const DIRECTIVES: &[(&str, &str)] = &[
+    ("disable-next-line", "no findings of these rules on the next line"),
+    ("disable", "no findings of these rules from here on, until `enable`"),
+    ("enable", "findings of these rules again"),
+    ("disable-file", "no findings of these rules in this file"),
+];
+
+/// What fits into a comment: nothing, unless it begins as one of those.
+pub(super) fn comment(scope: &Scope<'_>, typed: &Typed) -> Completions {
+    let text = typed.before.trim_start();
+    if let Some(rest) = text.strip_prefix("xacro-lint:") {
+        return lint(typed, rest.trim_start());
+    }
+    if let Some(rest) = text.strip_prefix("xacro-root:") {
+        return root(scope, typed, rest.trim_start());
+    }
+    let begins = !text.is_empty() && ["xacro-lint:", "xacro-root:"].iter().any(|word| word.starts_with(text));
+    let items = match begins {
+        true => vec![
+            Completion::new(ItemKind::Directive, "xacro-lint:").text("xacro-lint: ").rank(0),
+            Completion::new(ItemKind::Directive, "xacro-root:").text("xacro-root: ").rank(1),
+        ],
+        false => Vec::new(),
+    };
+    Completions::new(typed.offset - text.len() as u32, typed.offset, 0, items)
+}
+
+fn lint(typed: &Typed, text: &str) -> Completions {
+    let rest = typed.rest_of_word(|c| c.is_alphanumeric() || c == '-');
+    let answer =
+        |word: &str, items| Completions::new(typed.offset - word.len() as u32, typed.offset, rest, items);
+    let Some((_, selected)) = text.split_once(' ') else {
+        let items = DIRECTIVES.iter().enumerate().map(|(place, (name, detail))| {
+            Completion::new(ItemKind::Directive, *name)
+                .text(format!("{name} "))
+                .detail(*detail)
+                .rank(place as u8)
+        });
+        return answer(text, items.collect());
+    };
+    if selected.contains(':') {
+        // the reason, in the author's own words
+        return Completions::default();
+    }
+    let word = selected.rsplit([',', ' ']).next().unwrap_or("");
+    let items = rules::all().map(|rule| {
+        Completion::new(ItemKind::Choice, rule.name)
+            .note(rule.code)
+            .detail(rule.summary())
+            .about(Topic::Rule { name: rule.name.to_owned() })
+    });
+    answer(word, items.collect())
+}
+
+fn root(scope: &Scope<'_>, typed: &Typed, text: &str) -> Completions {
+    if text.contains(' ') {
+        return Completions::default();
+    }
+    let own = &scope.sources.source.path;
+    let folder = own.parent().unwrap_or(own);
+    let others = scope.sources.roots.iter().filter(|root| ***root != **own);
+    let items = others.map(|root| {
+        let name = relative(root, folder);
+        Completion::new(ItemKind::File, name).note(file_name(root))
+    });
+    let rest = typed.rest_of_word(|c| !c.is_whitespace());
+    Completions::new(typed.offset - text.len() as u32, typed.offset, rest, items.collect())
+}
+
+/// A path as seen from a folder.
+fn relative(path: &Path, folder: &Path) -> String {
+    let common = path.components().zip(folder.components()).take_while(|(a, b)| a == b).count();
+    let up = folder.components().count() - common;
+    let down: Vec<String> =
+        path.components().skip(common).map(|part| part.as_os_str().to_string_lossy().into_owned()).collect();
+    format!("{}{}", "../".repeat(up), down.join("/"))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    #[test]
+    fn relative_paths() {
+        for (path, folder, expected) in
+            [("/a/b/c.x", "/a/b", "c.x"), ("/a/b/c.x", "/a/d/e", "../../b/c.x"), ("/a/c.x", "/a/d", "../c.x")]
+        {
+            assert_eq!(super::relative(Path::new(path), Path::new(folder)), expected);
+        }
+    }
+}

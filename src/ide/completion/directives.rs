@@ -1,0 +1,125 @@
+//! The tags of xacro itself.
+
+/// A tag of xacro.
+pub(super) struct Directive {
+    /// Its name with its prefix.
+    pub name: &'static str,
+    /// What it does, in a line.
+    pub docs: &'static str,
+    /// Its attributes.
+    pub attributes: &'static [DirectiveAttribute],
+    /// What to insert, behind its name.
+    pub snippet: &'static str,
+}
+
+/// An attribute of a tag of xacro.
+pub(super) struct DirectiveAttribute {
+    pub name: &'static str,
+    pub required: bool,
+    pub docs: &'static str,
+    /// The words that can be its value.
+    pub words: &'static [&'static str],
+}
+
+const fn at(name: &'static str, docs: &'static str) -> DirectiveAttribute {
+    DirectiveAttribute { name, required: false, docs, words: &[] }
+}
+
+const fn required(name: &'static str, docs: &'static str) -> DirectiveAttribute {
+    DirectiveAttribute { name, required: true, docs, words: &[] }
+}
+
+const fn flag(name: &'static str, docs: &'static str) -> DirectiveAttribute {
+    DirectiveAttribute { name, required: false, docs, words: &["true", "false"] }
+}
+
+/// All of them.
+pub(super) static DIRECTIVES: &[Directive] = &[
+    Directive {
+        name: "xacro:property",
+        docs: "Give a value or a block a name",
+        attributes: &[
+            required("name", "The name that expressions read"),
+            at("value", "The value; evaluated when it is read first"),
+            at("default", "The value, unless the name has one already"),
+            DirectiveAttribute {
+                name: "scope",
+                required: false,
+                docs: "Define it outside of the macro",
+                words: &["parent", "global"],
+            },
+            flag("lazy_eval", "Whether the value is evaluated when it is read first, not at once"),
+            flag("remove", "Forget the name"),
+        ],
+        snippet: " name=\"$1\" value=\"$2\"/>$0",
+    },
+    Directive {
+        name: "xacro:arg",
+        docs: "Declare an argument of the file, with its default",
+        attributes: &[
+            required("name", "The name that `$(arg name)` reads"),
+            at("default", "The value when none is given from outside"),
+        ],
+        snippet: " name=\"$1\" default=\"$2\"/>$0",
+    },
+    Directive {
+        name: "xacro:include",
+        docs: "Read another file in this place",
+        attributes: &[
+            required("filename", "The file, relative to this one or with `$(find package)`"),
+            at("ns", "A namespace for the macros and properties of the file"),
+            flag("optional", "Whether the file may be missing"),
+        ],
+        snippet: " filename=\"$1\"/>$0",
+    },
+    Directive {
+        name: "xacro:macro",
+        docs: "Define a piece of XML with parameters",
+        attributes: &[
+            required("name", "The name it is called by"),
+            at("params", "Parameters: `name`, `name:=default`, `*block`, `**blocks`"),
+        ],
+        snippet: " name=\"$1\" params=\"$2\">\n\t$0\n</xacro:macro>",
+    },
+    Directive {
+        name: "xacro:if",
+        docs: "Keep the content when the condition is true",
+        attributes: &[required("value", "The condition")],
+        snippet: " value=\"${1:\\${$2\\}}\">\n\t$0\n</xacro:if>",
+    },
+    Directive {
+        name: "xacro:unless",
+        docs: "Keep the content when the condition is false",
+        attributes: &[required("value", "The condition")],
+        snippet: " value=\"${1:\\${$2\\}}\">\n\t$0\n</xacro:unless>",
+    },
+    Directive {
+        name: "xacro:insert_block",
+        docs: "Insert a block: a parameter of the macro, or a property",
+        attributes: &[required("name", "The name of the block")],
+        snippet: " name=\"$1\"/>$0",
+    },
+    Directive {
+        name: "xacro:call",
+        docs: "Call a macro whose name is computed",
+        attributes: &[required("macro", "The name of the macro")],
+        snippet: " macro=\"$1\"/>$0",
+    },
+    Directive {
+        name: "xacro:element",
+        docs: "An element whose name is computed",
+        attributes: &[required("xacro:name", "The name of the element")],
+        snippet: " xacro:name=\"$1\"/>$0",
+    },
+    Directive {
+        name: "xacro:attribute",
+        docs: "An attribute of the element around whose name is computed",
+        attributes: &[required("name", "The name of the attribute"), required("value", "Its value")],
+        snippet: " name=\"$1\" value=\"$2\"/>$0",
+    },
+];
+
+/// The tag of a name.
+pub(super) fn directive(name: &str) -> Option<&'static Directive> {
+    DIRECTIVES.iter().find(|directive| directive.name == name)
+}

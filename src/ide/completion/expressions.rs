@@ -1,0 +1,205 @@
+//! Inside of `${…}` and `$(…)`.
+
+use super::evaluate::{Evaluator, keys};
+use super::item::{Completion, Completions, ItemKind, Topic};
+use super::paths;
+use super::scope::Scope;
+use super::substitutions;
+use crate::expand::parse_params;
+use crate::expr::{SymbolKind, Value, display, global_symbols};
+use crate::ide::code::{Cursor, Hole, chain_before, cursor, hole};
+use crate::ide::typed::Typed;
+
+/// What fits into the expression that the text in front of the cursor ends in; none when it ends in none.
+pub(super) fn expression(scope: &Scope<'_>, typed: &Typed) -> Option<Completions> {
+    let text = &typed.before;
+    let at = |inside: usize| typed.offset - (text.len() - inside) as u32;
+    match hole(text)? {
+        Hole::Dollar(start) => Some(dollar(typed, at(start))),
+        Hole::Code(start) => Some(code(scope, typed, text.get(start..)?, false)),
+        Hole::Substitution(start) => {
+            let inner = text.get(start..)?;
+            match inner.strip_prefix("eval ") {
+                Some(inner) => Some(code(scope, typed, inner, true)),
+                None => Some(substitutions::substitution(scope, typed, inner)),
+            }
+        }
+    }
+}
+
+/// Behind a `$`.
+fn dollar(typed: &Typed, start: u32) -> Completions {
+    let item = |label: &str, snippet: &str, detail: &str| {
+        Completion::new(ItemKind::Snippet, label).snippet(snippet).detail(detail).rank(0)
+    };
+    let items = vec![
+        item("${}", "\\${$1}$0", "an expression"),
+        item("$(arg )", "\\$(arg $1)$0", "the value of an argument"),
+        item("$(find )", "\\$(find $1)$0", "the folder of a package"),
+    ];
+    Completions::new(start, typed.offset, 0, items)
+}
+
+/// In an expression; `is_eval`: of `$(eval)`, where arguments are the names.
+fn code(scope: &Scope<'_>, typed: &Typed, code: &str, is_eval: bool) -> Completions {
+    let at = |inside: usize| typed.offset - (code.len() - inside) as u32;
+    let is_word = |c: char| c.is_alphanumeric() || c == '_';
+    let rest = typed.rest_of_word(is_word);
+    let answer = |start: usize, items| Completions::new(at(start), typed.offset, rest, items);
+    match cursor(code) {
+        Cursor::Nowhere => Completions::default(),
+        Cursor::Text { start, .. } => {
+            let before = code.get(..start.saturating_sub(1)).unwrap_or("").trim_end();
+            let within = code.get(start..).unwrap_or("");
+            if let Some(object) = before.strip_suffix('[') {
+                return answer(
+                    start,
+                    entries(scope, typed, chain_before(object), |key| match key {
+                        Value::Str(text) => Some(text.to_string()),
+                        _ => None,
+                    }),
+                );
+            }
+            if before.ends_with("load_yaml(") {
+                return paths::in_text(scope, typed, within, paths::Wanted::Yaml);
+            }
+            match before.ends_with("xacro.arg(") {
+                true => answer(start, substitutions::arguments(scope, typed)),
+                false => Completions::default(),
+            }
+        }
+        Cursor::Member { object, start } => answer(start, members(scope, typed, object)),
+        Cursor::Name { start } => {
+            let mut items = names(scope, typed, is_eval);
+            if let Some(object) = code.get(..start).unwrap_or("").trim_end().strip_suffix('[') {
+                let quoted = entries(scope, typed, chain_before(object), |key| {
+                    display::repr(key).map(|text| text.to_string())
+                });
+                items.extend(quoted.into_iter().map(|item| item.rank(0)));
+            }
+            answer(start, items)
+        }
+    }
+}
+
+/// The keys of what an expression stands for.
+fn entries(
+    scope: &Scope<'_>,
+    typed: &Typed,
+    object: &str,
+    spelled: impl Fn(&Value) -> Option<String>,
+) -> Vec<Completion> {
+    let value = Evaluator::new(scope, typed.offset).code(object);
+    let keys = keys(&value).into_iter().filter_map(|(key, shown)| Some((spelled(&key)?, shown)));
+    keys.map(|(key, shown)| Completion::new(ItemKind::Key, key).note(shown.unwrap_or_default()).rank(1))
+        .collect()
+}
+
+/// What can stand behind a dot.
+fn members(scope: &Scope<'_>, typed: &Typed, object: &str) -> Vec<Completion> {
+    let symbols = global_symbols()
+        .filter(|symbol| symbol.namespace.is_some_and(|module| module.name() == object))
+        .map(|symbol| global(&symbol));
+    let mut items: Vec<Completion> = symbols.collect();
+    let prefix = format!("{object}.");
+    let mut evaluator = Evaluator::new(scope, typed.offset);
+    for property in scope.properties(typed.offset) {
+        if let Some(name) = property.name.strip_prefix(&prefix).filter(|_| property.value.is_some()) {
+            let value = evaluator.shown(&property.name).unwrap_or_default();
+            items.push(Completion::new(ItemKind::Property, name).note(value).rank(1));
+        }
+    }
+    let value = evaluator.code(object);
+    let dotted = match &value {
+        Value::Dict(dict) => dict.is_yaml() || object.contains('.'),
+        _ => false,
+    };
+    if dotted {
+        let keys = keys(&value).into_iter();
+        items.extend(keys.filter_map(|(key, shown)| match key {
+            Value::Str(name) if crate::expr::is_identifier(&name) => {
+                Some(Completion::new(ItemKind::Key, name).note(shown.unwrap_or_default()).rank(1))
+            }
+            _ => None,
+        }));
+    }
+    items
+}
+
+/// Names that an expression can begin with.
+fn names(scope: &Scope<'_>, typed: &Typed, is_eval: bool) -> Vec<Completion> {
+    let mut items = Vec::new();
+    if is_eval {
+        items.extend(substitutions::arguments(scope, typed));
+    } else {
+        items.extend(parameters(typed));
+        items.extend(properties(scope, typed));
+    }
+    let bare = global_symbols().filter(|symbol| symbol.namespace.is_none() && symbol.deprecated.is_none());
+    items.extend(bare.map(|symbol| global(&symbol)));
+    items
+}
+
+fn parameters(typed: &Typed) -> Vec<Completion> {
+    let macros = typed.open.iter().filter(|open| open.name == "xacro:macro");
+    let params = macros.filter_map(|open| parse_params(open.attr("params")?)).flatten();
+    let values = params.filter(|param| !param.is_block());
+    values
+        .map(|param| {
+            let default = param.default.as_ref().map(|(text, _)| format!("default {text}"));
+            let note = default.unwrap_or_else(|| "parameter".to_owned());
+            Completion::new(ItemKind::Parameter, param.name.as_str()).note(note).detail("parameter").rank(0)
+        })
+        .collect()
+}
+
+/// Properties with their values; only so many are evaluated as can be shown.
+fn properties(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
+    let mut evaluator = Evaluator::new(scope, typed.offset);
+    let own = &scope.sources.source.path;
+    let all = scope.properties(typed.offset).into_iter().filter(|property| property.value.is_some());
+    let mut items: Vec<Completion> = Vec::new();
+    let mut seen = crate::base::FastSet::default();
+    for property in all.filter(|property| !property.name.is_empty() && !property.name.contains('$')) {
+        if !seen.insert(property.name.clone()) {
+            continue;
+        }
+        let here = scope.files.get(property.file).is_some_and(|file| file.source.path == *own);
+        let rank = if property.local { 0 } else { 2 - u8::from(here) };
+        let name = property.name.clone();
+        match name.split_once('.') {
+            Some((namespace, _)) => {
+                items.push(Completion::new(ItemKind::Module, namespace).note("namespace").rank(2));
+            }
+            None => {
+                let value = if items.len() < Completions::MOST { evaluator.shown(&name) } else { None };
+                let item = Completion::new(ItemKind::Property, name.as_str()).note(value.unwrap_or_default());
+                items.push(item.detail("property").rank(rank).about(Topic::Property { name }));
+            }
+        }
+    }
+    items
+}
+
+fn global(symbol: &crate::expr::GlobalSymbol) -> Completion {
+    let module = symbol.namespace.map_or("", crate::expr::Module::name).to_owned();
+    let (kind, rank) = match symbol.kind {
+        SymbolKind::Constant => (ItemKind::Constant, 4),
+        SymbolKind::Function | SymbolKind::Type => (ItemKind::Function, 4),
+        SymbolKind::Namespace => (ItemKind::Module, 3),
+    };
+    let item = Completion::new(kind, symbol.name)
+        .detail(symbol.doc)
+        .rank(rank)
+        .about(Topic::Symbol { module, name: symbol.name.to_owned() });
+    match symbol.kind {
+        SymbolKind::Function | SymbolKind::Type => {
+            item.note(format!("({})", symbol.params)).snippet(format!("{}($1)$0", symbol.name))
+        }
+        SymbolKind::Constant => {
+            let value = crate::expr::global_symbol(symbol.name);
+            item.note(value.as_ref().and_then(super::evaluate::shown).unwrap_or_default())
+        }
+        SymbolKind::Namespace => item,
+    }
+}

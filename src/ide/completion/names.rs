@@ -1,0 +1,188 @@
+//! Names of links, joints, materials and blocks.
+
+use std::path::Path;
+
+use super::item::{Completion, ItemKind};
+use super::scope::{MacroInfo, Scope};
+use super::tags::spec_of;
+use crate::base::FastSet;
+use crate::expand::{Expansion, parse_params};
+use crate::facts::FactKind;
+use crate::ide::typed::Typed;
+use crate::model::Text;
+use crate::rules::schema::AttributeKind;
+use crate::xml::{Node, NodeKind};
+
+/// Which names are wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wanted {
+    Link,
+    Joint,
+    LinkOrJoint,
+}
+
+impl Wanted {
+    fn kinds(self) -> &'static [(FactKind, ItemKind)] {
+        const BOTH: &[(FactKind, ItemKind)] =
+            &[(FactKind::Link, ItemKind::Link), (FactKind::Joint, ItemKind::Joint)];
+        match self {
+            Wanted::Link => BOTH.get(..1).unwrap_or(BOTH),
+            Wanted::Joint => BOTH.get(1..).unwrap_or(BOTH),
+            Wanted::LinkOrJoint => BOTH,
+        }
+    }
+
+    /// What the value of an attribute names.
+    pub fn of(kind: AttributeKind) -> Option<Self> {
+        match kind {
+            AttributeKind::Link => Some(Wanted::Link),
+            AttributeKind::Joint => Some(Wanted::Joint),
+            AttributeKind::LinkOrJoint => Some(Wanted::LinkOrJoint),
+            _ => None,
+        }
+    }
+}
+
+/// Links or joints: those that the macro around gives as they are written, those of the expanded robot, those that
+/// stand in the texts. `is_end` says that the value is the child of a joint: links that have no parent come first.
+pub(super) fn names(scope: &Scope<'_>, typed: &Typed, wanted: Wanted, is_end: bool) -> Vec<Completion> {
+    let mut found = Vec::new();
+    for &(fact, kind) in wanted.kinds() {
+        let patterns = scope.patterns(fact, typed.offset).into_iter().filter(|name| !name.is_empty());
+        found.extend(patterns.map(|name| Completion::new(kind, name).note("this macro").rank(0)));
+        if typed.in_macro().is_some() && kind == ItemKind::Link {
+            found.extend(link_parameters(typed));
+        }
+        for (expansion, robot) in scope.sources.expansions {
+            let Some(robot) = robot else { continue };
+            let texts: Vec<&Text> = match kind {
+                ItemKind::Link => robot.links.iter().filter_map(|link| link.name.as_ref()).collect(),
+                _ => robot.joints.iter().filter_map(|joint| joint.name.as_ref()).collect(),
+            };
+            let held: FastSet<&str> =
+                robot.joints.iter().filter_map(|joint| Some(joint.child.as_ref()?.value.as_str())).collect();
+            for text in texts.into_iter().filter(|text| text.name().is_some()) {
+                let free = is_end && !held.contains(text.value.as_str());
+                let item = Completion::new(kind, text.value.as_str()).note(file_of(expansion, text));
+                found.push(item.rank(if free { 1 } else { 2 }));
+            }
+        }
+        let plain = scope.plain_names(fact).into_iter().filter(|(name, _)| !name.is_empty());
+        found.extend(plain.map(|(name, file)| Completion::new(kind, name).note(file_name(&file)).rank(3)));
+    }
+    found
+}
+
+/// Parameters of the macro around that are there to name a link.
+fn link_parameters(typed: &Typed) -> Vec<Completion> {
+    let params = typed.in_macro().and_then(|open| parse_params(open.attr("params")?)).unwrap_or_default();
+    let links = params.iter().filter(|param| !param.is_block() && is_link_name(&param.name));
+    links
+        .map(|param| {
+            Completion::new(ItemKind::Link, format!("${{{}}}", param.name)).note("parameter").rank(1)
+        })
+        .collect()
+}
+
+/// Whether a parameter of this name mostly names a link.
+fn is_link_name(name: &str) -> bool {
+    let last = name.rsplit('_').next().unwrap_or(name);
+    matches!(last, "parent" | "child" | "link" | "frame") || name.starts_with("parent")
+}
+
+/// What a parameter of a macro is used for: the value of an attribute that names a link or joint.
+pub(super) fn flows_into(scope: &Scope<'_>, info: &MacroInfo, param: &str) -> Option<Wanted> {
+    flow(scope, info, param, 3).or_else(|| is_link_name(param).then_some(Wanted::Link))
+}
+
+fn flow(scope: &Scope<'_>, info: &MacroInfo, param: &str, depth: u32) -> Option<Wanted> {
+    let read = format!("${{{param}}}");
+    let body = info.item.node(info.node);
+    let range = body.range();
+    let inside = info.item.all_nodes().filter(|node| {
+        node.kind() == NodeKind::Element && range.contains_range(node.range()) && *node != body
+    });
+    for node in inside {
+        for attr in node.attrs().filter(|attr| attr.raw().trim() == read) {
+            let found = match node.name() {
+                name if name.starts_with("xacro:") && depth > 0 => {
+                    scope.called(name).and_then(|inner| flow(scope, &inner, attr.name(), depth - 1))
+                }
+                _ => spec(node)
+                    .and_then(|spec| spec.attribute(attr.name()))
+                    .and_then(|attribute| Wanted::of(attribute.kind)),
+            };
+            if found.is_some() {
+                return found;
+            }
+        }
+    }
+    None
+}
+
+fn spec(node: Node<'_>) -> Option<&'static crate::rules::schema::ElementSpec> {
+    let mut names: Vec<&str> =
+        std::iter::successors(Some(node), |node| node.parent()).map(Node::name).collect();
+    names.push("robot");
+    names.reverse();
+    spec_of(&names)
+}
+
+/// The materials of the robot, and those the texts give.
+pub(super) fn materials(scope: &Scope<'_>) -> Vec<Completion> {
+    let mut found = Vec::new();
+    for (expansion, robot) in scope.sources.expansions {
+        let Some(robot) = robot else { continue };
+        let visuals = robot.links.iter().flat_map(|link| &link.visuals);
+        let own = visuals.filter_map(|visual| visual.material.as_ref());
+        for material in robot.materials.iter().chain(own) {
+            let Some(name) = material.name.as_ref().filter(|name| name.name().is_some()) else { continue };
+            let item = Completion::new(ItemKind::Color, name.value.as_str());
+            let item = item.note(file_of(expansion, name)).rank(1);
+            found.push(match material.rgba.as_ref().and_then(Text::numbers::<4>) {
+                Some(rgba) => item.detail(hex(rgba)).rank(0),
+                None => item,
+            });
+        }
+    }
+    let plain = scope.plain_names(FactKind::Material).into_iter().filter(|(name, _)| !name.is_empty());
+    found.extend(
+        plain.map(|(name, file)| Completion::new(ItemKind::Color, name).note(file_name(&file)).rank(2)),
+    );
+    found
+}
+
+/// A colour as editors show it.
+fn hex(rgba: [f64; 4]) -> String {
+    let byte = |part: f64| (part.clamp(0.0, 1.0) * 255.0).round() as u8;
+    let [red, green, blue, _] = rgba;
+    format!("#{:02x}{:02x}{:02x}", byte(red), byte(green), byte(blue))
+}
+
+/// The blocks that can be inserted: parameters of the macros around, and properties.
+pub(super) fn blocks(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
+    let macros = typed.open.iter().filter(|open| open.name == "xacro:macro");
+    let params = macros.filter_map(|open| parse_params(open.attr("params")?)).flatten();
+    let params: Vec<Completion> = params
+        .filter(|param| param.is_block())
+        .map(|param| {
+            let name = param.name.trim_start_matches('*').to_owned();
+            Completion::new(ItemKind::Block, name).note("parameter").rank(0)
+        })
+        .collect();
+    let properties = scope.properties(typed.offset).into_iter().filter(|property| property.value.is_none());
+    let properties =
+        properties.map(|property| Completion::new(ItemKind::Block, property.name).note("property"));
+    params.into_iter().chain(properties).collect()
+}
+
+fn file_of(expansion: &Expansion, text: &Text) -> String {
+    let source = expansion.sources.get(text.origin.src.0 as usize);
+    let file = source.and_then(|source| expansion.files.get(source.file.0 as usize));
+    file.map(|file| file_name(&file.source.path)).unwrap_or_default()
+}
+
+/// The last part of a path.
+pub(super) fn file_name(path: &Path) -> String {
+    path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default()
+}

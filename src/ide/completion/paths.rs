@@ -1,0 +1,155 @@
+//! Files and folders in values that name a file.
+
+use std::path::{Path, PathBuf};
+
+use super::evaluate::Evaluator;
+use super::item::{Completion, Completions, ItemKind, escaped};
+use super::scope::{Scope, tidy};
+use super::substitutions;
+use crate::ide::typed::Typed;
+
+/// Which files are wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wanted {
+    Mesh,
+    Picture,
+    Description,
+    Yaml,
+}
+
+impl Wanted {
+    fn endings(self) -> &'static [&'static str] {
+        match self {
+            Wanted::Mesh => &["stl", "dae", "obj", "glb"],
+            Wanted::Picture => &["png", "jpg", "jpeg"],
+            Wanted::Description => &["xacro", "urdf", "xml"],
+            Wanted::Yaml => &["yaml", "yml"],
+        }
+    }
+
+    fn takes_uris(self) -> bool {
+        matches!(self, Wanted::Mesh | Wanted::Picture)
+    }
+}
+
+impl Scope<'_> {
+    /// Whether the names in a folder may be told: it belongs to the workspace or to a package.
+    pub(super) fn may_list(&self, folder: &Path) -> bool {
+        let folder = tidy(folder);
+        self.sources.folders.iter().any(|own| folder.starts_with(own))
+            || self.sources.packages.containing(&folder.join("package.xml")).is_some()
+            || self.sources.source.path.parent() == Some(&folder)
+    }
+}
+
+/// Files for a value, or a part of one, of which `text` was typed so far.
+pub(super) fn in_text(scope: &Scope<'_>, typed: &Typed, text: &str, wanted: Wanted) -> Completions {
+    if let Some(name) = text.strip_prefix("package://").filter(|rest| !rest.contains('/')) {
+        let rest = typed.rest_of_word(is_file_char);
+        let closed = typed.after.get(rest as usize..).is_some_and(|after| after.starts_with('/'));
+        let end = if closed { "" } else { "/" };
+        let packages = substitutions::packages(scope).into_iter().map(|item| {
+            let text = format!("{}{end}", item.label);
+            item.text(text)
+        });
+        return Completions::new(typed.offset - name.len() as u32, typed.offset, rest, packages.collect());
+    }
+    let (folder, word) = match text.rsplit_once('/') {
+        Some((folder, word)) => (Some(folder), word),
+        None => (None, text),
+    };
+    let mut items = match listed(scope, typed, folder) {
+        Some(path) => entries(scope, &path, wanted),
+        None => Vec::new(),
+    };
+    if folder.is_none() {
+        items.extend(beginnings(scope, wanted));
+    }
+    let rest = typed.rest_of_word(is_file_char);
+    Completions::new(typed.offset - word.len() as u32, typed.offset, rest, items)
+}
+
+fn is_file_char(c: char) -> bool {
+    c.is_alphanumeric() || matches!(c, '_' | '-' | '.')
+}
+
+/// The folder that the first part of a value names.
+fn listed(scope: &Scope<'_>, typed: &Typed, folder: Option<&str>) -> Option<PathBuf> {
+    let own = &scope.sources.source.path;
+    let Some(folder) = folder else { return own.parent().map(Path::to_path_buf) };
+    let folder = match folder.contains('$') {
+        true => Evaluator::new(scope, typed.offset).string(folder)?,
+        false => folder.to_owned(),
+    };
+    let path = match folder.strip_prefix("package://") {
+        Some(rest) => {
+            let (package, inside) = rest.split_once('/').unwrap_or((rest, ""));
+            scope.sources.packages.find(package, own).ok()?.path.join(inside)
+        }
+        None => own.parent()?.join(folder.strip_prefix("file://").unwrap_or(&folder)),
+    };
+    let path = tidy(&path);
+    scope.may_list(&path).then_some(path)
+}
+
+/// What lies in a folder and can be named.
+fn entries(scope: &Scope<'_>, folder: &Path, wanted: Wanted) -> Vec<Completion> {
+    let vfs = scope.sources.vfs;
+    let visible = vfs.list_dir(folder).into_iter().filter(|entry| !entry.name.starts_with('.'));
+    let fits = |name: &str| {
+        let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
+        wanted.endings().contains(&ending.as_str()) && name != "package.xml"
+    };
+    visible
+        .filter(|entry| entry.is_dir || fits(&entry.name))
+        .filter(|entry| *folder.join(&entry.name) != *scope.sources.source.path)
+        .map(|entry| match entry.is_dir {
+            true => {
+                let text = format!("{}/", entry.name);
+                Completion::new(ItemKind::Folder, entry.name).text(text).rank(3)
+            }
+            false => {
+                let size = vfs.size(&folder.join(&entry.name)).map(readable).unwrap_or_default();
+                Completion::new(ItemKind::File, entry.name).note(size).rank(1)
+            }
+        })
+        .collect()
+}
+
+/// How a value can begin.
+fn beginnings(scope: &Scope<'_>, wanted: Wanted) -> Vec<Completion> {
+    let own = scope.sources.packages.containing(&scope.sources.source.path).map(|package| package.name);
+    let item =
+        |text: String, snippet: String| Completion::new(ItemKind::Snippet, text).snippet(snippet).rank(2);
+    let mut items = Vec::new();
+    if wanted.takes_uris() {
+        items.push(item("package://".to_owned(), "package://$1".to_owned()));
+        items.extend(
+            own.iter().map(|name| item(format!("package://{name}/"), format!("package://{name}/$1"))),
+        );
+    }
+    items.extend(own.iter().map(|name| {
+        let text = format!("$(find {name})/");
+        let lead = if wanted.takes_uris() { "file://" } else { "" };
+        item(format!("{lead}{text}"), format!("{lead}{}$1", escaped(&text)))
+    }));
+    items.push(item("$(find )/".to_owned(), "\\$(find $1)/$2".to_owned()));
+    items
+}
+
+/// A number of bytes for people.
+fn readable(bytes: u64) -> String {
+    match bytes {
+        0..1024 => format!("{bytes} B"),
+        1024..1_048_576 => format!("{:.1} KiB", bytes as f64 / 1024.0),
+        _ => format!("{:.1} MiB", bytes as f64 / 1_048_576.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn sizes() {
+        assert_eq!([600, 2048, 3 << 20].map(super::readable), ["600 B", "2.0 KiB", "3.0 MiB"]);
+    }
+}

@@ -1,0 +1,284 @@
+//! The names that can be used in a file: what the files of its context give, as they are now.
+//!
+//! Read off the texts, not off an expansion, so that it holds while a text is broken.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use ecow::EcoString;
+
+use crate::base::FastSet;
+use crate::expand::{Expansion, Param, parse_params};
+use crate::facts::{Fact, FactKind, facts_of};
+use crate::model::Robot;
+use crate::vfs::{SourceFile, Vfs};
+use crate::workspace::Packages;
+use crate::xml::{Entities, Item, Node, NodeKind};
+
+/// What the answer may be taken from.
+#[derive(Clone, Copy)]
+pub struct Sources<'a> {
+    /// The file that is edited, as it is now.
+    pub source: &'a SourceFile,
+    /// The root file of its context.
+    pub root: &'a Path,
+    /// Expansions of the root, the newest first; they may be older than the texts.
+    pub expansions: &'a [(&'a Expansion, Option<&'a Robot>)],
+    /// Files as they are now.
+    pub vfs: &'a Vfs,
+    /// Packages by name.
+    pub packages: &'a Packages,
+    /// Folders that may be listed, besides those of packages.
+    pub folders: &'a [PathBuf],
+    /// Files that are robots.
+    pub roots: &'a [PathBuf],
+}
+
+/// A file of the context.
+pub(super) struct InScope {
+    pub source: Arc<SourceFile>,
+    /// Namespaces it is included under, each with its dot.
+    pub namespace: String,
+}
+
+/// The files of a context.
+pub struct Scope<'a> {
+    pub(super) sources: Sources<'a>,
+    pub(super) files: Vec<InScope>,
+}
+
+/// A macro that can be called.
+pub(super) struct MacroInfo {
+    /// Its name, with its namespaces.
+    pub name: String,
+    pub params: Vec<Param>,
+    /// The comment above it.
+    pub comment: String,
+    /// The file that defines it.
+    pub file: Arc<Path>,
+    /// Its element.
+    pub item: Arc<Item>,
+    pub node: crate::xml::NodeId,
+}
+
+/// A property that can be read, or a block that can be inserted.
+pub(super) struct PropertyInfo {
+    /// Its name, with its namespaces.
+    pub name: String,
+    /// Its value as written; none for a block.
+    pub value: Option<String>,
+    /// Index of its file.
+    pub file: usize,
+    /// Whether it belongs to the macro that is edited.
+    pub local: bool,
+    /// The comment above it.
+    pub comment: String,
+}
+
+impl<'a> Scope<'a> {
+    const MOST_FILES: usize = 1000;
+
+    /// The files of a context: the root and what it includes, the edited file, what the last expansion read.
+    pub fn new(sources: Sources<'a>) -> Self {
+        let mut scope = Self { sources, files: Vec::new() };
+        let mut seen = FastSet::default();
+        let own = &sources.source.path;
+        let mut open = vec![(sources.root.to_path_buf(), String::new())];
+        while let Some((path, namespace)) = open.pop() {
+            if scope.files.len() < Self::MOST_FILES && seen.insert((path.clone(), namespace.clone())) {
+                open.extend(scope.add(&path, namespace));
+            }
+        }
+        let known = |scope: &Self, path: &Path| scope.files.iter().any(|file| *file.source.path == *path);
+        let read = sources.expansions.iter().flat_map(|(expansion, _)| &expansion.files);
+        let read = read.map(|file| file.source.path.to_path_buf());
+        for path in [own.to_path_buf()].into_iter().chain(read) {
+            let mut open = vec![path];
+            while let Some(path) = open.pop() {
+                if !known(&scope, &path) && scope.files.len() < Self::MOST_FILES {
+                    open.extend(scope.add(&path, String::new()).into_iter().map(|(path, _)| path));
+                }
+            }
+        }
+        scope
+    }
+
+    /// Add a file; what it includes, as far as its text says.
+    fn add(&mut self, path: &Path, namespace: String) -> Vec<(PathBuf, String)> {
+        let Ok(source) = self.sources.vfs.document(path) else { return Vec::new() };
+        let mut included = Vec::new();
+        for (_, item) in source.document.parts() {
+            for fact in facts_of(item).of(FactKind::Include) {
+                let Some(path) = self.included(&fact.name, &source.path) else { continue };
+                let name = item.node(fact.node).attr("ns").map(|ns| format!("{namespace}{}.", ns.raw()));
+                included.push((path, name.unwrap_or_else(|| namespace.clone())));
+            }
+        }
+        self.files.push(InScope { source, namespace });
+        included
+    }
+
+    /// The file that `filename` names, when nothing has to be computed but packages.
+    fn included(&self, filename: &str, from: &Path) -> Option<PathBuf> {
+        let mut path = String::new();
+        let mut rest = filename;
+        while let Some((before, after)) = rest.split_once("$(find ") {
+            let (package, behind) = after.split_once(')')?;
+            path.push_str(before);
+            path.push_str(self.sources.packages.find(package.trim(), from).ok()?.path.to_str()?);
+            rest = behind;
+        }
+        path.push_str(rest);
+        let plain = !path.contains(['$', '*', '?', '[']);
+        let path = plain.then(|| tidy(&from.parent().unwrap_or(from).join(path)))?;
+        self.sources.vfs.is_file(&path).then_some(path)
+    }
+
+    /// All items with the index of their file.
+    fn items(&self) -> impl Iterator<Item = (usize, &InScope, &Arc<Item>)> {
+        let files = self.files.iter().enumerate();
+        files.flat_map(|(index, file)| file.source.document.parts().map(move |(_, item)| (index, file, item)))
+    }
+
+    /// The macros that can be called, each name once: the last definition counts.
+    pub(super) fn macros(&self) -> Vec<MacroInfo> {
+        let mut found: Vec<MacroInfo> = Vec::new();
+        for (_, file, item) in self.items() {
+            for fact in facts_of(item).of(FactKind::Macro) {
+                let node = item.node(fact.node);
+                let params = node.attr("params").map(|attr| attr.value(&Entities::default()).into_owned());
+                found.push(MacroInfo {
+                    name: format!("{}{}", file.namespace, fact.name.trim_start_matches("xacro:")),
+                    params: params.and_then(|text| parse_params(&text)).unwrap_or_default(),
+                    comment: comment_above(node),
+                    file: file.source.path.clone(),
+                    item: item.clone(),
+                    node: fact.node,
+                });
+            }
+        }
+        found.reverse();
+        let mut seen: FastSet<String> = FastSet::default();
+        found.retain(|info| !info.name.is_empty() && seen.insert(info.name.clone()));
+        found
+    }
+
+    /// The macro that a tag `xacro:name` calls.
+    pub(super) fn called(&self, tag: &str) -> Option<MacroInfo> {
+        let name = tag.strip_prefix("xacro:")?;
+        self.macros().into_iter().find(|info| info.name == name)
+    }
+
+    /// The properties that can be read at `offset` of the edited file, in the order of the text.
+    pub(super) fn properties(&self, offset: u32) -> Vec<PropertyInfo> {
+        let edited = &self.sources.source.document;
+        let place = edited.item_at(offset.saturating_sub(1));
+        let inside = offset.saturating_sub(place.start);
+        let mut found = Vec::new();
+        for (file, in_scope, item) in self.items() {
+            for fact in facts_of(item).of(FactKind::Property) {
+                let node = item.node(fact.node);
+                let here = Arc::ptr_eq(item, place.item) && macro_around(node) == macro_at(item, inside);
+                let handed_on = node.attr("scope").is_some();
+                if fact.in_macro && !here && !handed_on {
+                    continue;
+                }
+                let value = node.attr("value").or_else(|| node.attr("default"));
+                found.push(PropertyInfo {
+                    name: format!("{}{}", in_scope.namespace, fact.name),
+                    value: value.map(|attr| attr.value(&Entities::default()).into_owned()),
+                    file,
+                    local: fact.in_macro && here,
+                    comment: comment_above(node),
+                });
+            }
+        }
+        found
+    }
+
+    /// The arguments of the context with their defaults; the value of the last expansion comes first.
+    pub(super) fn arguments(&self) -> Vec<(String, Option<String>)> {
+        let known = self.sources.expansions.iter().flat_map(|(expansion, _)| &expansion.arguments);
+        let known = known.map(|(name, value)| (name.to_string(), Some(value.to_string())));
+        let declared = self.items().flat_map(|(_, _, item)| {
+            let read = |fact: &Fact| {
+                let default = item.node(fact.node).attr("default");
+                let default = default.map(|attr| attr.value(&Entities::default()).into_owned());
+                (fact.name.to_string(), default)
+            };
+            facts_of(item).of(FactKind::Argument).map(read).collect::<Vec<_>>()
+        });
+        let mut seen: FastSet<String> = FastSet::default();
+        let all = known.chain(declared).filter(|(name, _)| !name.is_empty() && seen.insert(name.clone()));
+        all.collect()
+    }
+
+    /// The names of a kind that stand as they are in the texts: no expression in them, outside of macros.
+    pub(super) fn plain_names(&self, kind: FactKind) -> Vec<(EcoString, Arc<Path>)> {
+        let mut found = Vec::new();
+        for (_, file, item) in self.items() {
+            let facts = facts_of(item);
+            let plain = facts.of(kind).filter(|fact| !fact.in_macro && !fact.name.contains('$'));
+            found.extend(plain.map(|fact| (fact.name.clone(), file.source.path.clone())));
+        }
+        found
+    }
+
+    /// The names of a kind that the macro around `offset` gives, as they are written.
+    pub(super) fn patterns(&self, kind: FactKind, offset: u32) -> Vec<EcoString> {
+        let place = self.sources.source.document.item_at(offset.saturating_sub(1));
+        let Some(around) = macro_at(place.item, offset.saturating_sub(place.start)) else {
+            return Vec::new();
+        };
+        let facts = facts_of(place.item);
+        let own = facts.of(kind).filter(|fact| macro_around(place.item.node(fact.node)) == Some(around));
+        own.map(|fact| fact.name.clone()).collect()
+    }
+}
+
+/// The macro element around a node.
+fn macro_around(node: Node<'_>) -> Option<u32> {
+    let around = std::iter::successors(node.parent(), |node| node.parent());
+    around.filter(|node| node.name() == "xacro:macro").last().map(|node| node.id().0)
+}
+
+/// The outermost macro element around an offset of an item.
+fn macro_at(item: &Item, inside: u32) -> Option<u32> {
+    let around = |node: &Node<'_>| {
+        let range = node.range();
+        node.name() == "xacro:macro" && range.start < inside && inside <= range.end
+    };
+    item.all_nodes().find(around).map(|node| node.id().0)
+}
+
+/// The text of the comment that stands directly above an element.
+fn comment_above(node: Node<'_>) -> String {
+    let before: Vec<Node<'_>> = match node.parent() {
+        Some(parent) => parent.children().take_while(|other| *other != node).collect(),
+        None => node.item().nodes().take_while(|other| *other != node).collect(),
+    };
+    let near = before.iter().rev().take_while(|other| match other.kind() {
+        NodeKind::Text => other.raw().trim().is_empty() && other.raw().matches('\n').count() < 2,
+        kind => kind == NodeKind::Comment,
+    });
+    let mut comments: Vec<&str> =
+        near.filter(|other| other.kind() == NodeKind::Comment).map(|node| node.raw().trim()).collect();
+    comments.reverse();
+    comments.retain(|text| !text.starts_with("xacro-lint:"));
+    comments.join("\n")
+}
+
+/// A path without `folder/..`, by its text alone.
+pub(super) fn tidy(path: &Path) -> PathBuf {
+    let mut clean = PathBuf::new();
+    for part in path.components() {
+        match part {
+            std::path::Component::ParentDir => {
+                clean.pop();
+            }
+            std::path::Component::CurDir => {}
+            other => clean.push(other),
+        }
+    }
+    clean
+}

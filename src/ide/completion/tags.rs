@@ -1,0 +1,222 @@
+//! Names of elements: what may stand here, xacro's own tags, macros.
+
+use super::directives::{DIRECTIVES, directive};
+use super::item::{Completion, Completions, ItemKind, Topic, escaped};
+use super::scope::{MacroInfo, Scope};
+use crate::expand::Param;
+use crate::ide::typed::{Typed, is_name_char};
+use crate::rules::schema::{AttributeKind, AttributeSpec, Content, ElementSpec, elements, robot};
+
+/// The element that a chain of open elements ends in, as URDF sees it: tags of xacro are transparent. None where
+/// anything may stand: in the blocks of macro calls, below unknown elements.
+pub(super) fn spec_of(names: &[&str]) -> Option<&'static ElementSpec> {
+    let mut found: Option<&'static ElementSpec> = None;
+    for name in names {
+        found = match *name {
+            "xacro:if" | "xacro:unless" | "xacro:macro" if found.is_some() => found,
+            name if name.starts_with("xacro:") => None,
+            "robot" => Some(robot()),
+            name => match found {
+                Some(parent) => parent.child(name),
+                None => only(name),
+            },
+        };
+    }
+    found
+}
+
+/// The one element of a name, wherever it stands.
+fn only(name: &str) -> Option<&'static ElementSpec> {
+    let mut all = elements().filter(|spec| spec.name == name);
+    all.next().filter(|_| all.next().is_none())
+}
+
+/// The element around what is typed.
+pub(super) fn parent_of(typed: &Typed) -> Option<&'static ElementSpec> {
+    let names: Vec<&str> = typed.open.iter().map(|open| open.name.as_str()).collect();
+    spec_of(&names)
+}
+
+/// Names of start tags. `lead` stands in front of each: nothing behind a `<`, else that.
+pub(super) fn tags(scope: &Scope<'_>, typed: &Typed, lead: &str) -> Completions {
+    let word = typed.before.rfind(|c: char| !is_name_char(c)).map_or(0, |at| at + 1);
+    let start = typed.offset - (typed.before.len() - word) as u32;
+    let rest = typed.rest_of_word(is_name_char);
+    // a tag that is complete but for its name keeps what it has
+    let bare = lead.is_empty() && typed.rest_of_tag().1;
+    let mut items = children(typed);
+    items.extend(DIRECTIVES.iter().map(|directive| {
+        Completion::new(ItemKind::Directive, directive.name)
+            .snippet(format!("{}{}", directive.name, directive.snippet))
+            .detail(directive.docs)
+            .rank(if typed.before.starts_with("xacro:") { 2 } else { 6 })
+            .about(Topic::Directive { name: directive.name.to_owned() })
+    }));
+    items.extend(scope.macros().iter().map(called));
+    for item in &mut items {
+        item.snippet = item.snippet.take().filter(|_| !bare).map(|text| format!("{lead}{text}"));
+        item.text.insert_str(0, lead);
+    }
+    Completions::new(start, typed.offset, rest, items)
+}
+
+/// The name of the end tag: that of the element that is open.
+pub(super) fn end_tag(typed: &Typed) -> Completions {
+    let Some(open) = typed.open.last() else { return Completions::default() };
+    let start = typed.offset - typed.before.len() as u32;
+    let rest = typed.rest_of_word(is_name_char);
+    let closed = typed.after.get(rest as usize..).is_some_and(|after| after.trim_start().starts_with('>'));
+    let end = if closed { "" } else { ">" };
+    let item = Completion::new(ItemKind::Element, &open.name).text(format!("{}{end}", open.name)).rank(0);
+    Completions::new(start, typed.offset, rest, vec![item])
+}
+
+/// The elements of URDF that may stand here and do not yet.
+fn children(typed: &Typed) -> Vec<Completion> {
+    if typed.open.is_empty() {
+        let xmlns = "xmlns:xacro=\"http://www.ros.org/wiki/xacro\"";
+        let root = format!("robot name=\"$1\" {xmlns}>\n\t$0\n</robot>");
+        return vec![element(robot()).snippet(root).rank(0)];
+    }
+    let Some(parent) = parent_of(typed) else {
+        return anything();
+    };
+    let siblings = typed.siblings();
+    let is_there = |name: &str| siblings.iter().any(|sibling| sibling == name);
+    let shape_is_there = parent.name == "geometry" && parent.children().any(|shape| is_there(shape.name));
+    let free = parent.children().filter(|spec| spec.repeats || !(shape_is_there || is_there(spec.name)));
+    free.map(|spec| {
+        let missing = parent.required.contains(&spec.name) && !is_there(spec.name);
+        element(spec).rank(if missing { 0 } else { 3 }).note(if missing { "required" } else { "" })
+    })
+    .collect()
+}
+
+/// All elements of URDF, for places where nothing says which.
+fn anything() -> Vec<Completion> {
+    let common =
+        |spec: &&ElementSpec| matches!(spec.name, "origin" | "link" | "joint" | "inertial" | "geometry");
+    elements()
+        .filter(|spec| spec.name != robot().name)
+        .map(|spec| element(spec).rank(if common(&spec) { 4 } else { 5 }))
+        .collect()
+}
+
+fn element(spec: &'static ElementSpec) -> Completion {
+    let mut places = Places::default();
+    Completion::new(ItemKind::Element, spec.name)
+        .snippet(format!("{}$0", whole(spec, "", &mut places)))
+        .detail(spec.docs)
+        .about(Topic::Element { key: spec.key.to_owned() })
+}
+
+/// Numbers the places to fill in.
+#[derive(Default)]
+struct Places(u32);
+
+impl Places {
+    fn next(&mut self, text: &str) -> String {
+        self.0 += 1;
+        match text {
+            "" => format!("${}", self.0),
+            text => format!("${{{}:{}}}", self.0, escaped(text)),
+        }
+    }
+
+    fn choice(&mut self, words: &[&str]) -> String {
+        self.0 += 1;
+        format!("${{{}|{}|}}", self.0, words.join(","))
+    }
+}
+
+/// An element with what it needs, behind its `<`.
+fn whole(spec: &'static ElementSpec, indent: &str, places: &mut Places) -> String {
+    let attributes = spec.attributes.iter().filter(|attribute| is_usual(spec, attribute));
+    let attributes: String = attributes.map(|attribute| assignment(attribute, places)).collect();
+    let needed: Vec<_> = spec.required.iter().filter_map(|name| spec.child(name)).collect();
+    let head = format!("{}{attributes}", spec.name);
+    let deeper = format!("{indent}\t");
+    if !needed.is_empty() {
+        let inside: String =
+            needed.iter().map(|child| format!("\n{deeper}<{}", whole(child, &deeper, places))).collect();
+        return format!("{head}>{inside}\n{indent}</{}>", spec.name);
+    }
+    match (spec.content, spec.children().next().is_some()) {
+        (Content::Text, _) => format!("{head}>{}</{}>", places.next(""), spec.name),
+        (_, true) | (Content::Free, _) => {
+            format!("{head}>\n{deeper}{}\n{indent}</{}>", places.next(""), spec.name)
+        }
+        (Content::Elements, false) => format!("{head}/>"),
+    }
+}
+
+/// Whether people write an attribute nearly always.
+fn is_usual(spec: &ElementSpec, attribute: &AttributeSpec) -> bool {
+    let any_required = spec.attributes.iter().any(|attribute| attribute.required);
+    let limit = || matches!(attribute.name, "lower" | "upper" | "effort" | "velocity");
+    match spec.name {
+        "robot" | "link" | "visual" | "collision" => attribute.required,
+        "limit" => limit(),
+        _ => {
+            attribute.required || !any_required && (attribute.default.is_some() || spec.attributes.len() == 1)
+        }
+    }
+}
+
+fn assignment(attribute: &AttributeSpec, places: &mut Places) -> String {
+    let value = match attribute.kind {
+        AttributeKind::Choice(words) => places.choice(words),
+        _ => places.next(attribute.default.unwrap_or("")),
+    };
+    format!(" {}=\"{value}\"", attribute.name)
+}
+
+/// A call of a macro with what it requires.
+fn called(info: &MacroInfo) -> Completion {
+    let tag = format!("xacro:{}", info.name);
+    let mut places = Places::default();
+    let required = info.params.iter().filter(|param| !param.is_block() && is_required(param));
+    let attributes: String =
+        required.map(|param| format!(" {}=\"{}\"", param.name, places.next(""))).collect();
+    let blocks: Vec<String> = info
+        .params
+        .iter()
+        .filter(|param| param.is_block())
+        .map(|param| block(&param.name, &mut places))
+        .collect();
+    let snippet = match blocks.as_slice() {
+        [] => format!("{tag}{attributes}/>$0"),
+        blocks => format!("{tag}{attributes}>\n\t{}\n</{tag}>$0", blocks.join("\n\t")),
+    };
+    let file = info.file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    Completion::new(ItemKind::Macro, tag)
+        .snippet(snippet)
+        .note(file)
+        .detail(super::docs::signature(info))
+        .rank(1)
+        .about(Topic::Macro { name: info.name.clone() })
+}
+
+/// Whether a call has to give a parameter.
+pub(super) fn is_required(param: &Param) -> bool {
+    param.default.is_none() && !param.forward
+}
+
+/// The element that a call gives for a block parameter.
+fn block(name: &str, places: &mut Places) -> String {
+    let bare = name.trim_start_matches('*');
+    if name.starts_with("**") {
+        return format!("<{bare}>{}</{bare}>", places.next(""));
+    }
+    let pose = ["origin", "pose", "at", "xyz", "tf", "transform", "offset", "mount"];
+    let is_pose = bare.split('_').any(|word| pose.contains(&word));
+    match only(bare).or_else(|| elements().find(|spec| spec.name == "origin").filter(|_| is_pose)) {
+        Some(spec) => format!("<{}", whole(spec, "\t", places)),
+        None => format!("<{}/>", places.next("origin")),
+    }
+}
+
+/// Whether a name is one of xacro's own tags.
+pub(super) fn is_directive(name: &str) -> bool {
+    directive(name).is_some()
+}
