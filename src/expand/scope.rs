@@ -128,6 +128,20 @@ impl Scopes {
         }
     }
 
+    /// The properties that were never evaluated, by scope and name.
+    pub fn unread(&self) -> Vec<(ScopeId, EcoString, Origin)> {
+        let mut found = Vec::new();
+        for (id, scope) in (0..).map(ScopeId).zip(&self.list) {
+            for (name, binding) in &scope.vars {
+                if let State::Lazy(_, place) = &binding.state {
+                    found.push((id, name.clone(), place.origin));
+                }
+            }
+        }
+        found.sort_by(|(a, name, _), (b, other, _)| a.0.cmp(&b.0).then_with(|| name.cmp(other)));
+        found
+    }
+
     /// Every name visible from `id`, for suggestions.
     pub fn visible_names(&self, id: ScopeId) -> Vec<&str> {
         let mut names: Vec<&str> = Vec::new();

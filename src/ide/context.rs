@@ -62,7 +62,7 @@ impl<'a> Cx<'a> {
                 place.src == src && place.range.start <= inside && inside <= place.range.end
             };
             let used =
-                symbols.uses.iter().filter(|used| here(used.place)).min_by_key(|used| used.place.range.len());
+                symbols.all_uses().filter(|used| here(used.place)).min_by_key(|used| used.place.range.len());
             let given = symbols.iter().find(|(_, definition)| here(definition.place));
             let found = match (used, given) {
                 (_, Some((id, definition))) => Some((id, definition.place)),

@@ -4,6 +4,7 @@
 //! meaning of names take a [`Cx`]: the file in the expansion of its active root.
 
 mod context;
+mod expressions;
 mod folding;
 mod locate;
 mod names;
@@ -11,6 +12,7 @@ mod outline;
 mod selection;
 mod source_map;
 mod tags;
+mod values;
 
 pub use context::Cx;
 pub use folding::{Fold, FoldKind, folds};

@@ -66,7 +66,8 @@ pub fn occurrences(cx: &Cx<'_>, offset: u32) -> Vec<NameUse> {
         let uses = cx
             .expansion
             .symbols
-            .uses_of(id)
+            .all_uses()
+            .filter(|used| used.definition == id)
             .filter_map(|used| Some(NameUse { span: cx.span(used.place)?, is_definition: false }));
         return given.into_iter().chain(uses).collect();
     }
