@@ -6,9 +6,12 @@
 mod context;
 mod expressions;
 mod folding;
+mod hover;
 mod locate;
 mod names;
 mod outline;
+mod paths;
+mod schema;
 mod selection;
 mod source_map;
 mod tags;
@@ -16,9 +19,11 @@ mod values;
 
 pub use context::Cx;
 pub use folding::{Fold, FoldKind, folds};
+pub use hover::{Hover, hover};
 pub use locate::{At, Part, locate};
 pub use names::{NameUse, Target, definition_of, definitions, occurrences};
 pub use outline::{Outline, OutlineKind, outline};
+pub use paths::{FileKind, FileName, FileTarget, file_names};
 pub use selection::selection;
 pub use source_map::{Lines, SourceMap, entry_at, instances, origin_of, source_map, steps};
 pub use tags::{matching_tags, same_tag_names};

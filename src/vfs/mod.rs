@@ -317,6 +317,12 @@ impl Vfs {
         self.absolute(path).is_dir()
     }
 
+    /// The size of a file on the disk, in bytes.
+    pub fn size(&self, path: &Path) -> Option<u64> {
+        let found = std::fs::metadata(self.absolute(path)).ok()?;
+        found.is_file().then(|| found.len())
+    }
+
     /// What tells a file or folder from every other one, whatever path led to it; `None` when it does
     /// not exist.
     pub fn identity(&self, path: &Path) -> Option<u128> {
