@@ -95,7 +95,8 @@ fn of_attr(cx: &Cx<'_>, world: Surroundings<'_>, base: u32, node: Node<'_>, attr
 
 /// Names in a text of any kind: what begins with a package, and what `load_yaml` reads.
 fn of_text(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>) -> Vec<FileName> {
-    let mut found: Vec<FileName> = text.template.tokens.iter().filter_map(|token| yaml(cx, world, text, token)).collect();
+    let mut found: Vec<FileName> =
+        text.template.tokens.iter().filter_map(|token| yaml(cx, world, text, token)).collect();
     let trimmed = text.text.trim();
     let starts = ["package://", "file://", "$(find "].iter().any(|lead| trimmed.starts_with(lead));
     if found.is_empty() && starts && !trimmed.contains(char::is_whitespace) | trimmed.starts_with("$(find ") {
@@ -186,7 +187,9 @@ fn folded(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>, part: TextR
                 match values.as_slice() {
                     [value] if !matches!(value, Value::Unknown) => out.push_str(&display::to_str(value)?),
                     // where nothing is evaluated, packages can be found all the same
-                    [] | [Value::Unknown] => out.push_str(&found_package(cx, world, range.slice(&text.text))?),
+                    [] | [Value::Unknown] => {
+                        out.push_str(&found_package(cx, world, range.slice(&text.text))?)
+                    }
                     _ => return None,
                 }
             }

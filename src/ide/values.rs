@@ -104,7 +104,8 @@ impl Known<'_> {
 
     fn named(&self, name: &str) -> Lookup {
         let is_name = |kind| kind != BindingKind::Argument;
-        let defined = || self.cx.expansion.bindings.iter().any(|info| info.name == name && is_name(info.kind));
+        let defined =
+            || self.cx.expansion.bindings.iter().any(|info| info.name == name && is_name(info.kind));
         match self.value(name, is_name) {
             Some(value) => Lookup::Found(value),
             None if is_global_symbol(name) && !defined() => Lookup::Missing,

@@ -120,6 +120,10 @@ impl LanguageServer for Handlers {
         self.letterbox.ask(params, Engine::linked_editing).await
     }
 
+    async fn hover(&self, params: HoverParams) -> Result<Option<Hover>> {
+        self.letterbox.ask(params, Engine::hover).await
+    }
+
     async fn goto_definition(&self, params: GotoDefinitionParams) -> Result<Option<GotoDefinitionResponse>> {
         self.letterbox.ask(params, Engine::definition).await
     }

@@ -14,6 +14,7 @@ mod expansion;
 mod failure;
 mod framing;
 mod handlers;
+mod hover;
 mod letterbox;
 mod lifecycle;
 mod mapping;

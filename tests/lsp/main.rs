@@ -11,6 +11,7 @@ mod client;
 mod context;
 mod diagnostics;
 mod expansion;
+mod hover;
 mod lifecycle;
 mod navigation;
 mod structure;

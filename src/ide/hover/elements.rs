@@ -17,7 +17,11 @@ const XACRO: &str = "https://wiki.ros.org/xacro";
 
 /// More about some elements: parent, name, words.
 const NOTES: &[(&str, &str, &str)] = &[
-    ("joint", "axis", "a unit vector in the joint frame, `1 0 0` by default; ignored for fixed and floating joints"),
+    (
+        "joint",
+        "axis",
+        "a unit vector in the joint frame, `1 0 0` by default; ignored for fixed and floating joints",
+    ),
     ("joint", "origin", "from the frame of the parent link to the frame of the joint; identity by default"),
     ("inertial", "origin", "from the frame of the link to the frame of the inertia; identity by default"),
     ("visual", "origin", "from the frame of the link to that of the geometry; identity by default"),
@@ -68,7 +72,9 @@ fn element(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>) -> Option<Page> {
     if !first.parents.is_empty() {
         page.add(format!("stands in {}", parents(first)));
     }
-    page.list(first.attributes.iter().map(|attribute| format!("{} – {}", code(attribute.name), facts(attribute))));
+    page.list(
+        first.attributes.iter().map(|attribute| format!("{} – {}", code(attribute.name), facts(attribute))),
+    );
     if !first.required.is_empty() {
         let names: Vec<String> = first.required.iter().map(|name| code(&format!("<{name}>"))).collect();
         page.add(format!("must hold {}", names.join(" and ")));

@@ -9,7 +9,7 @@ use super::{files, numbers, symbols};
 use crate::base::TextRange;
 use crate::expand::{FrameId, FrameKind, Origin};
 use crate::expr::ast::{Expr, ExprKind};
-use crate::expr::{Subst, Token, Value, display, global_symbols, parse_substitution};
+use crate::expr::{Value, display, global_symbols};
 use crate::rules::Surroundings;
 
 /// Most characters of a value.
@@ -20,10 +20,8 @@ pub(super) fn about(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option
     let text = ExprText::at(&cx.source.document, at)?;
     let token = text.token_at(at.offset)?;
     let whole = text.range(token.range());
-    if let Token::Subst { inner, .. } = token
-        && let Subst::Find(package) = parse_substitution(inner.slice(&text.text))
-    {
-        return Some((text.range(package.range.shift(inner.start)), files::package(cx, world, &package.text)));
+    if let Some((range, name)) = package_at(&text, at.offset) {
+        return Some((range, files::package(cx, world, name)));
     }
     if let Some(found) = files::loaded(cx, world, &text, at.offset) {
         return Some(found);
@@ -53,6 +51,19 @@ pub(super) fn about(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option
     }
     let source = part.range.shift(start).slice(&text.text);
     Some((range, valued(cx, at, source, &values)))
+}
+
+/// The package of the `$(find package)` at an offset of the file, wherever in an expression that stands.
+fn package_at<'t>(text: &'t ExprText<'_>, offset: u32) -> Option<(TextRange, &'t str)> {
+    const LEAD: &str = "$(find ";
+    let inside = text.offset(offset);
+    text.text.match_indices(LEAD).find_map(|(start, _)| {
+        let name = text.text.get(start + LEAD.len()..)?.split(')').next()?;
+        let begin = (start + LEAD.len()) as u32;
+        let range = TextRange::new(begin, begin + name.len() as u32);
+        let around = TextRange::new(start as u32, range.end);
+        around.touches(inside).then(|| (text.range(range), name.trim()))
+    })
 }
 
 fn valued(cx: &Cx<'_>, at: &At<'_>, source: &str, values: &[Instance]) -> Page {
@@ -96,7 +107,11 @@ pub fn value_lines(cx: &Cx<'_>, values: &[Instance]) -> Vec<String> {
     for value in different.iter().take(MOST) {
         let given = values.iter().find(|instance| std::ptr::eq(&raw const instance.value, *value));
         let label = given.and_then(|instance| call_label(cx, instance.frame));
-        lines.push(format!("- {}{}", shown(value), label.map(|label| format!(" – {label}")).unwrap_or_default()));
+        lines.push(format!(
+            "- {}{}",
+            shown(value),
+            label.map(|label| format!(" – {label}")).unwrap_or_default()
+        ));
     }
     if different.len() > MOST {
         lines.push(format!("- … ({})", count(values.len(), "call")));
@@ -138,7 +153,10 @@ fn function(path: &[&Expr]) -> Option<Page> {
     };
     let symbol = global_symbols()
         .find(|symbol| symbol.name == name && symbol.namespace.map(|module| module.name()) == namespace)?;
-    if symbol.params.is_empty() && symbol.namespace.is_none() && symbol.kind == crate::expr::SymbolKind::Constant {
+    if symbol.params.is_empty()
+        && symbol.namespace.is_none()
+        && symbol.kind == crate::expr::SymbolKind::Constant
+    {
         return None;
     }
     let lead = namespace.map(|module| format!("{module}.")).unwrap_or_default();

@@ -74,7 +74,10 @@ fn mesh_lines(mesh: &Mesh, factors: Option<[f64; 3]>) -> Vec<String> {
                 let bounds = surface.bounds.scaled(factors);
                 lines.push(format!("{} m", lengths(bounds.size())));
                 if bounds.extent() > 10.0 {
-                    lines.push("it looks like millimetres: `scale=\"0.001 0.001 0.001\"` makes metres of them".to_owned());
+                    lines.push(
+                        "it looks like millimetres: `scale=\"0.001 0.001 0.001\"` makes metres of them"
+                            .to_owned(),
+                    );
                 }
             }
             None => lines.push(format!("{} before scaling", lengths(surface.bounds.size()))),

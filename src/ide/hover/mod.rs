@@ -13,10 +13,6 @@ use super::locate::{Part, locate};
 use crate::base::TextRange;
 use crate::rules::Surroundings;
 
-
-
-
-
 /// A text about a piece of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hover {

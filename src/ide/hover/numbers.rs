@@ -61,7 +61,8 @@ pub(super) fn degrees(radians: f64) -> String {
 /// A colour.
 fn colour(raw: &str) -> Option<Page> {
     let parts: Option<Vec<f64>> = raw.split_ascii_whitespace().map(decimal).collect();
-    let parts = parts.filter(|parts| parts.len() == 4 && parts.iter().all(|part| (0.0..=1.0).contains(part)))?;
+    let parts =
+        parts.filter(|parts| parts.len() == 4 && parts.iter().all(|part| (0.0..=1.0).contains(part)))?;
     let byte = |part: &f64| (part * 255.0).round() as u8;
     let [red, green, blue, alpha] = <[u8; 4]>::try_from(parts.iter().map(byte).collect::<Vec<_>>()).ok()?;
     let image = format!(
@@ -82,7 +83,8 @@ fn colour(raw: &str) -> Option<Page> {
             other => other.to_string(),
         })
         .collect();
-    let mut page = Page::titled(format!("![colour](data:image/svg+xml,{encoded}) `#{red:02x}{green:02x}{blue:02x}`"));
+    let mut page =
+        Page::titled(format!("![colour](data:image/svg+xml,{encoded}) `#{red:02x}{green:02x}{blue:02x}`"));
     page.add("red, green, blue and opacity, each from 0 to 1");
     Some(page)
 }

@@ -72,7 +72,8 @@ fn passed<'a>(cx: &Cx<'a>, range: TextRange) -> Option<Vec<&'a Text>> {
         return None;
     }
     let of_it = |text: &Text| {
-        values.contains(&text.value.as_str()) && text.reads(0..text.value.len()).any(|read| given.contains(&read))
+        values.contains(&text.value.as_str())
+            && text.reads(0..text.value.len()).any(|read| given.contains(&read))
     };
     Some(robot_names(cx).into_iter().map(|(text, _)| text).filter(|text| of_it(text)).collect())
 }
@@ -95,10 +96,14 @@ fn link_page(
     let space = link_bounds(cx.expansion, robot, world, link);
     let space = space.map(|bounds| format!(", {} m", lengths(bounds.size()))).unwrap_or_default();
     page.add(format!("{mass}{space}"));
-    let children: Vec<String> = kinematics.down(index).iter().filter_map(|&joint| {
-        let child = robot.links.get(kinematics.ends(joint)?.1)?;
-        Some(format!("{} by {}", code(child.shown()), code(robot.joints.get(joint)?.shown())))
-    }).collect();
+    let children: Vec<String> = kinematics
+        .down(index)
+        .iter()
+        .filter_map(|&joint| {
+            let child = robot.links.get(kinematics.ends(joint)?.1)?;
+            Some(format!("{} by {}", code(child.shown()), code(robot.joints.get(joint)?.shown())))
+        })
+        .collect();
     match children.as_slice() {
         [] => page.add("no children"),
         few => {
@@ -134,11 +139,15 @@ fn chain(robot: &Robot, kinematics: &Kinematics, link: usize) -> String {
 fn joint_page(cx: &Cx<'_>, joint: &Joint, page: &mut Page) {
     let kind = joint.kind.as_ref().map_or("?", |kind| kind.value.as_str());
     page.add(format!("**joint** {} ({kind})", code(joint.shown())));
-    let end = |text: &Option<Text>| text.as_ref().and_then(|text| text.name()).map_or("?".to_owned(), ToString::to_string);
+    let end = |text: &Option<Text>| {
+        text.as_ref().and_then(|text| text.name()).map_or("?".to_owned(), ToString::to_string)
+    };
     page.add(code(&format!("{} → {}", end(&joint.parent), end(&joint.child))));
     let known = JointType::of(kind);
     if known.is_some_and(JointType::has_axis) {
-        page.add(axis(joint).map_or("axis ?".to_owned(), |axis| format!("axis {} of {}", code(&axis), code(&end(&joint.parent)))));
+        page.add(axis(joint).map_or("axis ?".to_owned(), |axis| {
+            format!("axis {} of {}", code(&axis), code(&end(&joint.parent)))
+        }));
     }
     page.add(limits(joint, known).unwrap_or_default());
     if let Some(followed) = joint.mimic.as_ref().and_then(|mimic| mimic.joint.as_ref()) {
@@ -157,7 +166,10 @@ fn axis(joint: &Joint) -> Option<String> {
     let along = axis.iter().zip(names).find(|(part, _)| part.abs() > 0.99999);
     Some(match along {
         Some((part, name)) => format!("{}{name}", if *part > 0.0 { '+' } else { '-' }),
-        None => format!("({})", [axis.x, axis.y, axis.z].map(|part| three_digits((part * 1e6).round() / 1e6)).join(", ")),
+        None => format!(
+            "({})",
+            [axis.x, axis.y, axis.z].map(|part| three_digits((part * 1e6).round() / 1e6)).join(", ")
+        ),
     })
 }
 

@@ -28,8 +28,7 @@ pub(super) fn about(cx: &Cx<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
 /// Something of a name that no evaluation came by.
 pub(super) fn by_name(cx: &Cx<'_>, name: &str) -> Option<Page> {
     let valued = |kind| matches!(kind, SymbolKind::Property | SymbolKind::Parameter);
-    let mut named =
-        cx.expansion.symbols.iter().filter(|(_, given)| given.name == name && valued(given.kind));
+    let mut named = cx.expansion.symbols.iter().filter(|(_, given)| given.name == name && valued(given.kind));
     let (id, definition) = named.next()?;
     if named.next().is_some() {
         return None;
@@ -185,8 +184,10 @@ fn macro_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Page {
         let spec = parameter_spec(cx, parameter, given).unwrap_or_else(|| given.name.to_string());
         signature.push(format!("{star}{spec}"));
     }
-    let mut page =
-        Page::titled(format!("**macro** {}", code(&format!("{}({})", definition.name, signature.join(", ")))));
+    let mut page = Page::titled(format!(
+        "**macro** {}",
+        code(&format!("{}({})", definition.name, signature.join(", ")))
+    ));
     page.add(comment_above(cx, id).unwrap_or_default());
     page.add(made_line(cx, definition));
     page.add(origin_line(cx, id, definition));
@@ -200,7 +201,8 @@ fn made_line(cx: &Cx<'_>, definition: &Definition) -> String {
         frame.kind == FrameKind::Macro
             && frame.definition.is_some_and(|at| crate::expand::SourceRange::from(at) == definition.place)
     };
-    let calls: FastSet<u32> = (0..).zip(&cx.expansion.frames).filter(|(_, f)| of_macro(f)).map(|(i, _)| i).collect();
+    let calls: FastSet<u32> =
+        (0..).zip(&cx.expansion.frames).filter(|(_, f)| of_macro(f)).map(|(i, _)| i).collect();
     if calls.is_empty() {
         return "nothing calls it".to_owned();
     }
@@ -213,10 +215,20 @@ fn made_line(cx: &Cx<'_>, definition: &Definition) -> String {
     match (links % calls.len(), joints % calls.len()) {
         (0, 0) => {
             let (links, joints) = (links / calls.len(), joints / calls.len());
-            format!("makes {}, {} in each of {}", count(links, "link"), count(joints, "joint"), count(calls.len(), "call"))
+            format!(
+                "makes {}, {} in each of {}",
+                count(links, "link"),
+                count(joints, "joint"),
+                count(calls.len(), "call")
+            )
         }
         _ => {
-            format!("{} make {}, {}", count(calls.len(), "call"), count(links, "link"), count(joints, "joint"))
+            format!(
+                "{} make {}, {}",
+                count(calls.len(), "call"),
+                count(links, "link"),
+                count(joints, "joint")
+            )
         }
     }
 }
