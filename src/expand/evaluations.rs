@@ -1,8 +1,11 @@
 //! What each `${...}` and `$(...)` gave, each time it was evaluated: what editors show beside it.
 
+use std::sync::OnceLock;
+
 use super::machine::Expander;
 use super::origin::Origin;
-use crate::base::TextRange;
+use super::symbols::SourceRange;
+use crate::base::{FastMap, TextRange};
 use crate::expr::Value;
 
 /// A value that an expression gave.
@@ -21,15 +24,25 @@ pub struct Evaluation {
 pub struct Evaluations {
     list: Vec<Evaluation>,
     reads: Vec<u32>,
+    /// By place, made on first use.
+    places: OnceLock<FastMap<SourceRange, Vec<u32>>>,
 }
 
 impl Evaluations {
     /// Most values kept. A description that evaluates more is shown with what came first.
     const MOST: usize = 500_000;
 
-    /// All of them, in order.
-    pub fn iter(&self) -> impl Iterator<Item = &Evaluation> {
-        self.list.iter()
+    /// Those of one `${...}` or `$(...)`, in order.
+    pub fn at(&self, place: SourceRange) -> impl Iterator<Item = &Evaluation> {
+        let places = self.places.get_or_init(|| {
+            let mut places: FastMap<SourceRange, Vec<u32>> = FastMap::default();
+            for (index, evaluation) in (0..).zip(&self.list) {
+                places.entry(evaluation.at.into()).or_default().push(index);
+            }
+            places
+        });
+        let found = places.get(&place).into_iter().flatten();
+        found.filter_map(|&index| self.list.get(index as usize))
     }
 
     /// Whether there were more than are kept.

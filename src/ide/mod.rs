@@ -15,6 +15,7 @@ mod schema;
 mod selection;
 mod source_map;
 mod tags;
+mod tokens;
 mod values;
 
 pub use context::Cx;
@@ -27,3 +28,4 @@ pub use paths::{FileKind, FileName, FileTarget, file_names};
 pub use selection::selection;
 pub use source_map::{Lines, SourceMap, entry_at, instances, origin_of, source_map, steps};
 pub use tags::{matching_tags, same_tag_names};
+pub use tokens::{Modifiers, Token, TokenKind, tokens};

@@ -4,8 +4,8 @@ use ecow::EcoString;
 
 use super::context::Cx;
 use crate::base::{FastSet, TextRange};
-use crate::expand::{BindingKind, Evaluation, FrameId, SourceRange};
-use crate::expr::ast::Expr;
+use crate::expand::{BindingKind, Evaluation, FrameId};
+use crate::expr::ast::{Expr, ExprKind};
 use crate::expr::{
     self, Budget, ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display, is_global_symbol,
 };
@@ -42,7 +42,7 @@ fn part_instances(
 ) -> Vec<Instance> {
     let Some(place) = cx.source_range(range) else { return Vec::new() };
     let mut found: Vec<Instance> = Vec::new();
-    for evaluation in cx.expansion.evaluations.iter().filter(|e| SourceRange::from(e.at) == place) {
+    for evaluation in cx.expansion.evaluations.at(place) {
         let instance = Instance { frame: evaluation.at.frame, value: value(cx, evaluation) };
         match found.iter_mut().find(|known| known.frame == instance.frame) {
             // a condition that holds is evaluated twice
@@ -81,9 +81,36 @@ fn part_value(cx: &Cx<'_>, evaluation: &Evaluation, whole: &Expr, part: &Expr) -
     if !expr::names(part).iter().all(|name| free.contains(&name.range)) {
         return Value::Unknown;
     }
+    if changes_something(part) {
+        return Value::Unknown;
+    }
     let mut host = Known { cx, reads: cx.expansion.evaluations.reads(evaluation) };
     let mut budget = Budget::new(10_000, 1 << 20, 200);
     expr::evaluate(part, &mut host, &mut budget).unwrap_or(Value::Unknown)
+}
+
+/// Whether a part calls a method that changes its object: the values of the expansion are not to be touched.
+fn changes_something(part: &Expr) -> bool {
+    const METHODS: &[&str] = &[
+        "add",
+        "append",
+        "clear",
+        "discard",
+        "extend",
+        "insert",
+        "intersection_update",
+        "pop",
+        "popitem",
+        "remove",
+        "reverse",
+        "setdefault",
+        "sort",
+        "update",
+    ];
+    let mut found =
+        matches!(&part.kind, ExprKind::Attribute { name, .. } if METHODS.contains(&name.as_str()));
+    expr::visit::children(part, &mut |child| found |= changes_something(child));
+    found
 }
 
 /// Answers with what was read before, and with nothing else.
@@ -107,6 +134,8 @@ impl Known<'_> {
         let defined =
             || self.cx.expansion.bindings.iter().any(|info| info.name == name && is_name(info.kind));
         match self.value(name, is_name) {
+            // looking at it would use it up
+            Some(Value::Iter(_)) => Lookup::Found(Value::Unknown),
             Some(value) => Lookup::Found(value),
             None if is_global_symbol(name) && !defined() => Lookup::Missing,
             None => Lookup::Found(Value::Unknown),

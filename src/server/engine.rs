@@ -38,6 +38,8 @@ pub(super) struct Engine {
     pub documents: BTreeMap<PathBuf, OpenDocument>,
     /// What was published last: by path, a hash of it.
     pub published: BTreeMap<PathBuf, u64>,
+    /// The semantic tokens that were sent last, by path.
+    pub sent_tokens: BTreeMap<PathBuf, super::tokens::Sent>,
     /// When diagnostics are to be made.
     pub due: Option<Instant>,
     /// The pause after the last edit before diagnostics are made.
@@ -63,6 +65,7 @@ impl Engine {
             pressure,
             documents: BTreeMap::new(),
             published: BTreeMap::new(),
+            sent_tokens: BTreeMap::new(),
             due: None,
             delay: Self::DELAY,
             initialized: false,

@@ -23,6 +23,7 @@ mod outbox;
 mod roots;
 mod structure;
 mod sync;
+mod tokens;
 
 use tokio::runtime::Builder;
 use tower_lsp::{LspService, Server};

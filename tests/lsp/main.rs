@@ -15,4 +15,5 @@ mod hover;
 mod lifecycle;
 mod navigation;
 mod structure;
+mod tokens;
 mod workspace;

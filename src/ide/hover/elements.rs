@@ -164,6 +164,9 @@ pub(in super::super) fn condition(cx: &Cx<'_>, base: u32, node: Node<'_>) -> Opt
     let [token @ (Token::Expr { .. } | Token::Subst { .. })] = text.template.tokens.as_slice() else {
         return None;
     };
+    if cx.expansion.evaluations.is_full() {
+        return None;
+    }
     let values = instances(cx, text.range(token.range()));
     let values = distinct(values.iter().map(|instance| &instance.value)).into_iter();
     let mut truths: Vec<Option<bool>> = values.map(literal::boolean).collect();

@@ -8,6 +8,8 @@ mod page;
 mod robot;
 mod symbols;
 
+pub(super) use elements::condition;
+
 use super::context::Cx;
 use super::locate::{Part, locate};
 use crate::base::TextRange;
