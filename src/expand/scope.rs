@@ -132,11 +132,11 @@ impl Scopes {
     pub fn unread(&self) -> Vec<(ScopeId, EcoString, Origin)> {
         let mut found = Vec::new();
         for (id, scope) in (0..).map(ScopeId).zip(&self.list) {
-            for (name, binding) in &scope.vars {
-                if let State::Lazy(_, place) = &binding.state {
-                    found.push((id, name.clone(), place.origin));
-                }
-            }
+            let lazy = |(name, binding): (&EcoString, &Binding)| match &binding.state {
+                State::Lazy(_, place) => Some((id, name.clone(), place.origin)),
+                _ => None,
+            };
+            found.extend(scope.vars.iter().filter_map(lazy));
         }
         found.sort_by(|(a, name, _), (b, other, _)| a.0.cmp(&b.0).then_with(|| name.cmp(other)));
         found

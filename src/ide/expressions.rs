@@ -85,7 +85,7 @@ impl<'a> ExprText<'a> {
             matches!(token, Token::Expr { .. } | Token::Subst { .. }) && token.range().touches(inside)
         };
         // between two expressions, the one behind
-        self.template.tokens.iter().filter(holds).last()
+        self.template.tokens.iter().rfind(holds)
     }
 }
 

@@ -320,7 +320,7 @@ impl Vfs {
     /// The size of a file on the disk, in bytes.
     pub fn size(&self, path: &Path) -> Option<u64> {
         let found = std::fs::metadata(self.absolute(path)).ok()?;
-        found.is_file().then(|| found.len())
+        found.is_file().then_some(found.len())
     }
 
     /// What tells a file or folder from every other one, whatever path led to it; `None` when it does

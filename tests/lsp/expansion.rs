@@ -68,11 +68,10 @@ fn the_parts_of_a_name_lead_to_those_who_gave_them() {
     client.open(ROBOT);
     client.open(UNIT);
     let call = "pan_tilt.urdf.xacro:8 <xacro:unit call";
-    assert_eq!(sources(&mut client, "<joint name=\"ti|lt\""), [
-        "pan_tilt.urdf.xacro:8 tilt origin",
-        "unit.xacro:5 ${name} argument",
-        call
-    ]);
+    assert_eq!(
+        sources(&mut client, "<joint name=\"ti|lt\""),
+        ["pan_tilt.urdf.xacro:8 tilt origin", "unit.xacro:5 ${name} argument", call]
+    );
     assert_eq!(sources(&mut client, "<link name=\"tilt_b|ody\""), ["unit.xacro:4 _body origin", call]);
 }
 

@@ -7,10 +7,12 @@
     clippy::disallowed_methods
 )] // a test may fail loudly
 
+mod calls;
 mod client;
 mod context;
 mod diagnostics;
 mod expansion;
+mod hints;
 mod hover;
 mod lifecycle;
 mod navigation;

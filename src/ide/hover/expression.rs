@@ -9,7 +9,7 @@ use super::{files, numbers, symbols};
 use crate::base::TextRange;
 use crate::expand::{FrameId, FrameKind, Origin};
 use crate::expr::ast::{Expr, ExprKind};
-use crate::expr::{Value, display, global_symbols};
+use crate::expr::{Token, Value, display, global_symbols};
 use crate::rules::Surroundings;
 
 /// Most characters of a value.
@@ -51,6 +51,18 @@ pub(super) fn about(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option
     }
     let source = part.range.shift(start).slice(&text.text);
     Some((range, valued(cx, at, source, &values)))
+}
+
+/// All of the expression at a place.
+pub(super) fn whole(cx: &Cx<'_>, at: &At<'_>) -> Option<Page> {
+    let text = ExprText::at(&cx.source.document, at)?;
+    let token = text.token_at(at.offset)?;
+    let range = text.range(token.range());
+    let source = match token {
+        Token::Expr { inner, .. } => inner.slice(&text.text),
+        other => other.range().slice(&text.text),
+    };
+    Some(valued(cx, at, source.trim(), &instances(cx, range)))
 }
 
 /// The package of the `$(find package)` at an offset of the file, wherever in an expression that stands.

@@ -24,6 +24,12 @@ pub struct Hover {
     pub range: TextRange,
 }
 
+/// The value of the whole expression that begins at an offset of the file.
+pub fn value_of(cx: &Cx<'_>, offset: u32) -> Option<String> {
+    let at = locate(&cx.source.document, offset);
+    Some(expression::whole(cx, &at)?.finish())
+}
+
 /// What there is to say about the text at an offset of the file.
 pub fn hover(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Option<Hover> {
     let document = &cx.source.document;
