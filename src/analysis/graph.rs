@@ -39,6 +39,11 @@ impl Graph {
         }
     }
 
+    /// The files that were looked at, in the order of their paths.
+    pub fn files(&self) -> impl Iterator<Item = &PathBuf> {
+        self.nodes.keys()
+    }
+
     /// Whether a file was looked at.
     pub fn knows(&self, path: &Path) -> bool {
         self.nodes.contains_key(path)

@@ -95,7 +95,7 @@ impl Session {
     }
 
     /// What rules see around a file with these settings.
-    pub(super) fn surroundings<'a>(&'a self, config: &'a Config) -> Surroundings<'a> {
+    pub fn surroundings<'a>(&'a self, config: &'a Config) -> Surroundings<'a> {
         let variables = ["AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "ROS_PACKAGE_PATH"];
         let sourced = variables.iter().any(|name| self.env.var(name).is_some_and(|value| !value.is_empty()));
         let has_ros = sourced || self.vfs.is_dir(Path::new("/opt/ros"));

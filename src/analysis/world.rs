@@ -217,6 +217,11 @@ impl World {
         (!self.unscanned.is_empty()).then_some((done, total))
     }
 
+    /// The descriptions that were looked at.
+    pub fn known_files(&self) -> Vec<PathBuf> {
+        self.graph.files().cloned().collect()
+    }
+
     /// Whether all files of the workspace were looked at.
     pub fn is_scanned(&self) -> bool {
         self.scanned && self.unscanned.is_empty()

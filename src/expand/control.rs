@@ -70,6 +70,7 @@ impl Expander<'_> {
                 let origin = default.map_or(place.origin, |(_, place)| place.origin);
                 let info = BindingInfo {
                     reads,
+                    value: Some(value.clone().map_or(Value::Unknown, Value::Str)),
                     ..BindingInfo::new(name.clone(), BindingKind::Argument, origin).of(definition)
                 };
                 let info = self.add_binding(info);

@@ -29,9 +29,9 @@ impl NameKind {
 pub(super) type Undefined = FastMap<(NameKind, EcoString), Vec<usize>>;
 
 impl Expander<'_> {
-    /// Report a problem, unless expansion is on its way out of an optional include.
+    /// Report a problem, unless expansion is on its way out of an optional include, or looks at what is not used.
     pub fn push(&mut self, problem: Problem) {
-        if !self.unwinding {
+        if !self.unwinding && !self.idle {
             self.problems.push(problem);
         }
     }

@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 use ecow::EcoString;
 
+use super::evaluations::Evaluations;
 use super::late::Undefined;
 use super::origin::{FileIdx, Frame, FrameId, FrameKind, Origin, Source, SrcId};
 use super::probe::Probe;
@@ -103,6 +104,8 @@ pub struct Expansion {
     pub frames: Vec<Frame>,
     /// Properties, parameters and arguments that pieces refer to.
     pub bindings: Vec<BindingInfo>,
+    /// What each expression gave, each time.
+    pub evaluations: Evaluations,
     /// Which definition each name of the source refers to.
     pub symbols: Symbols,
     /// All problems in the order they were met.
@@ -207,6 +210,8 @@ pub(super) struct Expander<'w> {
     pub stopped: bool,
     /// Macros that may be looked into although nothing calls them.
     pub idle_macros: Vec<(Arc<MacroDef>, Cx)>,
+    /// Properties that nothing reads are being evaluated: what they read is not used by that.
+    pub idle: bool,
     ticks: u32,
 }
 
@@ -258,6 +263,7 @@ impl<'w> Expander<'w> {
             nesting: 0,
             stopped: false,
             idle_macros: Vec::new(),
+            idle: false,
             ticks: 0,
         }
     }
@@ -267,6 +273,7 @@ impl<'w> Expander<'w> {
         self.expand_root();
         self.admit_unknown();
         self.probe_macros();
+        self.probe_properties();
         self.result.arguments = self.argument_values();
         let broken = std::mem::take(&mut self.broken);
         // what the recovered tree of a broken file seems to say is not trusted
@@ -307,7 +314,7 @@ impl<'w> Expander<'w> {
     fn bind_arguments(&mut self) {
         let request = self.request;
         for (name, value) in &request.args {
-            let info = self.add_binding(BindingInfo::given(name));
+            let info = self.add_binding(BindingInfo::given(name, value));
             self.args.insert(name.as_str().into(), (Some(value.as_str().into()), info));
             self.result.record.add(Read::Arg(name.clone(), Some(value.clone())));
         }

@@ -8,6 +8,7 @@ mod attributes;
 mod comments;
 mod control;
 mod element;
+mod evaluations;
 mod functions;
 mod include;
 mod late;
@@ -29,6 +30,7 @@ mod tree;
 mod write;
 mod yaml_value;
 
+pub use evaluations::{Evaluation, Evaluations};
 pub use machine::{Expansion, FileUse, Limits, Request, World, expand};
 pub use origin::{FileIdx, Frame, FrameId, FrameKind, Origin, Source, SrcId};
 pub use params::parse as parse_params;

@@ -1,4 +1,4 @@
-//! Macros that nothing calls: looked into with parameters whose values are unknown.
+//! Macros that nothing calls: looked into with parameters whose values are unknown. Properties that nothing reads.
 //!
 //! Most files of a description only define macros, so a plain expansion never looks into them. What does not
 //! depend on a parameter can be judged all the same.
@@ -39,6 +39,27 @@ impl Expander<'_> {
         for problem in self.problems.list.iter_mut().skip(known) {
             problem.probed = true;
         }
+    }
+
+    /// Evaluate the properties that nothing reads, for editors that show their values. Nothing is reported.
+    pub fn probe_properties(&mut self) {
+        if !self.request.probe || self.stopped {
+            return;
+        }
+        let before = (self.result.complete, self.content_lost, self.include_missing, self.budget.clone());
+        let (known, messages) = (self.problems.list.len(), self.result.messages.len());
+        let includes = self.result.includes.len();
+        self.idle = true;
+        for (scope, name, place) in self.scopes.unread() {
+            self.value_of(scope, &name, place);
+            self.reads.clear();
+        }
+        self.idle = false;
+        (self.result.complete, self.content_lost, self.include_missing, self.budget) = before;
+        (self.stopped, self.unwinding) = (false, false);
+        self.problems.list.truncate(known);
+        self.result.messages.truncate(messages);
+        self.result.includes.truncate(includes);
     }
 
     fn probe_macro(&mut self, def: &Arc<MacroDef>, cx: Cx) {

@@ -115,12 +115,15 @@ impl Expander<'_> {
     }
 
     /// Put a binding into a scope.
-    pub fn bind(&mut self, scope: ScopeId, key: EcoString, state: State, info: BindingInfo, at: Origin) {
+    pub fn bind(&mut self, scope: ScopeId, key: EcoString, state: State, mut info: BindingInfo, at: Origin) {
         if is_global_symbol(&key) {
             let message = format!("`{key}` hides the built-in symbol of that name");
             self.warn("XAC018", at, message, format!("redefining global symbol: {key}"));
         }
         self.defined(super::late::NameKind::Property, &key, at);
+        if let State::Ready(value) = &state {
+            info.value = Some(value.clone());
+        }
         let info = self.add_binding(info);
         self.scopes.get_mut(scope).vars.insert(key, Binding { state, info });
     }

@@ -24,6 +24,8 @@ pub struct BindingInfo {
     pub definition: Option<DefinitionId>,
     /// Bindings that were read to compute it.
     pub reads: Box<[u32]>,
+    /// Its value; none for a block.
+    pub value: Option<Value>,
 }
 
 /// The kinds of bindings.
@@ -41,14 +43,15 @@ pub enum BindingKind {
 
 impl BindingInfo {
     /// An argument given from outside.
-    pub fn given(name: &str) -> Self {
+    pub fn given(name: &str, value: &str) -> Self {
         let (origin, definition, reads) = (None, None, Box::default());
-        Self { name: name.into(), kind: BindingKind::Argument, origin, definition, reads }
+        let value = Some(Value::Str(value.into()));
+        Self { name: name.into(), kind: BindingKind::Argument, origin, definition, reads, value }
     }
 
     /// Something given by source text.
     pub fn new(name: EcoString, kind: BindingKind, origin: Origin) -> Self {
-        Self { name, kind, origin: Some(origin), definition: None, reads: Box::default() }
+        Self { name, kind, origin: Some(origin), definition: None, reads: Box::default(), value: None }
     }
 
     /// As an instance of a definition.
@@ -123,6 +126,7 @@ impl Expander<'_> {
         let reads: Box<[u32]> = self.reads.drain(mark..).collect();
         if let Some(info) = self.result.bindings.get_mut(info as usize) {
             info.reads = reads;
+            info.value = Some(value.clone());
         }
         let scope = self.scopes.get_mut(holder);
         scope.resolving.retain(|n| *n != name);

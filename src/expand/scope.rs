@@ -128,6 +128,20 @@ impl Scopes {
         }
     }
 
+    /// The properties that were never evaluated, by scope and name.
+    pub fn unread(&self) -> Vec<(ScopeId, EcoString, Origin)> {
+        let mut found = Vec::new();
+        for (id, scope) in (0..).map(ScopeId).zip(&self.list) {
+            let lazy = |(name, binding): (&EcoString, &Binding)| match &binding.state {
+                State::Lazy(_, place) => Some((id, name.clone(), place.origin)),
+                _ => None,
+            };
+            found.extend(scope.vars.iter().filter_map(lazy));
+        }
+        found.sort_by(|(a, name, _), (b, other, _)| a.0.cmp(&b.0).then_with(|| name.cmp(other)));
+        found
+    }
+
     /// Every name visible from `id`, for suggestions.
     pub fn visible_names(&self, id: ScopeId) -> Vec<&str> {
         let mut names: Vec<&str> = Vec::new();

@@ -93,6 +93,8 @@ pub struct Symbols {
     pub definitions: Vec<Definition>,
     /// Uses.
     pub uses: Vec<Use>,
+    /// Uses by properties that nothing reads.
+    pub idle_uses: Vec<Use>,
     known: FastMap<(SourceRange, EcoString), DefinitionId>,
     seen: FastSet<Use>,
 }
@@ -113,6 +115,11 @@ impl Symbols {
         self.uses.iter().filter(move |used| used.definition == definition)
     }
 
+    /// All uses, also those by properties that nothing reads.
+    pub fn all_uses(&self) -> impl Iterator<Item = &Use> {
+        self.uses.iter().chain(&self.idle_uses)
+    }
+
     fn add(&mut self, definition: Definition) -> DefinitionId {
         let next = DefinitionId(self.definitions.len() as u32);
         let id = *self.known.entry((definition.place, definition.name.clone())).or_insert(next);
@@ -124,9 +131,10 @@ impl Symbols {
         id
     }
 
-    fn add_use(&mut self, used: Use) {
+    fn add_use(&mut self, used: Use, idle: bool) {
         if self.seen.insert(used) {
-            self.uses.push(used);
+            let list = if idle { &mut self.idle_uses } else { &mut self.uses };
+            list.push(used);
         }
     }
 }
@@ -153,7 +161,7 @@ impl Expander<'_> {
     /// Note that the text at `at` refers to a definition.
     pub fn note_use(&mut self, at: Origin, definition: Option<DefinitionId>, kind: UseKind) {
         if let Some(definition) = definition {
-            self.result.symbols.add_use(Use { place: at.into(), definition, kind });
+            self.result.symbols.add_use(Use { place: at.into(), definition, kind }, self.idle);
         }
     }
 

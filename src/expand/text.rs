@@ -113,6 +113,15 @@ impl Expander<'_> {
     }
 
     fn eval_token(&mut self, token: &Token, site: TextSite<'_>, scope: ScopeId) -> Value {
+        let mark = self.reads.len();
+        let value = self.token_value(token, site, scope);
+        if let Token::Expr { range, .. } | Token::Subst { range, .. } = token {
+            self.note_value(self.origin_in(site, *range), &value, mark);
+        }
+        value
+    }
+
+    fn token_value(&mut self, token: &Token, site: TextSite<'_>, scope: ScopeId) -> Value {
         match token {
             Token::Text(range) | Token::Escape(range) => Value::Str(range.slice(site.text).into()),
             Token::Expr { range, inner, code } => self.eval_code(code, *range, *inner, site, scope),

@@ -34,6 +34,7 @@ mod template;
 mod token;
 mod value;
 pub mod visit;
+mod words;
 
 pub use attribute::is_namespace_attribute;
 pub use budget::Budget;
@@ -47,6 +48,8 @@ pub use substitution::{Subst, SubstArg, SubstError, parse_substitution, resolve_
 pub use syntax::{ExprError, ExprErrorKind, NameUse, Parsed, is_identifier, is_python_space, names, parse};
 pub use template::{Code, Template, Token, split};
 pub use value::{DateValue, Dict, List, Module, Range, Set, Slice, Str, Tuple, Type, Value, View, ViewKind};
+
+pub use words::{WordKind, words};
 
 #[cfg(test)]
 mod eval_tests;

@@ -22,6 +22,11 @@ const KEYWORDS: &[&str] = &[
     "unless",
 ];
 
+/// Whether `xacro:name` is xacro's own and calls no macro.
+pub fn is_keyword(name: &str) -> bool {
+    KEYWORDS.contains(&name)
+}
+
 /// The facts of an item; read once, kept with it.
 pub fn facts_of(item: &Arc<Item>) -> Arc<Facts> {
     item.cached(CacheSlot::Facts, read)
@@ -72,7 +77,7 @@ fn fact(node: Node<'_>, in_macro: bool) -> Option<Fact> {
 }
 
 fn call(node: Node<'_>, name: &str, in_macro: bool) -> Option<Fact> {
-    let called = name.strip_prefix("xacro:").filter(|called| !KEYWORDS.contains(called))?;
+    let called = name.strip_prefix("xacro:").filter(|called| !is_keyword(called))?;
     let end = node.name_range().end;
     let range = TextRange::new(end - called.len() as u32, end);
     Some(Fact { kind: FactKind::Call, name: called.into(), range, node: node.id(), in_macro })

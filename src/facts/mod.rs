@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-pub use item::facts_of;
+pub use item::{facts_of, is_keyword};
 pub use mentions::{Mention, MentionKind, Site};
 
 use crate::base::TextRange;

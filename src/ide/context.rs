@@ -1,7 +1,7 @@
 //! A file in the expansion of its active root.
 
-use crate::base::{FileId, Span, TextRange};
-use crate::expand::{DefinitionId, Expansion, FileIdx, SourceRange, SrcId, Use};
+use crate::base::{FastMap, FileId, Span, TextRange};
+use crate::expand::{DefinitionId, Expansion, FileIdx, Source, SourceRange, SrcId, Use};
 use crate::model::{Kinematics, Robot};
 use crate::vfs::SourceFile;
 
@@ -27,11 +27,13 @@ impl<'a> Cx<'a> {
 
     /// The text of the expansion that stands at `range` of the file.
     pub fn source_range(&self, range: TextRange) -> Option<SourceRange> {
-        let file = self.file()?;
-        let (src, source) = (0..).map(SrcId).zip(&self.expansion.sources).find(|(_, source)| {
-            let end = source.base + source.item.len();
-            source.file == file && source.base <= range.start && range.end <= end && range.start < end.max(1)
-        })?;
+        let (first, sources) = self.own_sources()?;
+        let after = sources.partition_point(|source| source.base <= range.start);
+        let (index, source) = (after.checked_sub(1)?, sources.get(after.checked_sub(1)?)?);
+        if range.end > source.base + source.item.len() {
+            return None;
+        }
+        let src = SrcId(first + index as u32);
         Some(SourceRange { src, range: TextRange::new(range.start - source.base, range.end - source.base) })
     }
 
@@ -42,11 +44,25 @@ impl<'a> Cx<'a> {
         Some(Span { file, range: place.range.shift(source.base) })
     }
 
+    /// The source texts of the file in order, and the number of the first.
+    fn own_sources(&self) -> Option<(u32, &'a [Source])> {
+        let file = self.file()?;
+        let first = self.expansion.files.get(file.0 as usize)?.first_source.0;
+        let rest = self.expansion.sources.get(first as usize..)?;
+        let count = rest.iter().take_while(|source| source.file == file).count();
+        Some((first, rest.get(..count)?))
+    }
+
+    /// Where the source texts of the file begin.
+    pub fn bases(&self) -> FastMap<SrcId, u32> {
+        let (first, sources) = self.own_sources().unwrap_or((0, &[]));
+        (first..).map(SrcId).zip(sources.iter().map(|source| source.base)).collect()
+    }
+
     /// The source texts of the file, with their numbers.
     fn sources(&self) -> impl Iterator<Item = SrcId> + 'a {
-        let file = self.file();
-        let all = (0..).map(SrcId).zip(&self.expansion.sources);
-        all.filter(move |(_, source)| Some(source.file) == file).map(|(src, _)| src)
+        let (first, sources) = self.own_sources().unwrap_or((0, &[]));
+        (first..).map(SrcId).take(sources.len())
     }
 
     /// The definition that the name at an offset of the file gives or refers to, with the name's range there.
@@ -62,7 +78,7 @@ impl<'a> Cx<'a> {
                 place.src == src && place.range.start <= inside && inside <= place.range.end
             };
             let used =
-                symbols.uses.iter().filter(|used| here(used.place)).min_by_key(|used| used.place.range.len());
+                symbols.all_uses().filter(|used| here(used.place)).min_by_key(|used| used.place.range.len());
             let given = symbols.iter().find(|(_, definition)| here(definition.place));
             let found = match (used, given) {
                 (_, Some((id, definition))) => Some((id, definition.place)),

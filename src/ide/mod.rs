@@ -3,30 +3,47 @@
 //! Every feature is a file. Those that need only the text of a file take its document; those that need the
 //! meaning of names take a [`Cx`]: the file in the expansion of its active root.
 
+mod calls;
 mod code;
+mod colours;
 mod completion;
 mod context;
+mod expressions;
 mod folding;
+mod hints;
+mod hover;
 mod locate;
 mod names;
 mod on_type;
 mod outline;
+mod paths;
+mod schema;
+mod search;
 mod selection;
 mod source_map;
+mod tag_reader;
 mod tags;
 mod tokens;
 mod typed;
+mod values;
 
+pub use calls::{Caller, Calls, caller_target, calls_of, incoming, macro_at, macros_of, outgoing};
+pub use colours::{Colour, colour_text, colours};
 pub use completion::{
     Completion, Completions, ItemKind, Scope, Signature, Sources, Topic, completions, documentation,
     signature_help,
 };
 pub use context::Cx;
 pub use folding::{Fold, FoldKind, folds};
+pub use hints::{Hint, HintKind, HintSettings, hints};
+pub use hover::{Hover, hover, value_of};
 pub use locate::{At, Part, locate};
 pub use names::{NameUse, Target, definition_of, definitions, occurrences};
 pub use on_type::{Insertion, on_type};
 pub use outline::{Outline, OutlineKind, outline};
+pub use paths::{FileKind, FileName, FileTarget, file_names};
+pub use search::{Hit, fit, search};
 pub use selection::selection;
 pub use source_map::{Lines, SourceMap, entry_at, instances, origin_of, source_map, steps};
 pub use tags::{matching_tags, same_tag_names};
+pub use tokens::{Modifiers, Token, TokenKind, tokens};

@@ -66,7 +66,8 @@ pub fn occurrences(cx: &Cx<'_>, offset: u32) -> Vec<NameUse> {
         let uses = cx
             .expansion
             .symbols
-            .uses_of(id)
+            .all_uses()
+            .filter(|used| used.definition == id)
             .filter_map(|used| Some(NameUse { span: cx.span(used.place)?, is_definition: false }));
         return given.into_iter().chain(uses).collect();
     }
@@ -86,7 +87,7 @@ pub fn occurrences(cx: &Cx<'_>, offset: u32) -> Vec<NameUse> {
 
 /// The names of links and joints that the attribute value at an offset stands for (it may give several, when a
 /// macro is called often): texts that define them.
-fn named_at<'a>(cx: &Cx<'a>, offset: u32) -> Option<(TextRange, Vec<&'a Text>)> {
+pub(super) fn named_at<'a>(cx: &Cx<'a>, offset: u32) -> Option<(TextRange, Vec<&'a Text>)> {
     let here = |text: &Text| {
         place(cx, text.origin).is_some_and(|span| {
             span.file == cx.source.id && span.range.start <= offset && offset <= span.range.end
@@ -102,7 +103,7 @@ fn named_at<'a>(cx: &Cx<'a>, offset: u32) -> Option<(TextRange, Vec<&'a Text>)> 
 }
 
 /// The names of links and joints, and the texts that refer to them; true: it is given there.
-fn robot_names<'a>(cx: &Cx<'a>) -> Vec<(&'a Text, bool)> {
+pub(super) fn robot_names<'a>(cx: &Cx<'a>) -> Vec<(&'a Text, bool)> {
     let Some(robot) = cx.robot else { return Vec::new() };
     let links = robot.links.iter().filter_map(|link| Some((link.name.as_ref()?, true)));
     let joints = robot.joints.iter().flat_map(|joint| {

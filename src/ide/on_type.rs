@@ -1,6 +1,6 @@
 //! What an editor adds while somebody types: end tags and indentation.
 
-use super::tokens::Reader;
+use super::tag_reader::Reader;
 use super::typed::{Typed, Typing, is_name_char, typed};
 use crate::base::{Encoding, LineCol, TextRange};
 use crate::xml::Document;

@@ -3,7 +3,7 @@
 //! The tree of a half-typed file says what the file would mean; here it matters what the author is in the middle
 //! of. So the text from the start of the item to the offset is read once more, and whatever is open there counts.
 
-use super::tokens::{Open, Reader, State};
+use super::tag_reader::{Open, Reader, State};
 use crate::base::TextRange;
 use crate::xml::{Document, Node, Part};
 

@@ -9,7 +9,7 @@ use crate::base::CancelFlag;
 
 /// The commands.
 pub(super) const NAMES: &[&str] =
-    &["xacro.expand", "xacro.restartAnalysis", "xacro.selectRoot", "xacro.tree"];
+    &["xacro.expand", "xacro.restartAnalysis", "xacro.selectRoot", "xacro.showReferences", "xacro.tree"];
 
 impl Engine {
     pub fn command(
@@ -21,6 +21,9 @@ impl Engine {
         match params.command.as_str() {
             "xacro.expand" => {
                 self.expand(parsed(argument)?, cancel).map(|answer| serde_json::to_value(answer).ok())
+            }
+            "xacro.showReferences" => {
+                self.calls_of(&parsed(argument)?, cancel).map(|(_, places)| serde_json::to_value(places).ok())
             }
             "xacro.selectRoot" => self.set_root(parsed(argument)?, cancel).map(Some),
             "xacro.tree" => self.tree(parsed(argument)?, cancel).map(|tree| serde_json::to_value(tree).ok()),

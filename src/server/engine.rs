@@ -38,6 +38,10 @@ pub(super) struct Engine {
     pub documents: BTreeMap<PathBuf, OpenDocument>,
     /// What was published last: by path, a hash of it.
     pub published: BTreeMap<PathBuf, u64>,
+    /// The semantic tokens that were sent last, by path.
+    pub sent_tokens: BTreeMap<PathBuf, super::tokens::Sent>,
+    /// Which hints are shown.
+    pub hint_settings: crate::ide::HintSettings,
     /// When diagnostics are to be made.
     pub due: Option<Instant>,
     /// The pause after the last edit before diagnostics are made.
@@ -63,6 +67,8 @@ impl Engine {
             pressure,
             documents: BTreeMap::new(),
             published: BTreeMap::new(),
+            sent_tokens: BTreeMap::new(),
+            hint_settings: crate::ide::HintSettings::default(),
             due: None,
             delay: Self::DELAY,
             initialized: false,

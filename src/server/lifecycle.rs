@@ -107,6 +107,7 @@ impl Engine {
                     .log("`xacro.diagnostics.delay` is no number of milliseconds; the default holds"),
             }
         }
+        super::hints::settings(settings, &mut self.hint_settings);
         let warnings = self.world.set_editor_settings(settings.clone());
         for warning in warnings {
             self.outbox.log(warning);

@@ -3,8 +3,10 @@
 //! Nothing outside of this folder names the protocol's types. Handlers only post jobs (`letterbox`); one thread
 //! owns all state and works them off (`engine`); what goes out unasked leaves through one task (`outbox`).
 
+mod calls;
 mod capabilities;
 mod client;
+mod colour;
 mod commands;
 mod completion;
 mod convert;
@@ -15,14 +17,20 @@ mod expansion;
 mod failure;
 mod framing;
 mod handlers;
+mod hints;
+mod hover;
+mod lenses;
 mod letterbox;
 mod lifecycle;
+mod links;
 mod mapping;
 mod navigation;
 mod outbox;
 mod roots;
 mod structure;
 mod sync;
+mod tokens;
+mod workspace_symbols;
 
 use tokio::runtime::Builder;
 use tower_lsp::{LspService, Server};

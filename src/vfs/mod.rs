@@ -317,18 +317,18 @@ impl Vfs {
         self.absolute(path).is_dir()
     }
 
+    /// The size of a file on the disk, in bytes.
+    pub fn size(&self, path: &Path) -> Option<u64> {
+        let found = std::fs::metadata(self.absolute(path)).ok()?;
+        found.is_file().then_some(found.len())
+    }
+
     /// What tells a file or folder from every other one, whatever path led to it; `None` when it does
     /// not exist.
     pub fn identity(&self, path: &Path) -> Option<u128> {
         let path = self.absolute(path);
         let stat = read::stat(&path).ok()?;
         Some(stat.identity.map_or_else(|| u128::from(read::hash(&self.canonical(&path))), Identity::number))
-    }
-
-    /// The size of a file on the disk in bytes; none when there is no such file.
-    pub fn size(&self, path: &Path) -> Option<u64> {
-        let found = std::fs::metadata(self.absolute(path)).ok()?;
-        found.is_file().then_some(found.len())
     }
 
     /// The names in a folder, sorted; none when it cannot be read. Names that are not UTF-8 are left

@@ -7,13 +7,17 @@
     clippy::disallowed_methods
 )] // a test may fail loudly
 
+mod calls;
 mod client;
 mod completion;
 mod context;
 mod diagnostics;
 mod expansion;
+mod hints;
+mod hover;
 mod lifecycle;
 mod navigation;
 mod structure;
+mod tokens;
 mod typing;
 mod workspace;

@@ -4,7 +4,7 @@ use super::directives::directive;
 use super::item::{Completion, Completions, ItemKind, Topic, escaped};
 use super::scope::Scope;
 use super::tags::{is_required, spec_of};
-use crate::ide::tokens::Open;
+use crate::ide::tag_reader::Open;
 use crate::ide::typed::{Typed, is_name_char};
 use crate::rules::schema::{AttributeKind, AttributeSpec, ElementSpec};
 

@@ -9,7 +9,7 @@ use super::paths;
 use super::scope::Scope;
 use super::substitutions;
 use super::tags::is_directive;
-use crate::ide::tokens::Open;
+use crate::ide::tag_reader::Open;
 use crate::ide::typed::Typed;
 use crate::rules::schema::{AttributeKind, ElementSpec};
 

@@ -6,7 +6,7 @@ use super::tags::is_required;
 use crate::base::TextRange;
 use crate::expr::{Module, global_symbols};
 use crate::ide::code::{Hole, hole, open_call};
-use crate::ide::tokens::Open;
+use crate::ide::tag_reader::Open;
 use crate::ide::typed::{Typed, Typing, is_name_char, typed};
 
 /// What a macro or function takes.

@@ -1,8 +1,11 @@
 //! How large visuals and collisions are, in the frame of their link.
 
-use super::super::context::DocumentCx;
+use std::cell::OnceCell;
+
+use super::super::context::{DocumentCx, RootKind, Surroundings};
 use super::resources::factors;
-use crate::model::{Body, Bounds, Link, Mesh, Shape, ShapeKind, Text, UpAxis, transform};
+use crate::expand::Expansion;
+use crate::model::{Body, Bounds, Link, Mesh, Robot, Shape, ShapeKind, Text, UpAxis, transform};
 
 /// What is known about the space that bodies take.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +26,27 @@ impl Extent {
             Extent::Nothing | Extent::Unknown => None,
         }
     }
+}
+
+/// The box around what a link looks like, in its frame; around its collisions when it looks like nothing. None when
+/// a part of it is not known.
+pub fn link_bounds(
+    expansion: &Expansion,
+    robot: &Robot,
+    world: Surroundings<'_>,
+    link: &Link,
+) -> Option<Bounds> {
+    let cx = DocumentCx {
+        expansion,
+        element: robot.element,
+        kind: RootKind::Robot,
+        explicit: false,
+        robot: Some(robot),
+        world,
+        resources: OnceCell::new(),
+    };
+    let bodies = if link.visuals.is_empty() { &link.collisions } else { &link.visuals };
+    extent_of(&cx, bodies).bounds()
 }
 
 /// The box of the collisions of a link, or of its visuals when it has no collision.

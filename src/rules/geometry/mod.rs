@@ -41,6 +41,9 @@ mod zero_mesh_scale;
 
 use super::registry::Rule;
 
+pub use bodies::link_bounds;
+pub use resources::{Target as FileTarget, resolve as resolve_file};
+
 pub(super) use bodies::{Extent, extent, extent_of, volume};
 pub(super) use resources::Resources;
 

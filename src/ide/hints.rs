@@ -1,0 +1,180 @@
+//! Short texts between the text: values of expressions, names of blocks, what a far end tag ends.
+
+use super::context::Cx;
+use super::expressions::{ExprText, parsed};
+use super::values::{cut, distinct, instances, short};
+use crate::base::{Encoding, FastMap, TextRange};
+use crate::expand::{DefinitionId, SourceRange, SymbolKind, UseKind};
+use crate::expr::{self, Code, Subst, Token, Value, parse_substitution};
+use crate::xml::{Document, Node, NodeKind};
+
+/// Which hints are shown, and how long they may be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct HintSettings {
+    /// Values of expressions.
+    pub values: bool,
+    /// Names of block parameters.
+    pub blocks: bool,
+    /// Most characters.
+    pub most: usize,
+}
+
+impl Default for HintSettings {
+    fn default() -> Self {
+        Self { values: true, blocks: true, most: 24 }
+    }
+}
+
+/// A short text between the text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Hint {
+    /// Where it stands.
+    pub offset: u32,
+    /// What it says.
+    pub label: String,
+    /// What it is.
+    pub kind: HintKind,
+    /// The offset of what it is about.
+    pub about: u32,
+}
+
+/// The kinds of hints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HintKind {
+    /// The value of the expression in front.
+    Value,
+    /// The block parameter that the element behind is given for.
+    Block,
+    /// The name of what the end tag in front ends.
+    End,
+}
+
+/// The hints in a range of the file, in document order.
+pub fn hints(cx: &Cx<'_>, range: TextRange, settings: HintSettings) -> Vec<Hint> {
+    let document = &cx.source.document;
+    let calls = if settings.blocks { calls(cx) } else { FastMap::default() };
+    let mut found = Vec::new();
+    for (base, item) in document.parts().filter(|(base, item)| overlaps(range, *base, item.len())) {
+        for node in item.all_nodes() {
+            let whole = node.range().shift(base);
+            if !overlaps(range, whole.start, whole.len()) {
+                continue;
+            }
+            match node.kind() {
+                NodeKind::Text if settings.values && node.has_dollar() => {
+                    values(cx, &ExprText::of_text(document, base, node), settings.most, &mut found);
+                }
+                NodeKind::Element => {
+                    let texts = node.attrs().filter(|attr| attr.has_dollar() && attr.name() != "params");
+                    for attr in texts.filter(|_| settings.values) {
+                        values(cx, &ExprText::of_attr(document, base, attr), settings.most, &mut found);
+                    }
+                    if let Some(macro_id) = calls.get(&node.name_range().shift(base).end) {
+                        blocks(cx, base, node, *macro_id, &mut found);
+                    }
+                    found.extend(end_name(document, base, node, settings.most));
+                }
+                _ => {}
+            }
+        }
+    }
+    found.retain(|hint| range.touches(hint.offset));
+    found.sort_by_key(|hint| hint.offset);
+    found
+}
+
+fn overlaps(range: TextRange, start: u32, length: u32) -> bool {
+    start <= range.end && range.start <= start + length
+}
+
+fn values(cx: &Cx<'_>, text: &ExprText<'_>, most: usize, found: &mut Vec<Hint>) {
+    for token in &text.template.tokens {
+        let arrow = match token {
+            Token::Expr { code: Code::Static(_), .. } => {
+                let has_names = parsed(token).is_some_and(|(expr, _)| !expr::names(expr).is_empty());
+                if !has_names {
+                    continue;
+                }
+                "= "
+            }
+            Token::Expr { .. } => "= ",
+            Token::Subst { inner, nested: None, .. } => {
+                match parse_substitution(inner.slice(&text.text)) {
+                    Subst::Arg(_) | Subst::Env(_) | Subst::OptEnv { .. } => "→ ",
+                    Subst::Eval { .. } => "= ",
+                    // packages are links: their paths are long
+                    _ => continue,
+                }
+            }
+            _ => continue,
+        };
+        let range = text.range(token.range());
+        if let Some(shown) = listed(cx, range, most) {
+            let (offset, about) = (range.end, range.start);
+            found.push(Hint { offset, label: format!("{arrow}{shown}"), kind: HintKind::Value, about });
+        }
+    }
+}
+
+/// The values of an expression: up to three, of more the first two.
+fn listed(cx: &Cx<'_>, range: TextRange, most: usize) -> Option<String> {
+    const MOST_VALUES: usize = 3;
+    let values = instances(cx, range);
+    let values = distinct(values.iter().map(|instance| &instance.value));
+    // a part that is not known makes the rest a guess
+    if values.is_empty() || !values.iter().all(|value| is_evident(value)) {
+        return None;
+    }
+    let count = if values.len() > MOST_VALUES { 2 } else { values.len() };
+    let mut shown: Vec<String> = values.iter().take(count).map(|value| short(value, most)).collect();
+    if values.len() > count {
+        shown.push("…".to_owned());
+    }
+    Some(cut(&shown.join(", "), most)).filter(|shown| !shown.is_empty())
+}
+
+/// Whether a value says something in a few characters.
+fn is_evident(value: &Value) -> bool {
+    match value {
+        Value::Bool(_) | Value::Int(_) | Value::Big(_) | Value::Float(_) | Value::Str(_) | Value::None => {
+            true
+        }
+        Value::List(list) => list.len() <= 6,
+        Value::Tuple(tuple) => tuple.items().len() <= 6,
+        _ => false,
+    }
+}
+
+/// The macro that each tag of the file calls, by the end of the tag's name.
+fn calls(cx: &Cx<'_>) -> FastMap<u32, DefinitionId> {
+    let bases = cx.bases();
+    let calls = cx.expansion.symbols.all_uses().filter(|used| used.kind == UseKind::Call);
+    let end = |place: SourceRange| Some(place.range.end + bases.get(&place.src)?);
+    calls.filter_map(|used| Some((end(used.place)?, used.definition))).collect()
+}
+
+fn blocks(cx: &Cx<'_>, base: u32, node: Node<'_>, called: DefinitionId, found: &mut Vec<Hint>) {
+    let definitions = cx.expansion.symbols.definitions.iter();
+    let blocks =
+        definitions.filter(|given| given.of == Some(called) && given.kind == SymbolKind::BlockParameter);
+    for (element, block) in node.child_elements().zip(blocks) {
+        let offset = element.range().start + base;
+        found.push(Hint { offset, label: format!("{}:", block.name), kind: HintKind::Block, about: offset });
+    }
+}
+
+/// The name behind an end tag that is far from its start.
+fn end_name(document: &Document, base: u32, node: Node<'_>, most: usize) -> Option<Hint> {
+    const FAR: u32 = 20;
+    const NAMED: &[&str] = &["joint", "link", "xacro:macro"];
+    if !NAMED.contains(&node.name()) || node.end_tag().is_none() {
+        return None;
+    }
+    let name = node.attr("name").map(|name| name.raw()).filter(|name| !name.is_empty())?;
+    let range = node.range().shift(base);
+    let line = |offset| document.line_col(offset, Encoding::Utf8).line;
+    if line(range.end) - line(range.start) < FAR {
+        return None;
+    }
+    Some(Hint { offset: range.end, label: cut(name, most), kind: HintKind::End, about: range.start })
+}

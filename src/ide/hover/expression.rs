@@ -1,0 +1,181 @@
+//! Values of expressions, in each call of the macro around them.
+
+use super::super::context::Cx;
+use super::super::expressions::{ExprText, parsed, path_to};
+use super::super::locate::At;
+use super::super::values::{Instance, UNKNOWN, distinct, instances, part_values, short};
+use super::page::{Page, code, count};
+use super::{files, numbers, symbols};
+use crate::base::TextRange;
+use crate::expand::{FrameId, FrameKind, Origin};
+use crate::expr::ast::{Expr, ExprKind};
+use crate::expr::{Token, Value, display, global_symbols};
+use crate::rules::Surroundings;
+
+/// Most characters of a value.
+const MOST_VALUE: usize = 200;
+
+/// The expression or a part of it at a place.
+pub(super) fn about(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
+    let text = ExprText::at(&cx.source.document, at)?;
+    let token = text.token_at(at.offset)?;
+    let whole = text.range(token.range());
+    if let Some((range, name)) = package_at(&text, at.offset) {
+        return Some((range, files::package(cx, world, name)));
+    }
+    if let Some(found) = files::loaded(cx, world, &text, at.offset) {
+        return Some(found);
+    }
+    let Some((expr, start)) = parsed(token) else {
+        let source = token.range().slice(&text.text);
+        return Some((whole, valued(cx, at, source, &instances(cx, whole))));
+    };
+    let inside = text.offset(at.offset).saturating_sub(start);
+    let mut path = path_to(expr, inside);
+    // a literal is no news: what it stands in is
+    while path.len() > 1 && path.last().is_some_and(|part| matches!(part.kind, ExprKind::Const(_))) {
+        path.pop();
+    }
+    let part = path.last().copied().unwrap_or(expr);
+    let is_whole = std::ptr::eq(part, expr);
+    let range = if is_whole { whole } else { text.range(part.range.shift(start)) };
+    if let Some(page) = function(&path) {
+        return Some((range, page));
+    }
+    let values = part_values(cx, whole, expr, part);
+    if let ExprKind::Name(name) = &part.kind
+        && values.is_empty()
+        && let Some(page) = symbols::by_name(cx, name)
+    {
+        return Some((range, page));
+    }
+    let source = part.range.shift(start).slice(&text.text);
+    Some((range, valued(cx, at, source, &values)))
+}
+
+/// All of the expression at a place.
+pub(super) fn whole(cx: &Cx<'_>, at: &At<'_>) -> Option<Page> {
+    let text = ExprText::at(&cx.source.document, at)?;
+    let token = text.token_at(at.offset)?;
+    let range = text.range(token.range());
+    let source = match token {
+        Token::Expr { inner, .. } => inner.slice(&text.text),
+        other => other.range().slice(&text.text),
+    };
+    Some(valued(cx, at, source.trim(), &instances(cx, range)))
+}
+
+/// The package of the `$(find package)` at an offset of the file, wherever in an expression that stands.
+fn package_at<'t>(text: &'t ExprText<'_>, offset: u32) -> Option<(TextRange, &'t str)> {
+    const LEAD: &str = "$(find ";
+    let inside = text.offset(offset);
+    text.text.match_indices(LEAD).find_map(|(start, _)| {
+        let name = text.text.get(start + LEAD.len()..)?.split(')').next()?;
+        let begin = (start + LEAD.len()) as u32;
+        let range = TextRange::new(begin, begin + name.len() as u32);
+        let around = TextRange::new(start as u32, range.end);
+        around.touches(inside).then(|| (text.range(range), name.trim()))
+    })
+}
+
+fn valued(cx: &Cx<'_>, at: &At<'_>, source: &str, values: &[Instance]) -> Page {
+    let mut page = match distinct(values.iter().map(|instance| &instance.value)).as_slice() {
+        [value] => Page::titled(format!("{} = {}", code(source), shown(value))),
+        _ => Page::titled(code(source)),
+    };
+    value_lines(cx, values).into_iter().for_each(|line| page.add(line));
+    if let [value] = distinct(values.iter().map(|instance| &instance.value)).as_slice()
+        && let Value::Float(number) = value
+    {
+        page.add(numbers::in_degrees(at, *number).unwrap_or_default());
+    }
+    page
+}
+
+/// A value as code; a number also exactly, when that reads otherwise.
+pub(in super::super) fn shown(value: &Value) -> String {
+    let text = short(value, MOST_VALUE);
+    match (value, display::to_str(value)) {
+        (Value::Unknown, _) => UNKNOWN.to_owned(),
+        (Value::Float(_), Some(exact)) if exact != text => {
+            format!("{} (exactly {})", code(&text), code(&exact))
+        }
+        _ => code(&text),
+    }
+}
+
+/// What there is to say about values beside the only one: which call gives which, and why one is not known.
+pub fn value_lines(cx: &Cx<'_>, values: &[Instance]) -> Vec<String> {
+    const MOST: usize = 3;
+    let different = distinct(values.iter().map(|instance| &instance.value));
+    match different.as_slice() {
+        [] => return vec![format!("{UNKNOWN} – {} does not come by here", root_name(cx))],
+        [Value::Unknown] => return vec!["the value cannot be computed".to_owned()],
+        [_] if values.len() > 1 => return vec![format!("the same in all {}", count(values.len(), "call"))],
+        [_] => return Vec::new(),
+        _ => {}
+    }
+    let mut lines = Vec::new();
+    for value in different.iter().take(MOST) {
+        let given = values.iter().find(|instance| std::ptr::eq(&raw const instance.value, *value));
+        let label = given.and_then(|instance| call_label(cx, instance.frame));
+        lines.push(format!(
+            "- {}{}",
+            shown(value),
+            label.map(|label| format!(" – {label}")).unwrap_or_default()
+        ));
+    }
+    if different.len() > MOST {
+        lines.push(format!("- … ({})", count(values.len(), "call")));
+    }
+    vec![lines.join("\n")]
+}
+
+/// The macro call that a frame belongs to: its macro, file and line.
+pub fn call_label(cx: &Cx<'_>, frame: FrameId) -> Option<String> {
+    let at = Origin { frame, ..Origin::NOWHERE };
+    let call = cx.expansion.frames_of(at).find(|frame| frame.kind == FrameKind::Macro)?;
+    Some(format!("{} at {}", code(&call.name), place_name(cx, call.call)?))
+}
+
+/// `file.xacro:12`
+pub(super) fn place_name(cx: &Cx<'_>, origin: Origin) -> Option<String> {
+    let place = cx.expansion.place(origin)?;
+    let source = &cx.expansion.files.get(place.file.0 as usize)?.source;
+    let line = source.document.line_col(place.range.start, crate::base::Encoding::Utf8).line + 1;
+    Some(format!("{}:{line}", source.path.file_name()?.to_string_lossy()))
+}
+
+/// The name of the root file.
+pub(super) fn root_name(cx: &Cx<'_>) -> String {
+    let path = cx.expansion.files.first().and_then(|file| file.source.path.file_name());
+    path.map_or_else(|| "the robot".to_owned(), |name| code(&name.to_string_lossy()))
+}
+
+/// A name that every expression knows.
+fn function(path: &[&Expr]) -> Option<Page> {
+    let (part, around) = (path.last()?, path.len().checked_sub(2).and_then(|i| path.get(i)));
+    let (namespace, name) = match (&part.kind, around.map(|around| &around.kind)) {
+        (ExprKind::Attribute { value, name, .. }, _) => match &value.kind {
+            ExprKind::Name(module) => (Some(module.as_str()), name),
+            _ => return None,
+        },
+        (ExprKind::Name(name), _) => (None, name),
+        _ => return None,
+    };
+    let symbol = global_symbols()
+        .find(|symbol| symbol.name == name && symbol.namespace.map(|module| module.name()) == namespace)?;
+    if symbol.params.is_empty()
+        && symbol.namespace.is_none()
+        && symbol.kind == crate::expr::SymbolKind::Constant
+    {
+        return None;
+    }
+    let lead = namespace.map(|module| format!("{module}.")).unwrap_or_default();
+    let mut page = Page::titled(code(&format!("{lead}{name}({})", symbol.params)));
+    page.add(symbol.doc);
+    if let Some(better) = symbol.deprecated.filter(|_| namespace.is_none()) {
+        page.add(format!("the bare name is deprecated: write {}", code(&format!("{better}.{name}"))));
+    }
+    Some(page)
+}

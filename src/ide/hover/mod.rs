@@ -1,0 +1,47 @@
+//! What is shown beside the text under the pointer.
+
+mod elements;
+mod expression;
+mod files;
+mod numbers;
+mod page;
+mod robot;
+mod symbols;
+
+pub(super) use elements::condition;
+
+use super::context::Cx;
+use super::locate::{Part, locate};
+use crate::base::TextRange;
+use crate::rules::Surroundings;
+
+/// A text about a piece of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Hover {
+    /// Markdown of at most 25 lines.
+    pub markdown: String,
+    /// What it is about.
+    pub range: TextRange,
+}
+
+/// The value of the whole expression that begins at an offset of the file.
+pub fn value_of(cx: &Cx<'_>, offset: u32) -> Option<String> {
+    let at = locate(&cx.source.document, offset);
+    Some(expression::whole(cx, &at)?.finish())
+}
+
+/// What there is to say about the text at an offset of the file.
+pub fn hover(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Option<Hover> {
+    let document = &cx.source.document;
+    let at = locate(document, offset);
+    if matches!(at.part, Part::Verbatim) {
+        return None;
+    }
+    let found = symbols::about(cx, &at)
+        .or_else(|| expression::about(cx, world, &at))
+        .or_else(|| files::about(cx, world, &at))
+        .or_else(|| robot::about(cx, world, &at))
+        .or_else(|| numbers::about(cx, &at))
+        .or_else(|| elements::about(cx, &at));
+    found.map(|(range, page)| Hover { markdown: page.finish(), range })
+}

@@ -1,0 +1,244 @@
+//! Names of xacro: properties, parameters, arguments, macros, blocks.
+
+use super::super::context::Cx;
+use super::super::expressions::{ExprText, parsed, path_to};
+use super::super::locate::At;
+use super::super::values::{Instance, distinct, part_values};
+use super::expression::{place_name, root_name, shown, value_lines};
+use super::page::{Page, code, count, plain};
+use crate::base::{FastSet, TextRange};
+use crate::expand::{Definition, DefinitionId, FrameKind, SymbolKind, UseKind};
+use crate::xml::{Node, NodeKind};
+
+/// The name of xacro at a place.
+pub(super) fn about(cx: &Cx<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
+    let (id, range) = cx.symbol_at(at.offset)?;
+    let definition = cx.expansion.symbols.get(id)?;
+    let page = match definition.kind {
+        SymbolKind::Macro => macro_page(cx, id, definition),
+        SymbolKind::Parameter | SymbolKind::Argument | SymbolKind::Property => {
+            value_page(cx, id, definition, values_here(cx, at))
+        }
+        SymbolKind::BlockProperty | SymbolKind::BlockParameter => block_page(cx, id, definition),
+        SymbolKind::Namespace => Page::titled(format!("**namespace** {}", code(&definition.name))),
+    };
+    Some((range, page))
+}
+
+/// Something of a name that no evaluation came by.
+pub(super) fn by_name(cx: &Cx<'_>, name: &str) -> Option<Page> {
+    let valued = |kind| matches!(kind, SymbolKind::Property | SymbolKind::Parameter);
+    let mut named = cx.expansion.symbols.iter().filter(|(_, given)| given.name == name && valued(given.kind));
+    let (id, definition) = named.next()?;
+    if named.next().is_some() {
+        return None;
+    }
+    Some(value_page(cx, id, definition, Vec::new()))
+}
+
+/// The values of the name at a place of an expression, in each call.
+fn values_here(cx: &Cx<'_>, at: &At<'_>) -> Vec<Instance> {
+    let find = || {
+        let text = ExprText::at(&cx.source.document, at)?;
+        let token = text.token_at(at.offset)?;
+        let whole = text.range(token.range());
+        let Some((expr, start)) = parsed(token) else {
+            return Some(super::super::values::instances(cx, whole));
+        };
+        let inside = text.offset(at.offset).saturating_sub(start);
+        let path = path_to(expr, inside);
+        Some(part_values(cx, whole, expr, path.last()?))
+    };
+    find().unwrap_or_default()
+}
+
+fn value_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition, here: Vec<Instance>) -> Page {
+    let noun = match definition.kind {
+        SymbolKind::Parameter => "parameter",
+        SymbolKind::Argument => "argument",
+        _ => "property",
+    };
+    let given = bound(cx, id);
+    let values = if here.is_empty() { &given } else { &here };
+    let title = format!("**{noun}** {}", code(&definition.name));
+    let different = distinct(values.iter().map(|instance| &instance.value));
+    let mut page = match different.as_slice() {
+        [value] => Page::titled(format!("{title} = {}", shown(value))),
+        _ => Page::titled(title),
+    };
+    if values.is_empty() {
+        page.add(format!("? – {} gives it no value", root_name(cx)));
+    } else {
+        value_lines(cx, values).into_iter().for_each(|line| page.add(line));
+    }
+    if let Some(default) = default_of(cx, id, definition) {
+        page.add(format!("default {}", code(&default)));
+    }
+    if definition.kind == SymbolKind::Parameter {
+        let all: Vec<String> =
+            distinct(given.iter().map(|instance| &instance.value)).into_iter().take(4).map(shown).collect();
+        if all.len() > 1 && !here.is_empty() {
+            let more = if all.len() > 3 { ", …" } else { "" };
+            let listed = all.iter().take(3).cloned().collect::<Vec<_>>().join(", ");
+            page.add(format!("over {}: {listed}{more}", count(given.len(), "call")));
+        }
+    }
+    page.add(origin_line(cx, id, definition));
+    page.add(comment_above(cx, id).unwrap_or_default());
+    page
+}
+
+/// The values that a definition was given, with the calls that gave them.
+fn bound(cx: &Cx<'_>, id: DefinitionId) -> Vec<Instance> {
+    let bindings = cx.expansion.bindings.iter().filter(|info| info.definition == Some(id));
+    let values = bindings.filter_map(|info| {
+        let frame = info.origin.map_or(crate::expand::FrameId::ROOT, |origin| origin.frame);
+        Some(Instance { frame, value: info.value.clone()? })
+    });
+    values.collect()
+}
+
+fn origin_line(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> String {
+    let uses = cx.expansion.symbols.all_uses().filter(|used| used.definition == id);
+    let uses = uses.filter(|used| used.kind != UseKind::Given).count();
+    let at = crate::expand::Origin {
+        src: definition.place.src,
+        range: definition.place.range,
+        frame: crate::expand::FrameId::ROOT,
+    };
+    let place = place_name(cx, at).unwrap_or_default();
+    let of = definition.of.and_then(|of| cx.expansion.symbols.get(of));
+    let of = of.map(|of| format!("of macro {}, ", code(&of.name))).unwrap_or_default();
+    format!("{of}defined in {place}, used {}", count(uses, "time"))
+}
+
+/// The text of the default of a parameter or argument.
+fn default_of(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Option<String> {
+    match definition.kind {
+        SymbolKind::Argument => Some(element(cx, id)?.attr("default")?.raw().to_owned()),
+        SymbolKind::Parameter => {
+            let spec = parameter_spec(cx, id, definition)?;
+            Some(spec.split_once(":=").or_else(|| spec.split_once('='))?.1.to_owned())
+        }
+        _ => None,
+    }
+}
+
+/// The text that declares a parameter, with its default.
+fn parameter_spec(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Option<String> {
+    let element = element(cx, id)?;
+    let attr = element.attr("params")?;
+    let start = definition.place.range.start.checked_sub(attr.value_range().start)?;
+    let text = attr.raw();
+    // up to the parameter behind it
+    let next = cx.expansion.symbols.definitions.iter().filter(|other| {
+        other.of == definition.of
+            && other.place.src == definition.place.src
+            && other.place.range.start > definition.place.range.start
+    });
+    let end = next.map(|other| other.place.range.start - attr.value_range().start).min();
+    let spec = text.get(start as usize..end.unwrap_or(text.len() as u32) as usize)?;
+    Some(spec.trim_end_matches(|c: char| c.is_whitespace() || c == '*').to_owned())
+}
+
+/// The element that gives a definition.
+fn element<'a>(cx: &Cx<'a>, id: DefinitionId) -> Option<Node<'a>> {
+    let place = cx.expansion.symbols.get(id)?.place;
+    let item = &cx.expansion.sources.get(place.src.0 as usize)?.item;
+    let holds = |node: &Node<'_>| {
+        node.kind() == NodeKind::Element && node.start_tag_range().contains_range(place.range)
+    };
+    item.all_nodes().filter(holds).last()
+}
+
+/// The comment in front of what gives a definition.
+pub fn comment_above(cx: &Cx<'_>, id: DefinitionId) -> Option<String> {
+    const MOST_LINES: usize = 6;
+    let element = element(cx, id)?;
+    let siblings: Vec<Node<'_>> = match element.parent() {
+        Some(parent) => parent.children().collect(),
+        None => element.item().nodes().collect(),
+    };
+    let before = siblings.iter().take_while(|node| **node != element);
+    let mut comments = Vec::new();
+    for node in before {
+        match node.kind() {
+            NodeKind::Comment => comments.push(*node),
+            // an empty line, or something on the line of the comment, parts it from what follows
+            NodeKind::Text if node.raw().matches('\n').count() < 2 && node.raw().trim().is_empty() => {}
+            _ => comments.clear(),
+        }
+    }
+    let text: Vec<&str> = comments.iter().map(|comment| comment.raw().trim()).collect();
+    let text = text.join("\n");
+    let lines = text.lines().map(str::trim).filter(|line| !line.is_empty()).take(MOST_LINES);
+    let lines: Vec<String> = lines.map(plain).collect();
+    (!lines.is_empty()).then(|| lines.join("  \n"))
+}
+
+fn macro_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Page {
+    let parameters = cx.expansion.symbols.iter().filter(|(_, given)| given.of == Some(id));
+    let mut signature = Vec::new();
+    for (parameter, given) in parameters {
+        let star = if given.kind == SymbolKind::BlockParameter { "*" } else { "" };
+        let spec = parameter_spec(cx, parameter, given).unwrap_or_else(|| given.name.to_string());
+        signature.push(format!("{star}{spec}"));
+    }
+    let mut page = Page::titled(format!(
+        "**macro** {}",
+        code(&format!("{}({})", definition.name, signature.join(", ")))
+    ));
+    page.add(comment_above(cx, id).unwrap_or_default());
+    page.add(made_line(cx, definition));
+    page.add(origin_line(cx, id, definition));
+    page
+}
+
+/// What one call of a macro makes: `1 link, 1 joint`.
+fn made_line(cx: &Cx<'_>, definition: &Definition) -> String {
+    let Some(robot) = cx.robot else { return String::new() };
+    let of_macro = |frame: &crate::expand::Frame| {
+        frame.kind == FrameKind::Macro
+            && frame.definition.is_some_and(|at| crate::expand::SourceRange::from(at) == definition.place)
+    };
+    let calls: FastSet<u32> =
+        (0..).zip(&cx.expansion.frames).filter(|(_, f)| of_macro(f)).map(|(i, _)| i).collect();
+    if calls.is_empty() {
+        return "nothing calls it".to_owned();
+    }
+    let tree = &cx.expansion.tree;
+    let made = |element: crate::expand::XId| {
+        cx.expansion.frames_of(tree.get(element).origin).filter(|frame| of_macro(frame)).count().min(1)
+    };
+    let links: usize = robot.links.iter().map(|link| made(link.element)).sum();
+    let joints: usize = robot.joints.iter().map(|joint| made(joint.element)).sum();
+    match (links % calls.len(), joints % calls.len()) {
+        (0, 0) => {
+            let (links, joints) = (links / calls.len(), joints / calls.len());
+            format!(
+                "makes {}, {} in each of {}",
+                count(links, "link"),
+                count(joints, "joint"),
+                count(calls.len(), "call")
+            )
+        }
+        _ => {
+            format!(
+                "{} make {}, {}",
+                count(calls.len(), "call"),
+                count(links, "link"),
+                count(joints, "joint")
+            )
+        }
+    }
+}
+
+fn block_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Page {
+    let mut page = Page::titled(format!("**block** {}", code(&definition.name)));
+    if definition.kind == SymbolKind::BlockParameter {
+        page.add("an element that each call holds, put in by `xacro:insert_block`");
+    }
+    page.add(origin_line(cx, id, definition));
+    page.add(comment_above(cx, id).unwrap_or_default());
+    page
+}

@@ -1,0 +1,207 @@
+//! The files that the text of a file names: includes, meshes, textures, YAML, packages.
+
+use std::path::{Path, PathBuf};
+
+use super::context::Cx;
+use super::expressions::ExprText;
+use super::locate::{At, Part};
+use super::values::{distinct, instances};
+use crate::base::TextRange;
+use crate::expr::{self, Subst, Token, Value, display, parse_substitution};
+use crate::rules::Surroundings;
+use crate::workspace::UriOutcome;
+use crate::xml::{Attr, Node, NodeKind};
+
+/// A name of a file, and where it leads.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FileName {
+    /// The name's text in the file.
+    pub range: TextRange,
+    /// Where it leads.
+    pub target: FileTarget,
+    /// What names it.
+    pub kind: FileKind,
+}
+
+/// Where a name leads.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum FileTarget {
+    /// To a file or folder.
+    Found(PathBuf),
+    /// To nothing: the places looked at.
+    Missing(Vec<PathBuf>),
+}
+
+/// What names a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FileKind {
+    /// `xacro:include`
+    Include,
+    /// `mesh`
+    Mesh,
+    /// `load_yaml`
+    Yaml,
+    /// Something else.
+    Other,
+}
+
+/// All names of files in a file, in document order.
+pub fn file_names(cx: &Cx<'_>, world: Surroundings<'_>) -> Vec<FileName> {
+    let document = &cx.source.document;
+    let mut found = Vec::new();
+    for (base, item) in document.parts() {
+        for node in item.all_nodes() {
+            match node.kind() {
+                NodeKind::Element => {
+                    for attr in node.attrs().filter(|attr| !attr.raw().is_empty()) {
+                        found.extend(of_attr(cx, world, base, node, attr));
+                    }
+                }
+                NodeKind::Text if may_name(node.raw()) => {
+                    found.extend(of_text(cx, world, &ExprText::of_text(document, base, node)));
+                }
+                _ => {}
+            }
+        }
+    }
+    found
+}
+
+/// The name of a file at a place.
+pub fn file_name_at(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option<FileName> {
+    let node = at.node?;
+    let names = match at.part {
+        Part::AttrValue(attr) => of_attr(cx, world, at.base, node, attr),
+        Part::Text => of_text(cx, world, &ExprText::of_text(&cx.source.document, at.base, node)),
+        _ => return None,
+    };
+    names.into_iter().find(|name| name.range.touches(at.offset))
+}
+
+fn may_name(raw: &str) -> bool {
+    raw.contains("package://") || raw.contains("$(find ") || raw.contains("load_yaml")
+}
+
+fn of_attr(cx: &Cx<'_>, world: Surroundings<'_>, base: u32, node: Node<'_>, attr: Attr<'_>) -> Vec<FileName> {
+    let text = || ExprText::of_attr(&cx.source.document, base, attr);
+    match (node.name(), attr.name()) {
+        ("xacro:include", "filename") => include(cx, world, &text()).into_iter().collect(),
+        ("mesh", "filename") => resource(cx, world, &text(), FileKind::Mesh).into_iter().collect(),
+        ("texture", "filename") => resource(cx, world, &text(), FileKind::Other).into_iter().collect(),
+        _ if may_name(attr.raw()) || attr.raw().starts_with("file://") => of_text(cx, world, &text()),
+        _ => Vec::new(),
+    }
+}
+
+/// Names in a text of any kind: what begins with a package, and what `load_yaml` reads.
+fn of_text(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>) -> Vec<FileName> {
+    let mut found: Vec<FileName> =
+        text.template.tokens.iter().filter_map(|token| yaml(cx, world, text, token)).collect();
+    let trimmed = text.text.trim();
+    let starts = ["package://", "file://", "$(find "].iter().any(|lead| trimmed.starts_with(lead));
+    if found.is_empty() && starts && !trimmed.contains(char::is_whitespace) | trimmed.starts_with("$(find ") {
+        found.extend(resource(cx, world, text, FileKind::Other));
+    }
+    found
+}
+
+/// The text without the blanks around it, when it is one name.
+fn trimmed(text: &ExprText<'_>) -> TextRange {
+    let whole = text.text.as_ref();
+    let start = whole.len() - whole.trim_start().len();
+    text.range(TextRange::new(start as u32, (start + whole.trim().len()) as u32))
+}
+
+fn include(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>) -> Option<FileName> {
+    let name = folded(cx, world, text, TextRange::new(0, text.text.len() as u32))?;
+    if name.is_empty() || name.contains(['*', '?', '[']) {
+        return None;
+    }
+    Some(FileName { range: text.whole(), target: beside(cx, world, &name), kind: FileKind::Include })
+}
+
+/// A path that counts from the folder of the file.
+fn beside(cx: &Cx<'_>, world: Surroundings<'_>, name: &str) -> FileTarget {
+    let folder = cx.source.path.parent().unwrap_or(Path::new(""));
+    existing(world, tidy(&world.vfs.absolute(&folder.join(name))))
+}
+
+fn existing(world: Surroundings<'_>, path: PathBuf) -> FileTarget {
+    if world.vfs.exists(&path) { FileTarget::Found(path) } else { FileTarget::Missing(vec![path]) }
+}
+
+/// The path without `folder/..`, for people to read.
+fn tidy(path: &Path) -> PathBuf {
+    let mut tidied = PathBuf::new();
+    for part in path.components() {
+        match part {
+            std::path::Component::ParentDir if tidied.file_name().is_some() => {
+                tidied.pop();
+            }
+            other => tidied.push(other),
+        }
+    }
+    tidied
+}
+
+fn resource(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>, kind: FileKind) -> Option<FileName> {
+    let name = folded(cx, world, text, TextRange::new(0, text.text.len() as u32))?;
+    let name = name.trim();
+    if name.is_empty() || name.contains('$') {
+        return None;
+    }
+    let result = world.packages.resolve_uri(name, &cx.source.path);
+    let target = match result.outcome {
+        UriOutcome::Found(path) => FileTarget::Found(tidy(&world.vfs.absolute(&path))),
+        UriOutcome::Missing(path) => FileTarget::Missing(vec![tidy(&world.vfs.absolute(&path))]),
+        UriOutcome::UnknownPackage(_) => FileTarget::Missing(result.tried),
+        _ => return None,
+    };
+    Some(FileName { range: trimmed(text), target, kind })
+}
+
+/// The name that `load_yaml` reads in an expression.
+fn yaml(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>, token: &Token) -> Option<FileName> {
+    let Token::Expr { inner, .. } = token else { return None };
+    let (before, call) = inner.slice(&text.text).split_once("load_yaml(")?;
+    let open = call.len() - call.trim_start().len();
+    let quote = call.trim_start().chars().next().filter(|c| matches!(c, '\'' | '"'))?;
+    let name = call.get(open + 1..)?.split(quote).next()?;
+    let start = inner.start + (before.len() + "load_yaml(".len() + open + 1) as u32;
+    let range = TextRange::new(start, start + name.len() as u32);
+    let path = folded(cx, world, text, range)?;
+    Some(FileName { range: text.range(range), target: beside(cx, world, &path), kind: FileKind::Yaml })
+}
+
+/// What a part of a text reads once its expressions are evaluated; none when that is unknown or differs by call.
+fn folded(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>, part: TextRange) -> Option<String> {
+    let mut out = String::new();
+    let template = expr::split(part.slice(&text.text));
+    for token in &template.tokens {
+        let range = token.range().shift(part.start);
+        match token {
+            Token::Text(_) => out.push_str(range.slice(&text.text)),
+            Token::Expr { .. } | Token::Subst { .. } => {
+                let values = instances(cx, text.range(range));
+                let values = distinct(values.iter().map(|instance| &instance.value));
+                match values.as_slice() {
+                    [value] if !matches!(value, Value::Unknown) => out.push_str(&display::to_str(value)?),
+                    // where nothing is evaluated, packages can be found all the same
+                    [] | [Value::Unknown] => {
+                        out.push_str(&found_package(cx, world, range.slice(&text.text))?)
+                    }
+                    _ => return None,
+                }
+            }
+            _ => return None,
+        }
+    }
+    Some(out)
+}
+
+fn found_package(cx: &Cx<'_>, world: Surroundings<'_>, token: &str) -> Option<String> {
+    let inner = token.strip_prefix("$(")?.strip_suffix(')')?;
+    let Subst::Find(package) = parse_substitution(inner) else { return None };
+    let found = world.packages.find(&package.text, &cx.source.path).ok()?;
+    Some(world.vfs.absolute(&found.path).to_string_lossy().into_owned())
+}

@@ -1,0 +1,50 @@
+//! Which entry of the table of URDF an element of the source has.
+
+use crate::rules::schema::{AttributeSpec, ElementSpec, elements, robot};
+use crate::xml::Node;
+
+/// The entries of an element: several when the source does not say what stands around it.
+pub fn element(node: Node<'_>) -> Vec<&'static ElementSpec> {
+    let name = node.name();
+    if name == robot().name {
+        return vec![robot()];
+    }
+    let parents = match around(node) {
+        Around::Element(parent) => element(parent),
+        Around::Robot => vec![robot()],
+        Around::Unknown => return elements().filter(|spec| spec.name == name).collect(),
+    };
+    let mut found: Vec<&ElementSpec> = parents.iter().filter_map(|parent| parent.child(name)).collect();
+    found.dedup_by_key(|spec| spec.key);
+    found
+}
+
+/// The entry of an attribute.
+pub fn attribute(node: Node<'_>, name: &str) -> Option<&'static AttributeSpec> {
+    element(node).into_iter().find_map(|spec| spec.attribute(name))
+}
+
+enum Around<'a> {
+    Element(Node<'a>),
+    Robot,
+    Unknown,
+}
+
+/// What an element stands in once conditions and macros are gone.
+fn around(node: Node<'_>) -> Around<'_> {
+    let mut next = node.parent();
+    while let Some(parent) = next {
+        match parent.name() {
+            "xacro:if" | "xacro:unless" => next = parent.parent(),
+            // a body may be called anywhere; what is no part of a robot by itself is a piece of something
+            "xacro:macro" => return top(node),
+            name if name.starts_with("xacro:") => return Around::Unknown,
+            _ => return Around::Element(parent),
+        }
+    }
+    top(node)
+}
+
+fn top(node: Node<'_>) -> Around<'_> {
+    if robot().child(node.name()).is_some() { Around::Robot } else { Around::Unknown }
+}

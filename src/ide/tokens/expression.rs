@@ -1,0 +1,139 @@
+//! The pieces of `${...}` and `$(...)`.
+
+use super::super::expressions::ExprText;
+use super::{Collector, Modifiers, TokenKind};
+use crate::base::TextRange;
+use crate::expr::{Code, Subst, Template, Token, WordKind, parse_substitution, words};
+use crate::xml::Node;
+
+const PLAIN: Modifiers = Modifiers(0);
+
+/// What an expression stands in.
+struct Site<'t, 'a> {
+    text: &'t ExprText<'a>,
+    node: Option<Node<'a>>,
+}
+
+impl Collector<'_> {
+    /// The expressions of a text; `plain` is what the text around them is.
+    pub fn template(
+        &mut self,
+        text: &ExprText<'_>,
+        node: Option<Node<'_>>,
+        plain: Option<(TokenKind, Modifiers)>,
+    ) {
+        let site = Site { text, node };
+        for token in &text.template.tokens {
+            if let (Token::Text(range), Some((kind, modifiers))) = (token, plain) {
+                self.add(text.range(*range), kind, modifiers);
+            }
+        }
+        self.tokens_of(&site, &text.template);
+    }
+
+    fn tokens_of(&mut self, site: &Site<'_, '_>, template: &Template) {
+        for token in &template.tokens {
+            match token {
+                Token::Expr { range, inner, code } => {
+                    self.brackets(site, *range, *inner);
+                    let nested = match code {
+                        Code::Dynamic(nested) => {
+                            self.tokens_of(site, nested);
+                            nested.tokens.iter().filter(|token| !matches!(token, Token::Text(_))).collect()
+                        }
+                        Code::Static(_) => Vec::new(),
+                    };
+                    let holes: Vec<TextRange> = nested.into_iter().map(Token::range).collect();
+                    self.words(site, *inner, &holes, false);
+                }
+                Token::Subst { range, inner, nested } => {
+                    self.brackets(site, *range, *inner);
+                    match nested {
+                        Some(nested) => self.tokens_of(site, nested),
+                        None => self.substitution(site, *inner),
+                    }
+                }
+                // half-typed: what stands behind `${` is an expression all the same
+                Token::Invalid { range, unclosed: Some("${") } => {
+                    self.words(site, TextRange::new(range.start + 2, range.end), &[], false);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn brackets(&mut self, site: &Site<'_, '_>, range: TextRange, inner: TextRange) {
+        for bracket in [TextRange::new(range.start, inner.start), TextRange::new(inner.end, range.end)] {
+            self.add(site.text.range(bracket), TokenKind::Operator, PLAIN);
+        }
+    }
+
+    fn substitution(&mut self, site: &Site<'_, '_>, inner: TextRange) {
+        let source = inner.slice(&site.text.text);
+        let command = source.split(' ').find(|word| !word.is_empty()).unwrap_or("");
+        let start = inner.start + source.find(command).unwrap_or(0) as u32;
+        let range = TextRange::new(start, start + command.len() as u32);
+        self.add(site.text.range(range), TokenKind::Keyword, PLAIN);
+        let (word, kind) = match parse_substitution(source) {
+            Subst::Arg(word) => (word, TokenKind::Parameter),
+            Subst::Find(word) => (word, TokenKind::Namespace),
+            Subst::Env(word) | Subst::OptEnv { name: word, .. } => (word, TokenKind::Variable),
+            Subst::Eval { code } => return self.words(site, code.shift(inner.start), &[], true),
+            _ => return,
+        };
+        self.add(site.text.range(word.range.shift(inner.start)), kind, PLAIN);
+    }
+
+    /// The words of code; what stands in `holes` has its own pieces. In `$(eval)`, names are arguments.
+    fn words(&mut self, site: &Site<'_, '_>, inner: TextRange, holes: &[TextRange], is_eval: bool) {
+        let source = inner.slice(&site.text.text);
+        let words = words(source);
+        let text = |i: usize| words.get(i).map_or("", |(range, _)| range.slice(source));
+        for (i, (range, kind)) in words.iter().enumerate() {
+            let place = range.shift(inner.start);
+            let before = |back: usize| i.checked_sub(back).map_or("", text);
+            let (kind, modifiers) = match kind {
+                WordKind::Name if before(1) == "." => match self.names.member(before(2), text(i)) {
+                    Some(kind) => (kind, Modifiers::DEFAULT_LIBRARY),
+                    None if text(i + 1) == "(" => (TokenKind::Function, PLAIN),
+                    None => (TokenKind::Property, PLAIN),
+                },
+                WordKind::Name if is_eval && self.names.at(site.text.range(place)).is_none() => {
+                    match self.names.named(text(i), site.text.range(place), None) {
+                        (TokenKind::Variable, PLAIN) => (TokenKind::Parameter, PLAIN),
+                        found => found,
+                    }
+                }
+                WordKind::Name => self.names.named(text(i), site.text.range(place), site.node),
+                WordKind::String if before(1) == "[" && text(i + 1) == "]" && is_operand(before(2)) => {
+                    (TokenKind::Property, PLAIN)
+                }
+                WordKind::String => (TokenKind::String, PLAIN),
+                WordKind::Number => (TokenKind::Number, PLAIN),
+                WordKind::Keyword => (TokenKind::Keyword, PLAIN),
+                WordKind::Operator => (TokenKind::Operator, PLAIN),
+            };
+            for piece in without(place, holes) {
+                self.add(site.text.range(piece), kind, modifiers);
+            }
+        }
+    }
+}
+
+/// Whether an index may stand behind a word.
+fn is_operand(word: &str) -> bool {
+    word.ends_with(|c: char| c.is_alphanumeric() || matches!(c, '_' | ')' | ']'))
+}
+
+/// The parts of a range outside of others, which are in order.
+fn without(range: TextRange, holes: &[TextRange]) -> Vec<TextRange> {
+    let mut parts = Vec::new();
+    let mut start = range.start;
+    for hole in holes.iter().filter(|hole| hole.start < range.end && range.start < hole.end) {
+        parts.push(TextRange::new(start, hole.start.max(start)));
+        start = hole.end.min(range.end);
+    }
+    parts.push(TextRange::new(start, range.end));
+    parts.retain(|part| !part.is_empty());
+    parts
+}

@@ -1,0 +1,128 @@
+//! Which piece of a file is what: the base of colours.
+
+mod expression;
+mod names;
+mod tags;
+
+use super::context::Cx;
+use super::hover::condition;
+use crate::base::TextRange;
+use crate::xml::{Node, NodeKind};
+use names::Names;
+
+/// What a piece of text is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum TokenKind {
+    Macro,
+    Parameter,
+    Variable,
+    Property,
+    Keyword,
+    Function,
+    Number,
+    String,
+    Operator,
+    EnumMember,
+    Namespace,
+    Class,
+    Event,
+    /// What a condition leaves out.
+    Comment,
+}
+
+/// More about a piece: bits of a set.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Modifiers(pub u32);
+
+impl Modifiers {
+    /// A name is given here.
+    pub const DECLARATION: Self = Self(1);
+    /// Its value is written as it is.
+    pub const READONLY: Self = Self(2);
+    /// An old way.
+    pub const DEPRECATED: Self = Self(4);
+    /// Part of every xacro.
+    pub const DEFAULT_LIBRARY: Self = Self(8);
+    /// Left out by a condition.
+    pub const UNUSED: Self = Self(16);
+
+    /// Both sets together.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+}
+
+/// A piece of text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Token {
+    /// Where it stands.
+    pub range: TextRange,
+    /// What it is.
+    pub kind: TokenKind,
+    /// More about it.
+    pub modifiers: Modifiers,
+}
+
+/// The pieces of a file in order; none overlaps another. A piece may stretch over several lines.
+pub fn tokens(cx: &Cx<'_>) -> Vec<Token> {
+    let mut out = Collector { cx, names: Names::of(cx), found: Vec::new() };
+    for (base, item) in cx.source.document.parts() {
+        let mut dead_end = 0;
+        for node in item.all_nodes() {
+            if node.range().start < dead_end {
+                continue;
+            }
+            match node.kind() {
+                NodeKind::Element => {
+                    out.element(base, node);
+                    if let Some(content) = out.dead_content(base, node) {
+                        out.add(content.shift(base), TokenKind::Comment, Modifiers::UNUSED);
+                        dead_end = content.end;
+                    }
+                }
+                NodeKind::Text if node.has_dollar() => out.text(base, node),
+                _ => {}
+            }
+        }
+    }
+    let mut found = out.found;
+    found.sort_by_key(|token| (token.range.start, token.range.end));
+    let mut end = 0;
+    found.retain(|token| {
+        let free = token.range.start >= end && !token.range.is_empty();
+        if free {
+            end = token.range.end;
+        }
+        free
+    });
+    found
+}
+
+struct Collector<'a> {
+    cx: &'a Cx<'a>,
+    names: Names,
+    found: Vec<Token>,
+}
+
+impl Collector<'_> {
+    fn add(&mut self, range: TextRange, kind: TokenKind, modifiers: Modifiers) {
+        self.found.push(Token { range, kind, modifiers });
+    }
+
+    /// The content of a condition that is known to leave it out, whatever way leads there.
+    fn dead_content(&self, base: u32, node: Node<'_>) -> Option<TextRange> {
+        let wanted = match node.name() {
+            "xacro:if" => true,
+            "xacro:unless" => false,
+            _ => return None,
+        };
+        let truths = condition(self.cx, base, node)?;
+        if truths != [Some(!wanted)] {
+            return None;
+        }
+        let content = TextRange::new(node.start_tag_range().end, node.end_tag()?.start);
+        (!content.is_empty()).then_some(content)
+    }
+}

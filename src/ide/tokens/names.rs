@@ -1,0 +1,100 @@
+//! What the names of a file stand for.
+
+use super::super::context::Cx;
+use super::{Modifiers, TokenKind};
+use crate::base::{FastMap, FastSet, TextRange};
+use crate::expand::{SourceRange, SymbolKind};
+use crate::expr::{SymbolKind as GlobalKind, global_symbols};
+use crate::xml::Node;
+
+/// The names of a file that expansion came by, and those that all expressions know.
+pub(super) struct Names {
+    /// By their place in the file.
+    known: FastMap<TextRange, SymbolKind>,
+    globals: FastMap<&'static str, (TokenKind, Modifiers)>,
+    /// What stands for a name that expansion did not come by.
+    properties: FastSet<String>,
+}
+
+impl Names {
+    pub fn of(cx: &Cx<'_>) -> Self {
+        let symbols = &cx.expansion.symbols;
+        let mut known = FastMap::default();
+        let bases = cx.bases();
+        let mut note = |place: SourceRange, kind: SymbolKind| {
+            if let Some(base) = bases.get(&place.src) {
+                known.insert(place.range.shift(*base), kind);
+            }
+        };
+        symbols.definitions.iter().for_each(|given| note(given.place, given.kind));
+        for used in symbols.all_uses() {
+            if let Some(given) = symbols.get(used.definition) {
+                note(used.place, given.kind);
+            }
+        }
+        let properties = symbols.definitions.iter().filter(|given| given.kind == SymbolKind::Property);
+        let properties = properties.map(|given| given.name.to_string()).collect();
+        Self { known, globals: globals(), properties }
+    }
+
+    /// What the name at a place is.
+    pub fn at(&self, range: TextRange) -> Option<TokenKind> {
+        self.known.get(&range).map(|kind| match kind {
+            SymbolKind::Property | SymbolKind::BlockProperty => TokenKind::Variable,
+            SymbolKind::Parameter | SymbolKind::BlockParameter | SymbolKind::Argument => TokenKind::Parameter,
+            SymbolKind::Macro => TokenKind::Macro,
+            SymbolKind::Namespace => TokenKind::Namespace,
+        })
+    }
+
+    /// What a name in an expression of `node` is.
+    pub fn named(&self, name: &str, range: TextRange, node: Option<Node<'_>>) -> (TokenKind, Modifiers) {
+        if let Some(kind) = self.at(range) {
+            return (kind, Modifiers::default());
+        }
+        if node.is_some_and(|node| is_parameter(node, name)) {
+            return (TokenKind::Parameter, Modifiers::default());
+        }
+        if self.properties.contains(name) {
+            return (TokenKind::Variable, Modifiers::default());
+        }
+        self.globals.get(name).copied().unwrap_or((TokenKind::Variable, Modifiers::default()))
+    }
+
+    /// What `module.name` is.
+    pub fn member(&self, module: &str, name: &str) -> Option<TokenKind> {
+        let of = |symbol: &crate::expr::GlobalSymbol| {
+            symbol.name == name && symbol.namespace.is_some_and(|found| found.name() == module)
+        };
+        global_symbols().find(of).map(|symbol| kind(symbol.kind))
+    }
+}
+
+/// Whether a macro around an element has a parameter of this name.
+fn is_parameter(node: Node<'_>, name: &str) -> bool {
+    let around = std::iter::successors(Some(node), |node| node.parent());
+    let lists = around.filter(|node| node.name() == "xacro:macro").filter_map(|node| node.attr("params"));
+    lists.into_iter().any(|params| {
+        let words = params.raw().split_whitespace();
+        words
+            .map(|word| word.split([':', '=']).next().unwrap_or(""))
+            .any(|word| word.trim_start_matches('*') == name)
+    })
+}
+
+fn kind(kind: GlobalKind) -> TokenKind {
+    match kind {
+        GlobalKind::Constant => TokenKind::Variable,
+        GlobalKind::Function | GlobalKind::Type => TokenKind::Function,
+        GlobalKind::Namespace => TokenKind::Namespace,
+    }
+}
+
+fn globals() -> FastMap<&'static str, (TokenKind, Modifiers)> {
+    let mut found = FastMap::default();
+    for symbol in global_symbols().filter(|symbol| symbol.namespace.is_none()) {
+        let old = if symbol.deprecated.is_some() { Modifiers::DEPRECATED } else { Modifiers::default() };
+        found.insert(symbol.name, (kind(symbol.kind), Modifiers::DEFAULT_LIBRARY.and(old)));
+    }
+    found
+}

@@ -1,0 +1,134 @@
+//! The pieces of tags: names of elements, names that attributes give and use.
+
+use super::super::expressions::ExprText;
+use super::{Collector, Modifiers, TokenKind};
+use crate::base::TextRange;
+use crate::facts::is_keyword;
+use crate::xml::{Attr, Node};
+
+const PLAIN: Modifiers = Modifiers(0);
+const GIVEN: Modifiers = Modifiers::DECLARATION;
+
+impl Collector<'_> {
+    /// The two tags of an element.
+    pub fn element(&mut self, base: u32, node: Node<'_>) {
+        let called = node.name().strip_prefix("xacro:");
+        let is_call = called.is_some_and(|called| !is_keyword(called));
+        if let Some(called) = called {
+            for name in [Some(node.name_range()), node.end_name_range()].into_iter().flatten() {
+                let (start, kind) = match is_call {
+                    true => (name.end.saturating_sub(called.len() as u32).max(name.start), TokenKind::Macro),
+                    false => (name.start, TokenKind::Keyword),
+                };
+                self.add(TextRange::new(start, name.end).shift(base), kind, PLAIN);
+            }
+        }
+        for attr in node.attrs().filter(|attr| !attr.name().starts_with("xmlns")) {
+            if is_call {
+                self.add(attr.name_range().shift(base), TokenKind::Parameter, PLAIN);
+            }
+            self.attribute(base, node, attr);
+        }
+    }
+
+    /// The expressions in character data.
+    pub fn text(&mut self, base: u32, node: Node<'_>) {
+        let document = &self.cx.source.document;
+        self.template(&ExprText::of_text(document, base, node), node.parent(), None);
+    }
+
+    fn attribute(&mut self, base: u32, node: Node<'_>, attr: Attr<'_>) {
+        let document = &self.cx.source.document;
+        let plain = self.value_kind(node, attr);
+        if plain.is_none() && !attr.has_dollar() && !attr.raw().contains("://") {
+            if (node.name(), attr.name()) == ("xacro:macro", "params") {
+                self.parameters(base, attr);
+            }
+            return;
+        }
+        let text = ExprText::of_attr(document, base, attr);
+        self.template(&text, Some(node), plain);
+        if (node.name(), attr.name()) == ("xacro:macro", "params") {
+            self.parameters(base, attr);
+        }
+        if let Some(rest) = text.text.strip_prefix("package://") {
+            let start = "package://".len();
+            let end = start + rest.find('/').unwrap_or(rest.len());
+            if !rest.starts_with('$') {
+                let package = TextRange::new(start as u32, end as u32);
+                self.add(text.range(package), TokenKind::Namespace, PLAIN);
+            }
+        }
+    }
+
+    /// What the value of an attribute names.
+    fn value_kind(&self, node: Node<'_>, attr: Attr<'_>) -> Option<(TokenKind, Modifiers)> {
+        let parent = || node.parent().map_or("", Node::name);
+        let is_joint = || self.cx.robot.is_some_and(|robot| robot.joint(attr.raw()).is_some());
+        Some(match (node.name(), attr.name()) {
+            ("xacro:macro", "name") => (TokenKind::Macro, GIVEN),
+            ("xacro:property", "name") => {
+                let literal = node.attr("value").is_some_and(|value| !value.has_dollar());
+                (TokenKind::Variable, if literal { GIVEN.and(Modifiers::READONLY) } else { GIVEN })
+            }
+            ("xacro:arg", "name") => (TokenKind::Parameter, GIVEN),
+            ("xacro:include", "ns") => (TokenKind::Namespace, GIVEN),
+            ("xacro:insert_block", "name") => (TokenKind::Parameter, PLAIN),
+            ("link", "name") => (TokenKind::Class, GIVEN),
+            ("parent" | "child", "link") => (TokenKind::Class, PLAIN),
+            ("gazebo", "reference") if is_joint() => (TokenKind::Event, PLAIN),
+            ("gazebo", "reference") => (TokenKind::Class, PLAIN),
+            ("joint", "name") if parent() == "ros2_control" || parent() == "transmission" => {
+                (TokenKind::Event, PLAIN)
+            }
+            ("joint", "name") => (TokenKind::Event, GIVEN),
+            ("mimic", "joint") => (TokenKind::Event, PLAIN),
+            ("joint", "type") => (TokenKind::EnumMember, PLAIN),
+            ("material", "name") if node.child_elements().next().is_some() => (TokenKind::EnumMember, GIVEN),
+            ("material", "name") => (TokenKind::EnumMember, PLAIN),
+            _ => return None,
+        })
+    }
+
+    /// The names in the list of parameters of a macro.
+    fn parameters(&mut self, base: u32, attr: Attr<'_>) {
+        let raw = attr.raw();
+        let start = attr.value_range().start + base;
+        let mut rest = raw;
+        loop {
+            rest = rest.trim_start();
+            let name = rest.find(|c: char| c.is_whitespace() || c == ':' || c == '=').unwrap_or(rest.len());
+            if name == 0 {
+                break;
+            }
+            let stars = rest.len() - rest.trim_start_matches('*').len();
+            let offset = start + (raw.len() - rest.len()) as u32;
+            let range = TextRange::new(offset + stars.min(name) as u32, offset + name as u32);
+            self.add(range, TokenKind::Parameter, GIVEN);
+            rest = rest.get(name..).unwrap_or("");
+            rest = rest.get(default_length(rest)..).unwrap_or("");
+        }
+    }
+}
+
+/// How long the default at the start of a text is.
+fn default_length(text: &str) -> usize {
+    let value = text.trim_start_matches([':', '=']);
+    if value.len() == text.len() {
+        return 0;
+    }
+    let mut quote = None;
+    let mut depth = 0;
+    for (at, c) in value.char_indices() {
+        match (c, quote) {
+            (c, Some(open)) if c == open => quote = None,
+            (_, Some(_)) => {}
+            ('\'' | '"', None) => quote = Some(c),
+            ('{' | '(', None) => depth += 1,
+            ('}' | ')', None) => depth -= 1,
+            (c, None) if c.is_whitespace() && depth <= 0 => return text.len() - value.len() + at,
+            _ => {}
+        }
+    }
+    text.len()
+}

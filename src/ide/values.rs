@@ -1,0 +1,198 @@
+//! The values that expressions have in the expansion, and how they are shown.
+
+use ecow::EcoString;
+
+use super::context::Cx;
+use crate::base::{FastSet, TextRange};
+use crate::expand::{BindingKind, Evaluation, FrameId};
+use crate::expr::ast::{Expr, ExprKind};
+use crate::expr::{
+    self, Budget, ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display, is_global_symbol,
+};
+
+/// A value, and the way that led to it.
+#[derive(Clone, Debug)]
+pub struct Instance {
+    /// The way.
+    pub frame: FrameId,
+    /// The value.
+    pub value: Value,
+}
+
+/// What stands for a value that is not known.
+pub const UNKNOWN: &str = "?";
+
+/// The values of the `${...}` or `$(...)` at `range` of the file, one for each way that led there.
+pub fn instances(cx: &Cx<'_>, range: TextRange) -> Vec<Instance> {
+    part_instances(cx, range, |_, evaluation| evaluation.value.clone())
+}
+
+/// The same for a part of it: `whole` is all of the expression.
+pub fn part_values(cx: &Cx<'_>, range: TextRange, whole: &Expr, part: &Expr) -> Vec<Instance> {
+    if std::ptr::eq(whole, part) {
+        return instances(cx, range);
+    }
+    part_instances(cx, range, |cx, evaluation| part_value(cx, evaluation, whole, part))
+}
+
+fn part_instances(
+    cx: &Cx<'_>,
+    range: TextRange,
+    value: impl Fn(&Cx<'_>, &Evaluation) -> Value,
+) -> Vec<Instance> {
+    let Some(place) = cx.source_range(range) else { return Vec::new() };
+    let mut found: Vec<Instance> = Vec::new();
+    for evaluation in cx.expansion.evaluations.at(place) {
+        let instance = Instance { frame: evaluation.at.frame, value: value(cx, evaluation) };
+        match found.iter_mut().find(|known| known.frame == instance.frame) {
+            // a condition that holds is evaluated twice
+            Some(known) if same(&known.value, &instance.value) => {}
+            _ => found.push(instance),
+        }
+    }
+    found
+}
+
+/// Whether two values read the same.
+pub fn same(a: &Value, b: &Value) -> bool {
+    match (a, b) {
+        (Value::Float(a), Value::Float(b)) => a.to_bits() == b.to_bits(),
+        (Value::Int(a), Value::Int(b)) => a == b,
+        (Value::Str(a), Value::Str(b)) => a == b,
+        _ => a.type_name() == b.type_name() && display::repr(a) == display::repr(b),
+    }
+}
+
+/// The different ones among values, in order.
+pub fn distinct<'v>(values: impl IntoIterator<Item = &'v Value>) -> Vec<&'v Value> {
+    let mut found: Vec<&Value> = Vec::new();
+    for value in values {
+        if !found.iter().any(|known| same(known, value)) {
+            found.push(value);
+        }
+    }
+    found
+}
+
+/// The value of a part of an expression, from what was read when the whole was evaluated.
+fn part_value(cx: &Cx<'_>, evaluation: &Evaluation, whole: &Expr, part: &Expr) -> Value {
+    // a variable of a comprehension has no one value
+    let free: FastSet<TextRange> = expr::names(whole).into_iter().map(|name| name.range).collect();
+    if !expr::names(part).iter().all(|name| free.contains(&name.range)) {
+        return Value::Unknown;
+    }
+    if changes_something(part) {
+        return Value::Unknown;
+    }
+    let mut host = Known { cx, reads: cx.expansion.evaluations.reads(evaluation) };
+    let mut budget = Budget::new(10_000, 1 << 20, 200);
+    expr::evaluate(part, &mut host, &mut budget).unwrap_or(Value::Unknown)
+}
+
+/// Whether a part calls a method that changes its object: the values of the expansion are not to be touched.
+fn changes_something(part: &Expr) -> bool {
+    const METHODS: &[&str] = &[
+        "add",
+        "append",
+        "clear",
+        "discard",
+        "extend",
+        "insert",
+        "intersection_update",
+        "pop",
+        "popitem",
+        "remove",
+        "reverse",
+        "setdefault",
+        "sort",
+        "update",
+    ];
+    let mut found =
+        matches!(&part.kind, ExprKind::Attribute { name, .. } if METHODS.contains(&name.as_str()));
+    expr::visit::children(part, &mut |child| found |= changes_something(child));
+    found
+}
+
+/// Answers with what was read before, and with nothing else.
+struct Known<'a> {
+    cx: &'a Cx<'a>,
+    reads: &'a [u32],
+}
+
+impl Known<'_> {
+    fn value(&self, name: &str, of: impl Fn(BindingKind) -> bool) -> Option<Value> {
+        let bindings = self.reads.iter().filter_map(|&read| self.cx.expansion.bindings.get(read as usize));
+        let mut named = bindings.filter(|info| info.name == name && of(info.kind));
+        let first = named.next()?.value.as_ref()?;
+        // names of several namespaces may be spelled alike
+        let alike = named.all(|info| info.value.as_ref().is_some_and(|value| same(value, first)));
+        alike.then(|| first.clone())
+    }
+
+    fn named(&self, name: &str) -> Lookup {
+        let is_name = |kind| kind != BindingKind::Argument;
+        let defined =
+            || self.cx.expansion.bindings.iter().any(|info| info.name == name && is_name(info.kind));
+        match self.value(name, is_name) {
+            // looking at it would use it up
+            Some(Value::Iter(_)) => Lookup::Found(Value::Unknown),
+            Some(value) => Lookup::Found(value),
+            None if is_global_symbol(name) && !defined() => Lookup::Missing,
+            None => Lookup::Found(Value::Unknown),
+        }
+    }
+}
+
+impl Host for Known<'_> {
+    fn lookup(&mut self, name: &str, _: TextRange) -> Lookup {
+        self.named(name)
+    }
+
+    fn scope_attribute(&mut self, _: ScopeId, name: &str, _: TextRange) -> Lookup {
+        self.named(name)
+    }
+
+    fn call(
+        &mut self,
+        function: HostFn,
+        args: &[Value],
+        _: &[(EcoString, Value)],
+        _: TextRange,
+    ) -> Result<Value, EvalError> {
+        match (function, args) {
+            (HostFn::Arg, [Value::Str(name)]) => {
+                Ok(self.value(name, |kind| kind == BindingKind::Argument).unwrap_or_default())
+            }
+            (HostFn::Arg | HostFn::LoadYaml | HostFn::AbsFilename, _) => Ok(Value::Unknown),
+            _ => Err(EvalError::new(ErrorKind::Reported, "")),
+        }
+    }
+
+    fn deprecated(&mut self, _: &str, _: &str, _: TextRange) {}
+
+    fn undefined(&mut self, _: &str, _: TextRange) {}
+}
+
+/// A value in at most `most` characters: numbers with ten digits that count, `?` for what is not known.
+pub fn short(value: &Value, most: usize) -> String {
+    let text = match value {
+        Value::Float(number) => number_text(*number),
+        Value::Str(text) => text.to_string(),
+        other => display::repr(other).map_or_else(|| UNKNOWN.to_owned(), |text| text.to_string()),
+    };
+    cut(&text.replace(['\n', '\r', '\t'], " "), most)
+}
+
+/// A text in at most `most` characters.
+pub fn cut(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
+        Some((end, _)) => format!("{}…", text.get(..end).unwrap_or("").trim_end()),
+        None => text.to_owned(),
+    }
+}
+
+/// A number with ten digits that count: `0.05` for what a sum made 0.049999999999999996.
+pub fn number_text(number: f64) -> String {
+    let rounded = format!("{number:.9e}").parse().unwrap_or(number);
+    display::to_str(&Value::Float(rounded)).map_or_else(|| number.to_string(), |text| text.to_string())
+}

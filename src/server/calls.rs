@@ -1,0 +1,101 @@
+//! F27: which macro calls which.
+
+use lsp_types::{
+    CallHierarchyIncomingCall, CallHierarchyIncomingCallsParams, CallHierarchyItem,
+    CallHierarchyOutgoingCall, CallHierarchyOutgoingCallsParams, CallHierarchyPrepareParams, SymbolKind,
+    TextDocumentIdentifier, TextDocumentPositionParams,
+};
+
+use super::engine::Engine;
+use super::failure::Failure;
+use super::navigation::Asked;
+use crate::base::{CancelFlag, Span};
+use crate::ide::{self, Caller};
+
+impl Engine {
+    pub fn prepare_calls(
+        &mut self,
+        params: CallHierarchyPrepareParams,
+        cancel: &CancelFlag,
+    ) -> Result<Option<Vec<CallHierarchyItem>>, Failure> {
+        let asked = self.asked(&params.text_document_position_params, cancel)?;
+        let found = ide::macro_at(&asked.cx(), asked.offset);
+        Ok(found.and_then(|id| self.call_item(&asked, &Caller::Macro(id))).map(|item| vec![item]))
+    }
+
+    pub fn incoming_calls(
+        &mut self,
+        params: CallHierarchyIncomingCallsParams,
+        cancel: &CancelFlag,
+    ) -> Result<Option<Vec<CallHierarchyIncomingCall>>, Failure> {
+        let (asked, caller) = self.asked_about(&params.item, cancel)?;
+        let Some(Caller::Macro(id)) = caller else { return Ok(Some(Vec::new())) };
+        let calls = ide::incoming(&asked.cx(), id).into_iter().filter_map(|calls| {
+            Some(CallHierarchyIncomingCall {
+                from: self.call_item(&asked, &calls.other)?,
+                from_ranges: self.ranges(calls.at),
+            })
+        });
+        Ok(Some(calls.collect()))
+    }
+
+    pub fn outgoing_calls(
+        &mut self,
+        params: CallHierarchyOutgoingCallsParams,
+        cancel: &CancelFlag,
+    ) -> Result<Option<Vec<CallHierarchyOutgoingCall>>, Failure> {
+        let (asked, caller) = self.asked_about(&params.item, cancel)?;
+        let Some(caller) = caller else { return Ok(Some(Vec::new())) };
+        let calls = ide::outgoing(&asked.cx(), &caller).into_iter().filter_map(|calls| {
+            Some(CallHierarchyOutgoingCall {
+                to: self.call_item(&asked, &calls.other)?,
+                from_ranges: self.ranges(calls.at),
+            })
+        });
+        Ok(Some(calls.collect()))
+    }
+
+    /// The macro or file that an item stands for, as things are now.
+    fn asked_about(
+        &mut self,
+        item: &CallHierarchyItem,
+        cancel: &CancelFlag,
+    ) -> Result<(Asked, Option<Caller>), Failure> {
+        let text_document = TextDocumentIdentifier { uri: item.uri.clone() };
+        let at = TextDocumentPositionParams { text_document, position: item.selection_range.start };
+        let asked = self.asked(&at, cancel)?;
+        let caller = match item.kind {
+            SymbolKind::FILE => Some(Caller::File(asked.source.id)),
+            _ => ide::macro_at(&asked.cx(), asked.offset).map(Caller::Macro),
+        };
+        Ok((asked, caller))
+    }
+
+    fn call_item(&self, asked: &Asked, caller: &Caller) -> Option<CallHierarchyItem> {
+        let cx = asked.cx();
+        let target = ide::caller_target(&cx, caller)?;
+        let (whole, name) = (self.location(target.whole)?, self.location(target.name)?);
+        let path = self.world.session().vfs.path(target.whole.file);
+        let file = path.file_name()?.to_string_lossy().into_owned();
+        let (name_text, kind, detail) = match caller {
+            Caller::Macro(id) => {
+                (cx.expansion.symbols.get(*id)?.name.to_string(), SymbolKind::FUNCTION, Some(file))
+            }
+            Caller::File(_) => (file, SymbolKind::FILE, None),
+        };
+        Some(CallHierarchyItem {
+            name: name_text,
+            kind,
+            tags: None,
+            detail,
+            uri: whole.uri,
+            range: whole.range,
+            selection_range: name.range,
+            data: None,
+        })
+    }
+
+    fn ranges(&self, spans: Vec<Span>) -> Vec<lsp_types::Range> {
+        spans.into_iter().filter_map(|span| Some(self.location(span)?.range)).collect()
+    }
+}

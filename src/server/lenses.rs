@@ -1,0 +1,116 @@
+//! F23: lines above macros and the robot: how often it is called, commands.
+
+use lsp_types::{
+    CodeLens, CodeLensParams, Command, Location, TextDocumentIdentifier, TextDocumentPositionParams, Url,
+};
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+use super::commands;
+use super::convert;
+use super::engine::Engine;
+use super::failure::Failure;
+use super::tokens::start_of;
+use crate::base::CancelFlag;
+use crate::ide;
+
+/// The macro whose calls a lens counts.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct CallsOf {
+    uri: Url,
+    position: lsp_types::Position,
+}
+
+impl Engine {
+    pub fn lenses(
+        &mut self,
+        params: CodeLensParams,
+        cancel: &CancelFlag,
+    ) -> Result<Option<Vec<CodeLens>>, Failure> {
+        let text_document = params.text_document.clone();
+        let asked = self.asked(&start_of(params.text_document), cancel)?;
+        let document = &asked.source.document;
+        let mut found = Vec::new();
+        if asked.analyzed.root.file == *asked.source.path
+            && let Some(root) = document.root().filter(|_| asked.analyzed.robot.is_some())
+        {
+            let range = convert::range(document, root.name_range(), self.encoding);
+            found.extend(self.root_lenses(&text_document, &asked.analyzed.expansion.arguments, range));
+        }
+        for (_, name) in ide::macros_of(&asked.cx()) {
+            let range = convert::range(document, name, self.encoding);
+            let calls = CallsOf { uri: text_document.uri.clone(), position: range.start };
+            found.push(CodeLens { range, command: None, data: serde_json::to_value(&calls).ok() });
+            let here = json!({ "textDocument": text_document, "position": range.start });
+            found.extend(lens(range, "expand", "xacro.expandAt", here));
+        }
+        Ok(Some(found))
+    }
+
+    fn root_lenses(
+        &self,
+        document: &TextDocumentIdentifier,
+        arguments: &[(ecow::EcoString, ecow::EcoString)],
+        range: lsp_types::Range,
+    ) -> Vec<CodeLens> {
+        const MOST: usize = 3;
+        let here = json!({ "textDocument": document });
+        let mut found: Vec<CodeLens> =
+            lens(range, "Preview", "xacro.preview", here.clone()).into_iter().collect();
+        found.extend(lens(range, "Expand", "xacro.expand", here.clone()));
+        for (name, value) in arguments.iter().take(MOST) {
+            found.extend(lens(range, &format!("{name}:={value} ▾"), "xacro.setArgs", here.clone()));
+        }
+        found
+    }
+
+    /// The lens with the number of calls.
+    pub fn resolve_lens(&mut self, mut lens: CodeLens, cancel: &CancelFlag) -> Result<CodeLens, Failure> {
+        let calls: Option<CallsOf> = lens.data.clone().and_then(|data| serde_json::from_value(data).ok());
+        let Some(calls) = calls else { return Ok(lens) };
+        let (root, places) = self.calls_of(&calls, cancel)?;
+        let number = places.len();
+        let plural = if number == 1 { "" } else { "s" };
+        let arguments = vec![json!(calls), json!(places)];
+        lens.command = Some(Command {
+            title: format!("{number} call{plural} in {root}"),
+            command: "xacro.showReferences".to_owned(),
+            arguments: Some(arguments),
+        });
+        Ok(lens)
+    }
+
+    /// The calls of a macro, and the roots they were looked for in.
+    pub fn calls_of(
+        &mut self,
+        of: &CallsOf,
+        cancel: &CancelFlag,
+    ) -> Result<(String, Vec<Location>), Failure> {
+        let text_document = TextDocumentIdentifier { uri: of.uri.clone() };
+        let at = TextDocumentPositionParams { text_document, position: of.position };
+        let asked = self.asked(&at, cancel)?;
+        let cx = asked.cx();
+        let calls = ide::macro_at(&cx, asked.offset).map(|id| ide::calls_of(&cx, id)).unwrap_or_default();
+        let places = calls.into_iter().filter_map(|span| self.location(span)).collect();
+        let candidates = self.world.context(&asked.source.path).candidates;
+        // of several roots, only the active one is counted
+        let root = match candidates.len() {
+            0 | 1 => "1 root".to_owned(),
+            _ => asked.analyzed.root.file.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        };
+        Ok((root, places))
+    }
+}
+
+/// A lens with a command, when the server has that command.
+fn lens(range: lsp_types::Range, title: &str, command: &str, argument: Value) -> Option<CodeLens> {
+    commands::NAMES.contains(&command).then(|| CodeLens {
+        range,
+        command: Some(Command {
+            title: title.to_owned(),
+            command: command.to_owned(),
+            arguments: Some(vec![argument]),
+        }),
+        data: None,
+    })
+}

@@ -1,0 +1,196 @@
+//! F4: hover.
+
+use super::client::Client;
+use super::workspace::{self, ROBOT, UNIT};
+
+fn both() -> Client {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    client.open(UNIT);
+    client
+}
+
+/// The text shown at a place, and the text it is about.
+#[track_caller]
+fn hover(client: &mut Client, file: &str, at: &str) -> (String, String) {
+    let found = client.request("textDocument/hover", client.at(file, at));
+    assert!(!found.is_null(), "nothing at {at}");
+    let text = found["contents"]["value"].as_str().unwrap().to_owned();
+    assert!(text.lines().count() <= 25, "{text}");
+    (text, client.slice(file, &found["range"]))
+}
+
+#[track_caller]
+fn check(client: &mut Client, file: &str, at: &str, about: &str, expected: &[&str]) {
+    let (text, range) = hover(client, file, at);
+    assert_eq!(range, about, "{text}");
+    for part in expected {
+        assert!(text.contains(part), "`{part}` at {at} in:\n{text}");
+    }
+}
+
+#[test]
+fn expressions_and_their_parts_have_values() {
+    let mut client = both();
+    check(&mut client, ROBOT, "${m0 |/ 3}", "${m0 / 3}", &["= `0.05`", "0.049999999999999996"]);
+    check(&mut client, UNIT, "${m0 |* 2}", "${m0 * 2}", &["= `0.3`", "all 2 calls"]);
+    client.edit(ROBOT, "${m0 / 3}", "${1 + (m0 * 2) - pi}");
+    check(&mut client, ROBOT, "(m0 |* 2)", "m0 * 2", &["`m0 * 2` = `0.3`"]);
+    check(&mut client, ROBOT, "p|i}", "pi", &["3.14159265"]);
+}
+
+#[test]
+fn a_value_that_differs_by_call_is_a_list() {
+    let mut client = both();
+    check(
+        &mut client,
+        UNIT,
+        "${na|me}_body",
+        "name",
+        &["- `pan` – `unit` at pan_tilt.urdf.xacro:7", "- `tilt`"],
+    );
+    client.edit(
+        ROBOT,
+        "</robot>",
+        "<xacro:unit name=\"a\" parent=\"pan_body\"><origin/></xacro:unit>\
+        <xacro:unit name=\"b\" parent=\"pan_body\"><origin/></xacro:unit></robot>",
+    );
+    check(&mut client, UNIT, "${na|me}_body", "name", &["- `a` –", "- … (4 calls)"]);
+}
+
+#[test]
+fn names_of_xacro_say_what_they_are() {
+    let mut client = both();
+    client.edit(
+        ROBOT,
+        "  <xacro:property name=\"m0\"",
+        "  <!-- Mass of a *bracket*, kg. -->\n  <xacro:property name=\"m0\"",
+    );
+    let expected =
+        ["**property** `m0` = `0.15`", "pan_tilt.urdf.xacro:4", "used 2 times", "Mass of a \\*bracket\\*"];
+    check(&mut client, ROBOT, "name=\"m|0\"", "m0", &expected);
+    let expected = [
+        "A motor with its bracket.",
+        "unit(name, parent, axis:='0 0 1', *at)",
+        "1 link, 1 joint",
+        "unit.xacro:3",
+    ];
+    check(&mut client, ROBOT, "<xacro:un|it name=\"pan\"", "unit", &expected);
+    check(
+        &mut client,
+        UNIT,
+        "xyz=\"${ax|is}\"",
+        "axis",
+        &["parameter", "default `'0 0 1'`", "- `0 0 1`", "- `0 1 0`"],
+    );
+    check(
+        &mut client,
+        ROBOT,
+        "name=\"$(arg mo|unt)\"",
+        "mount",
+        &["**argument** `mount` = `desk`", "default `desk`"],
+    );
+}
+
+#[test]
+fn a_property_that_nothing_reads_has_a_value() {
+    let mut client = both();
+    check(&mut client, ROBOT, "name=\"c|am\"", "cam", &["'fov': 1.2"]);
+    check(&mut client, ROBOT, "config/cam|.yaml", "$(find pan_tilt)/config/cam.yaml", &["/config/cam.yaml"]);
+    check(&mut client, ROBOT, "$(find pan_|tilt)", "pan_tilt", &["**package** `pan_tilt`", "/src/pan_tilt"]);
+}
+
+#[test]
+fn elements_and_attributes_are_explained() {
+    let mut client = both();
+    check(&mut client, UNIT, "velo|city=", "velocity", &["rad/s"]);
+    check(
+        &mut client,
+        UNIT,
+        "<ax|is",
+        "axis",
+        &["unit vector in the joint frame", "`1 0 0`", "`<joint>`", "wiki.ros.org"],
+    );
+    check(&mut client, UNIT, "<iner|tia ", "inertia", &["about the centre of mass", "kg m²"]);
+    check(&mut client, UNIT, "upper=\"1.|57\"", "1.57", &["`1.57 rad` = `89.95°`"]);
+    check(&mut client, UNIT, "velocity=\"|2\"", "2", &["114.59°/s"]);
+    check(&mut client, UNIT, "<xacro:ma|cro", "xacro:macro", &["Defines"]);
+}
+
+#[test]
+fn links_and_joints_show_where_they_hang() {
+    let mut client = both();
+    let expected = [
+        "`desk → pan → pan_body`",
+        "mass 0.3 kg",
+        "`tilt_body` by `tilt`",
+        "made by `unit` at pan_tilt.urdf.xacro:7",
+    ];
+    check(&mut client, ROBOT, "parent=\"pan|_body\"", "pan_body", &expected);
+    check(
+        &mut client,
+        UNIT,
+        "<link name=\"${name}_bo|dy\"",
+        "${name}_body",
+        &["**link** `pan_body`", "**link** `tilt_body`"],
+    );
+    let expected = [
+        "**joint** `tilt` (revolute)",
+        "`pan_body → tilt_body`",
+        "axis `+Y` of `pan_body`",
+        "-89.95° … 89.95°",
+    ];
+    check(&mut client, ROBOT, "name=\"ti|lt\"", "tilt", &expected);
+}
+
+#[test]
+fn includes_and_meshes_lead_to_files() {
+    let mut client = both();
+    check(&mut client, ROBOT, "filename=\"uni|t.xacro\"", "unit.xacro", &["/urdf/unit.xacro`", "bytes"]);
+    client.edit(ROBOT, "unit.xacro", "gone.xacro");
+    check(&mut client, ROBOT, "filename=\"go|ne.xacro\"", "gone.xacro", &["not found", "/urdf/gone.xacro`"]);
+    let mut mesh = vec![0; 80];
+    mesh.extend(1u32.to_le_bytes());
+    for number in [0.0f32, 0.0, 1.0, 0.0, 0.0, 0.0, 200.0, 0.0, 0.0, 0.0, 300.0, 0.0] {
+        mesh.extend(number.to_le_bytes());
+    }
+    mesh.extend([0, 0]);
+    workspace::write(&client.folder, "src/pan_tilt/meshes/head.stl", mesh);
+    let visual = "<link name=\"$(arg mount)\"><visual><geometry>\
+        <mesh filename=\"package://pan_tilt/meshes/head.stl\"/></geometry></visual></link>";
+    client.edit(ROBOT, "<link name=\"$(arg mount)\"/>", visual);
+    let expected = ["/meshes/head.stl", "1 triangle", "200 × 300 × 0 m", "millimetres"];
+    check(&mut client, ROBOT, "meshes/he|ad.stl", "package://pan_tilt/meshes/head.stl", &expected);
+}
+
+#[test]
+fn conditions_and_colours_show_what_they_are_now() {
+    let mut client = both();
+    client.edit(
+        ROBOT,
+        "</robot>",
+        "<xacro:if value=\"${m0 > 1}\"><link name=\"x\"/></xacro:if>\
+        <material name=\"red\"><color rgba=\"1 0 0 1\"/></material></robot>",
+    );
+    check(&mut client, ROBOT, "<xacro:i|f", "xacro:if", &["now false", "left out"]);
+    check(&mut client, ROBOT, "rgba=\"1 |0 0 1\"", "1 0 0 1", &["#ff0000", "data:image/svg+xml"]);
+}
+
+#[test]
+fn broken_files_unsaved_includes_and_wide_characters_change_nothing() {
+    let mut client = both();
+    client.edit(ROBOT, "</robot>", "<link name=\"");
+    check(&mut client, ROBOT, "${m0 |/ 3}", "${m0 / 3}", &["`0.05`"]);
+    client.edit(ROBOT, "<xacro:unit name=\"tilt\"", "<!-- 🤖🤖 --><xacro:unit name=\"tilt\"");
+    check(&mut client, ROBOT, "${m0 |/ 3}", "${m0 / 3}", &["`0.05`"]);
+    client.edit(UNIT, "${m0 * 2}", "${m0 * 4}");
+    check(&mut client, UNIT, "${m0 |* 4}", "${m0 * 4}", &["`0.6`"]);
+    client.edit(ROBOT, "${m0 / 3}", "${m0 / nothing}");
+    check(&mut client, ROBOT, "${m0 |/ nothing}", "${m0 / nothing}", &["cannot be computed"]);
+}
+
+#[test]
+fn comments_say_nothing() {
+    let mut client = both();
+    assert!(client.request("textDocument/hover", client.at(UNIT, "A mo|tor")).is_null());
+}
