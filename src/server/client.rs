@@ -20,6 +20,8 @@ pub(super) struct ClientFacts {
     pub registers_settings: bool,
     /// It shows progress.
     pub progress: bool,
+    /// It takes edits with versions.
+    pub document_changes: bool,
     /// It takes links with the range they start from.
     pub links: bool,
     /// It fills in the places of snippets.
@@ -54,6 +56,7 @@ impl ClientFacts {
                 .as_ref()
                 .map(|w| w.dynamic_registration)),
             progress: capabilities.window.as_ref().and_then(|w| w.work_done_progress).unwrap_or(false),
+            document_changes: yes(workspace.workspace_edit.as_ref().map(|e| e.document_changes)),
             links: text.definition.as_ref().and_then(|d| d.link_support).unwrap_or(false),
             snippets: item.snippet_support.unwrap_or(false),
             insert_replace: item.insert_replace_support.unwrap_or(false),

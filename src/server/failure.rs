@@ -11,6 +11,8 @@ pub(super) enum Failure {
     Cancelled,
     /// The request makes no sense; the text says why.
     Invalid(String),
+    /// What was asked for is refused; the text says why.
+    Refused(String),
 }
 
 impl Failure {
@@ -18,6 +20,8 @@ impl Failure {
         let (code, message) = match self {
             Failure::Cancelled => (ErrorCode::RequestCancelled, "cancelled".to_owned()),
             Failure::Invalid(message) => (ErrorCode::InvalidParams, message),
+            // `RequestFailed` of LSP 3.17
+            Failure::Refused(message) => (ErrorCode::ServerError(-32803), message),
         };
         Error { code, message: Cow::Owned(message), data: None }
     }

@@ -147,6 +147,17 @@ impl LanguageServer for Handlers {
         self.letterbox.ask(params, Engine::definition).await
     }
 
+    async fn prepare_rename(
+        &self,
+        params: TextDocumentPositionParams,
+    ) -> Result<Option<PrepareRenameResponse>> {
+        self.letterbox.ask(params, Engine::prepare_rename).await
+    }
+
+    async fn rename(&self, params: RenameParams) -> Result<Option<WorkspaceEdit>> {
+        self.letterbox.ask(params, Engine::rename).await
+    }
+
     async fn references(&self, params: ReferenceParams) -> Result<Option<Vec<Location>>> {
         self.letterbox.ask(params, Engine::references).await
     }

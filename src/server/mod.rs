@@ -26,6 +26,7 @@ mod links;
 mod mapping;
 mod navigation;
 mod outbox;
+mod rename;
 mod roots;
 mod structure;
 mod sync;

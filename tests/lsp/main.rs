@@ -17,6 +17,7 @@ mod hints;
 mod hover;
 mod lifecycle;
 mod navigation;
+mod rename;
 mod structure;
 mod tokens;
 mod typing;
