@@ -362,6 +362,30 @@ fn forged_items_come_back_as_they_are() {
 }
 
 #[test]
+fn files_of_nobody_are_not_told() {
+    let foreign = pan_tilt();
+    write(
+        &foreign,
+        "secret.xacro",
+        "<robot><xacro:macro name=\"secret\"/><xacro:property name=\"key\" value=\"1\"/></robot>",
+    );
+    let mut client = able();
+    let include = format!("<xacro:include filename=\"{}\"/>", foreign.join("secret.xacro").display());
+    client.open_with(
+        ROBOT,
+        &ROBOT_TEXT.replace("</robot>", &format!("{include}<xacro:un<link name=\"${{k\"/></robot>")),
+    );
+    for at in ["<xacro:un|<", "${k|"] {
+        let found = labels(&mut client, ROBOT, at);
+        assert!(
+            !found.is_empty() && found.iter().all(|label| label != "xacro:secret" && label != "key"),
+            "{found:?}"
+        );
+    }
+    std::fs::remove_dir_all(foreign).unwrap();
+}
+
+#[test]
 fn long_lists_are_cut_and_say_so() {
     let mut client = able();
     let many: String =
