@@ -92,7 +92,7 @@ impl Engine {
         item: &Completion,
         uri: &Url,
     ) -> CompletionItem {
-        let snippet = item.snippet.as_ref().filter(|_| self.client.snippets);
+        let snippet = item.snippet.as_ref().filter(|_| self.client.snippets && self.snippets);
         let text = snippet.unwrap_or(&item.text).clone();
         let range = |range: TextRange| convert::range(&kept.source.document, range, self.encoding);
         let edit = match self.client.insert_replace {
@@ -114,7 +114,6 @@ impl Engine {
             kind: Some(kind(item.kind)),
             detail: detail.or_else(|| note.filter(|_| !self.client.label_details)),
             sort_text: Some(format!("{}{place:04}", item.rank)),
-            filter_text: Some(item.text.clone()).filter(|text| text.starts_with('<')),
             insert_text_format: snippet.map(|_| InsertTextFormat::SNIPPET),
             text_edit: Some(edit),
             data: topic.and_then(|origin| serde_json::to_value(origin).ok()),

@@ -46,6 +46,8 @@ pub(super) struct Engine {
     pub due: Option<Instant>,
     /// The pause after the last edit before diagnostics are made.
     pub delay: Duration,
+    /// Whether completions may hold places to fill in, as far as the user says.
+    pub snippets: bool,
     /// The client is ready for requests.
     pub initialized: bool,
     /// The token of the progress that is shown.
@@ -71,6 +73,7 @@ impl Engine {
             hint_settings: crate::ide::HintSettings::default(),
             due: None,
             delay: Self::DELAY,
+            snippets: true,
             initialized: false,
             progress: None,
             fault_shown: false,

@@ -108,6 +108,9 @@ impl Engine {
             }
         }
         super::hints::settings(settings, &mut self.hint_settings);
+        if let Some(snippets) = settings.pointer("/completion/snippets") {
+            self.snippets = snippets.as_bool().unwrap_or(true);
+        }
         let warnings = self.world.set_editor_settings(settings.clone());
         for warning in warnings {
             self.outbox.log(warning);

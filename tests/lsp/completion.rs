@@ -281,6 +281,59 @@ fn clients_that_know_little_get_plain_items() {
 }
 
 #[test]
+fn a_setting_turns_snippets_off() {
+    let item = json!({ "snippetSupport": true });
+    let capabilities = json!({ "textDocument": { "completion": { "completionItem": item } } });
+    let settings = json!({ "completion": { "snippets": false } });
+    let mut client = Client::with(pan_tilt(), Options { capabilities, settings, ..Options::default() });
+    client.open_with(ROBOT, &ROBOT_TEXT.replace("</robot>", "<xacro:un</robot>"));
+    client.wait(
+        |client| client.asked.iter().any(|m| m["method"] == "workspace/configuration").then_some(()),
+        || "settings".into(),
+    );
+    let unit = item_when(&mut client, |item| item.get("insertTextFormat").is_none());
+    assert_eq!(unit["textEdit"]["newText"], "xacro:unit");
+}
+
+/// The item of the macro `unit`, asked for until it is as expected: settings come some time after the start.
+fn item_when(client: &mut Client, is: impl Fn(&Value) -> bool) -> Value {
+    for _ in 0..100 {
+        let found = item(client, ROBOT, "<xacro:un|<", "xacro:unit");
+        if is(&found) {
+            return found;
+        }
+    }
+    panic!("the item never is as expected");
+}
+
+#[test]
+fn an_empty_file_gets_a_root_with_its_namespace() {
+    let mut client = able();
+    client.open_with(ROBOT, "<");
+    let robot = item(&mut client, ROBOT, "<|", "robot");
+    assert!(
+        robot["textEdit"]["newText"]
+            .as_str()
+            .unwrap()
+            .contains("xmlns:xacro=\"http://www.ros.org/wiki/xacro\"")
+    );
+    client.edit(ROBOT, "<", "<robot name=\"r\" xmlns:");
+    let namespace = item(&mut client, ROBOT, "xmlns:|", "xmlns:xacro");
+    assert_eq!(namespace["textEdit"]["newText"], "xmlns:xacro=\"http://www.ros.org/wiki/xacro\"");
+}
+
+#[test]
+fn elements_are_offered_between_tags_when_asked_for() {
+    let mut client = both();
+    client.edit(ROBOT, "</robot>", "  li\n</robot>");
+    let link = item(&mut client, ROBOT, "  li|\n", "link");
+    assert!(link["textEdit"]["newText"].as_str().unwrap().starts_with("<link name="));
+    let mut params = client.at(ROBOT, "  li|\n");
+    params["context"] = json!({ "triggerKind": 2, "triggerCharacter": " " });
+    assert_eq!(client.request("textDocument/completion", params)["items"], json!([]));
+}
+
+#[test]
 fn documentation_comes_when_an_item_is_looked_at() {
     let mut client = both();
     client.edit(ROBOT, "</robot>", "<xacro:un\n</robot>");
@@ -306,6 +359,30 @@ fn forged_items_come_back_as_they_are() {
         assert_eq!(resolved["label"], "x");
         assert!(resolved.get("documentation").is_none());
     }
+}
+
+#[test]
+fn files_of_nobody_are_not_told() {
+    let foreign = pan_tilt();
+    write(
+        &foreign,
+        "secret.xacro",
+        "<robot><xacro:macro name=\"secret\"/><xacro:property name=\"key\" value=\"1\"/></robot>",
+    );
+    let mut client = able();
+    let include = format!("<xacro:include filename=\"{}\"/>", foreign.join("secret.xacro").display());
+    client.open_with(
+        ROBOT,
+        &ROBOT_TEXT.replace("</robot>", &format!("{include}<xacro:un<link name=\"${{k\"/></robot>")),
+    );
+    for at in ["<xacro:un|<", "${k|"] {
+        let found = labels(&mut client, ROBOT, at);
+        assert!(
+            !found.is_empty() && found.iter().all(|label| label != "xacro:secret" && label != "key"),
+            "{found:?}"
+        );
+    }
+    std::fs::remove_dir_all(foreign).unwrap();
 }
 
 #[test]

@@ -38,7 +38,9 @@ impl Scope<'_> {
         let folder = tidy(folder);
         self.sources.folders.iter().any(|own| folder.starts_with(own))
             || self.sources.packages.containing(&folder.join("package.xml")).is_some()
-            || self.sources.source.path.parent() == Some(&folder)
+            || [&*self.sources.source.path, self.sources.root]
+                .iter()
+                .any(|file| file.parent() == Some(&folder))
     }
 }
 

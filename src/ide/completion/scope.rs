@@ -105,6 +105,11 @@ impl<'a> Scope<'a> {
 
     /// Add a file; what it includes, as far as its text says.
     fn add(&mut self, path: &Path, namespace: String) -> Vec<(PathBuf, String)> {
+        let named = *path == *self.sources.root || *path == *self.sources.source.path;
+        if !named && !self.may_list(path.parent().unwrap_or(path)) {
+            // an include may point anywhere; what no package and no workspace holds is not told
+            return Vec::new();
+        }
         let Ok(source) = self.sources.vfs.document(path) else { return Vec::new() };
         let mut included = Vec::new();
         for (_, item) in source.document.parts() {
