@@ -194,3 +194,14 @@ fn comments_say_nothing() {
     let mut client = both();
     assert!(client.request("textDocument/hover", client.at(UNIT, "A mo|tor")).is_null());
 }
+
+#[test]
+fn a_macro_that_nothing_calls_has_no_values() {
+    let mut client = both();
+    let idle =
+        "<xacro:macro name=\"idle\" params=\"size:=2\"><link name=\"${size * 2}\"/></xacro:macro></robot>";
+    client.edit(ROBOT, "</robot>", idle);
+    let expected = ["**parameter** `size` = ?", "nothing calls the macro", "default `2`"];
+    check(&mut client, ROBOT, "params=\"si|ze", "size", &expected);
+    check(&mut client, ROBOT, "${size |* 2}", "${size * 2}", &["= ?", "`size` has no known value"]);
+}

@@ -50,7 +50,9 @@ pub(super) fn about(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option
         return Some((range, page));
     }
     let source = part.range.shift(start).slice(&text.text);
-    Some((range, valued(cx, at, source, &values)))
+    let mut page = valued(cx, at, source, &values);
+    page.add(reason(cx, whole, &values));
+    Some((range, page))
 }
 
 /// All of the expression at a place.
@@ -90,6 +92,28 @@ fn valued(cx: &Cx<'_>, at: &At<'_>, source: &str, values: &[Instance]) -> Page {
         page.add(numbers::in_degrees(at, *number).unwrap_or_default());
     }
     page
+}
+
+/// Why no value is known: which names it needs have none.
+fn reason(cx: &Cx<'_>, range: TextRange, values: &[Instance]) -> String {
+    const MOST: usize = 4;
+    let Some(place) = cx.source_range(range).filter(|_| values.iter().all(|known| known.value.is_unknown()))
+    else {
+        return String::new();
+    };
+    let evaluations = &cx.expansion.evaluations;
+    let reads = evaluations.at(place).flat_map(|evaluation| evaluations.reads(evaluation));
+    let bindings = reads.filter_map(|&read| cx.expansion.bindings.get(read as usize));
+    let unknown = bindings.filter(|info| info.value.as_ref().is_some_and(Value::is_unknown));
+    let mut names: Vec<String> = unknown.map(|info| code(&info.name)).collect();
+    names.sort_unstable();
+    names.dedup();
+    names.truncate(MOST);
+    match names.as_slice() {
+        [] => String::new(),
+        [name] => format!("{name} has no known value"),
+        names => format!("{} have no known values", names.join(", ")),
+    }
 }
 
 /// A value as code; a number also exactly, when that reads otherwise.

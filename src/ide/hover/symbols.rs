@@ -7,7 +7,8 @@ use super::super::values::{Instance, distinct, part_values};
 use super::expression::{place_name, root_name, shown, value_lines};
 use super::page::{Page, code, count, plain};
 use crate::base::{FastSet, TextRange};
-use crate::expand::{Definition, DefinitionId, FrameKind, SymbolKind, UseKind};
+use crate::expand::{Definition, DefinitionId, FrameKind, SymbolKind, Use, UseKind};
+use crate::expr::Value;
 use crate::xml::{Node, NodeKind};
 
 /// The name of xacro at a place.
@@ -68,6 +69,8 @@ fn value_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition, here: Vec<
     };
     if values.is_empty() {
         page.add(format!("? – {} gives it no value", root_name(cx)));
+    } else if is_idle(cx, definition, &different) {
+        page.add("nothing calls the macro, so it has no value");
     } else {
         value_lines(cx, values).into_iter().for_each(|line| page.add(line));
     }
@@ -86,6 +89,14 @@ fn value_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition, here: Vec<
     page.add(origin_line(cx, id, definition));
     page.add(comment_above(cx, id).unwrap_or_default());
     page
+}
+
+/// Whether a parameter has no value because nothing calls its macro.
+fn is_idle(cx: &Cx<'_>, definition: &Definition, values: &[&Value]) -> bool {
+    let called = |used: &Use| used.kind == UseKind::Call && Some(used.definition) == definition.of;
+    definition.kind == SymbolKind::Parameter
+        && matches!(values, [Value::Unknown])
+        && !cx.expansion.symbols.uses.iter().any(called)
 }
 
 /// The values that a definition was given, with the calls that gave them.
