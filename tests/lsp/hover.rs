@@ -205,3 +205,14 @@ fn a_macro_that_nothing_calls_has_no_values() {
     check(&mut client, ROBOT, "params=\"si|ze", "size", &expected);
     check(&mut client, ROBOT, "${size |* 2}", "${size * 2}", &["= ?", "`size` has no known value"]);
 }
+
+#[test]
+fn yaml_that_changes_on_the_disk_gives_new_values() {
+    let mut client = both();
+    check(&mut client, ROBOT, "name=\"c|am\"", "cam", &["'fov': 1.2"]);
+    let yaml = "src/pan_tilt/config/cam.yaml";
+    workspace::write(&client.folder, yaml, "fov: 1.75\n");
+    let changes = serde_json::json!([{ "uri": client.uri(yaml), "type": 2 }]);
+    client.notify("workspace/didChangeWatchedFiles", serde_json::json!({ "changes": changes }));
+    check(&mut client, ROBOT, "name=\"c|am\"", "cam", &["'fov': 1.75"]);
+}
