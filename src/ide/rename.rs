@@ -22,11 +22,17 @@ pub fn renameable(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, String)> {
     named.then(|| (range, attr.raw().to_owned()))
 }
 
+/// Longer names are refused.
+const MOST_LETTERS: usize = 200;
+
 /// The texts to be replaced by `new` when the name at an offset is renamed, in the files of this expansion.
 ///
 /// # Errors
 /// Why it cannot be renamed, for the user.
 pub fn rename(cx: &Cx<'_>, offset: u32, new: &str) -> Result<Vec<Span>, String> {
+    if new.len() > MOST_LETTERS {
+        return Err(format!("a name of more than {MOST_LETTERS} letters is refused"));
+    }
     let Some((_, name)) = renameable(cx, offset) else {
         return Err("no name that can be renamed stands here".to_owned());
     };
@@ -59,7 +65,7 @@ pub fn rename(cx: &Cx<'_>, offset: u32, new: &str) -> Result<Vec<Span>, String> 
 pub fn places(cx: &Cx<'_>, id: DefinitionId) -> Vec<Span> {
     let Some(definition) = cx.expansion.symbols.get(id) else { return Vec::new() };
     let mut found: Vec<Span> = definition_of(cx, id).map(|target| target.name).into_iter().collect();
-    for used in cx.expansion.symbols.uses_of(id) {
+    for used in cx.expansion.symbols.all_uses().filter(|used| used.definition == id) {
         found.extend(cx.span(used.place));
         if used.kind == UseKind::Call {
             found.extend(end_tag(cx, used.place, &definition.name));
@@ -100,7 +106,7 @@ fn unread(cx: &Cx<'_>, id: DefinitionId) -> Vec<Span> {
         _ => return Vec::new(),
     };
     let known: crate::base::FastSet<Span> =
-        symbols.uses.iter().filter_map(|used| cx.span(used.place)).collect();
+        symbols.all_uses().filter_map(|used| cx.span(used.place)).collect();
     let mut found = Vec::new();
     for file in &cx.expansion.files {
         for (base, facts) in facts(&file.source.document) {

@@ -13,6 +13,9 @@ use crate::base::CancelFlag;
 use crate::ide::{self, FoldKind, Outline, OutlineKind};
 use crate::xml::Document;
 
+/// Symbols at the top of a file, and folds, at most.
+const MOST: usize = 20_000;
+
 /// What may be typed in both tags at once.
 const NAME: &str = "[^\\s<>/=\"']+";
 
@@ -23,7 +26,8 @@ impl Engine {
         _: &CancelFlag,
     ) -> Result<Option<DocumentSymbolResponse>, Failure> {
         let (_, source) = self.source(&params.text_document.uri)?;
-        let symbols = ide::outline(&source.document);
+        let mut symbols = ide::outline(&source.document);
+        symbols.truncate(MOST);
         let symbols = symbols.into_iter().map(|symbol| self.symbol(&source.document, symbol)).collect();
         Ok(Some(DocumentSymbolResponse::Nested(symbols)))
     }
@@ -61,7 +65,7 @@ impl Engine {
             },
             ..FoldingRange::default()
         };
-        Ok(Some(ide::folds(&source.document).into_iter().map(fold).collect()))
+        Ok(Some(ide::folds(&source.document).into_iter().take(MOST).map(fold).collect()))
     }
 
     pub fn selections(

@@ -6,6 +6,7 @@ use super::chunks::Chunks;
 use super::edit::MAX_LEN;
 use super::entities::Entities;
 use super::item::Item;
+use super::line_table::LineTable;
 use super::node::{Node, Siblings};
 use super::parse::{Footer, Header, Parser, RootState, Step};
 use crate::base::{FastMap, TextRange};
@@ -17,6 +18,7 @@ pub struct Document {
     pub(super) items: Chunks,
     pub(super) footer: Footer,
     pub(super) context: Arc<Context>,
+    pub(super) lines: LineTable,
 }
 
 /// What the header says about the rest.
@@ -67,7 +69,13 @@ impl Document {
             RootState::Missing | RootState::Empty => parser.bare_footer(),
         };
         let (header, context) = Context::split(header);
-        Document { header, items: Chunks::new(items), footer, context: Arc::new(context) }
+        Document {
+            header,
+            items: Chunks::new(items),
+            footer,
+            context: Arc::new(context),
+            lines: LineTable::default(),
+        }
     }
 
     /// Length in bytes.

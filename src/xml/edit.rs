@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::document::{Context, Document, Part};
 use super::item::Item;
+use super::line_table::LineTable;
 use super::parse::{Footer, Header, Parser, RootState, Step};
 use crate::base::TextRange;
 
@@ -50,6 +51,7 @@ impl Document {
     }
 
     fn apply(&mut self, change: Change) {
+        self.lines = LineTable::default();
         let mut renamed = false;
         if let Some(header) = change.header {
             let (header, context) = Context::split(header);

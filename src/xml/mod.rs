@@ -9,6 +9,7 @@ mod edit;
 mod entities;
 mod error;
 mod item;
+mod line_table;
 mod name_table;
 mod node;
 mod parse;

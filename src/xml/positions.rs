@@ -14,6 +14,14 @@ impl Document {
     /// The line and column of a byte offset; an offset inside a character counts as its start, one behind
     /// the end as the end.
     pub fn line_col(&self, offset: u32, encoding: Encoding) -> LineCol {
+        match self.lines.get(|| self.text()) {
+            Some(table) => table.line_col(offset.min(self.len()), encoding),
+            None => self.counted(offset, encoding),
+        }
+    }
+
+    /// The same, counted from the start of the line.
+    fn counted(&self, offset: u32, encoding: Encoding) -> LineCol {
         let (index, start, lines, item) = self.part_at(offset.min(self.len()));
         let mut inside = (offset.min(self.len()) - start) as usize;
         while !item.text().is_char_boundary(inside) {
@@ -28,7 +36,7 @@ impl Document {
                     && item.text().get(inside..).is_some_and(|t| t.starts_with('\n')) =>
             {
                 let line_text = before.get(..at - 1).unwrap_or("");
-                return self.line_col(start + line_text.len() as u32, encoding);
+                return self.counted(start + line_text.len() as u32, encoding);
             }
             Some(at) => encoding.width(before.get(at..).unwrap_or("")),
             None => encoding.width(before) + self.width_before(index, encoding),

@@ -1,0 +1,128 @@
+//! Lines and columns of a whole text at once: for those who ask for many.
+
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Arc, OnceLock};
+
+use crate::base::{Encoding, LineCol};
+
+/// Questions that are answered without a table.
+const FREE: u32 = 64;
+/// Bytes between two entries.
+const STEP: usize = 256;
+
+/// The table of a document, made when many positions are asked for. An edited document begins anew.
+#[derive(Default)]
+pub(super) struct LineTable {
+    asked: AtomicU32,
+    table: OnceLock<Arc<Table>>,
+}
+
+impl Clone for LineTable {
+    fn clone(&self) -> Self {
+        let table = self.table.get().cloned().map_or_else(OnceLock::new, OnceLock::from);
+        Self { asked: AtomicU32::new(self.asked.load(Ordering::Relaxed)), table }
+    }
+}
+
+impl LineTable {
+    /// The table, when it is worth it.
+    pub fn get(&self, text: impl FnOnce() -> String) -> Option<&Table> {
+        if let Some(table) = self.table.get() {
+            return Some(table);
+        }
+        if self.asked.fetch_add(1, Ordering::Relaxed) < FREE {
+            return None;
+        }
+        Some(self.table.get_or_init(|| Arc::new(Table::of(text()))))
+    }
+}
+
+/// A place in the text, at the start of a character.
+#[derive(Clone, Copy, Default)]
+struct Entry {
+    offset: u32,
+    line: u32,
+    /// Where the line begins.
+    start: u32,
+    utf16: u32,
+    utf32: u32,
+}
+
+/// A text with entries all along it.
+pub(super) struct Table {
+    text: String,
+    entries: Vec<Entry>,
+}
+
+impl Table {
+    fn of(text: String) -> Self {
+        let mut entries = vec![Entry::default()];
+        let mut now = Entry::default();
+        let mut next = STEP;
+        let mut chars = text.char_indices().peekable();
+        while let Some((at, c)) = chars.next() {
+            if at >= next {
+                entries.push(now);
+                next = at + STEP;
+            }
+            let end = (at + c.len_utf8()) as u32;
+            let crlf = c == '\r' && chars.peek().is_some_and(|&(_, c)| c == '\n');
+            now.offset = end;
+            if (c == '\n' || c == '\r') && !crlf {
+                now = Entry { offset: end, line: now.line + 1, start: end, utf16: 0, utf32: 0 };
+            } else {
+                now.utf16 += c.len_utf16() as u32;
+                now.utf32 += 1;
+            }
+        }
+        Self { text, entries }
+    }
+
+    /// Line and column of an offset inside of the text.
+    pub fn line_col(&self, offset: u32, encoding: Encoding) -> LineCol {
+        let index = self.entries.partition_point(|entry| entry.offset <= offset).saturating_sub(1);
+        let mut now = self.entries.get(index).copied().unwrap_or_default();
+        let rest = self.text.get(now.offset as usize..).unwrap_or("");
+        let mut chars = rest.chars().peekable();
+        while let Some(c) = chars.next() {
+            let end = now.offset + c.len_utf8() as u32;
+            let crlf = c == '\r' && chars.peek() == Some(&'\n');
+            // between CR and LF: still the line that ends here
+            if end > offset || crlf && end == offset {
+                break;
+            }
+            now.offset = end;
+            if (c == '\n' || c == '\r') && !crlf {
+                now = Entry { offset: end, line: now.line + 1, start: end, utf16: 0, utf32: 0 };
+            } else {
+                now.utf16 += c.len_utf16() as u32;
+                now.utf32 += 1;
+            }
+        }
+        let col = match encoding {
+            Encoding::Utf8 => now.offset - now.start,
+            Encoding::Utf16 => now.utf16,
+            Encoding::Utf32 => now.utf32,
+        };
+        LineCol { line: now.line, col }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::base::Encoding;
+    use crate::xml::Document;
+
+    #[test]
+    fn the_table_says_what_is_said_without_it() {
+        let line = "<link name=\"ä🤖\"/>\r\n\n<!-- \r x -->".repeat(40);
+        let text = format!("<robot>{line}</robot>\n");
+        for encoding in [Encoding::Utf8, Encoding::Utf16, Encoding::Utf32] {
+            let asked = Document::parse(&text);
+            for offset in 0..=text.len() as u32 + 2 {
+                let fresh = Document::parse(&text);
+                assert_eq!(asked.line_col(offset, encoding), fresh.line_col(offset, encoding), "{offset}");
+            }
+        }
+    }
+}
