@@ -19,6 +19,8 @@ pub(super) enum Command {
     Check(CheckArgs),
     /// Fix what can be fixed: `check --fix`
     Fix(CheckArgs),
+    /// Format files: indentation and the white space between attributes
+    Format(FormatArgs),
     /// Expand a file exactly as xacro does (has xacro's options)
     #[command(disable_help_flag = true)]
     Expand {
@@ -245,6 +247,19 @@ pub(super) enum FailLevel {
 pub(super) enum Show {
     /// Unnecessary things
     Hint,
+}
+
+#[derive(Args, Debug)]
+pub(super) struct FormatArgs {
+    /// Files and folders, `-` for standard input
+    #[arg(value_name = "PATH", default_value = ".")]
+    pub(super) paths: Vec<PathBuf>,
+    /// Print which files would change, change nothing, and exit with 1 when there are any
+    #[arg(long)]
+    pub(super) check: bool,
+    /// Print what would change, change nothing, and exit with 1 when there is something
+    #[arg(long, conflicts_with = "check")]
+    pub(super) diff: bool,
 }
 
 #[derive(Args, Debug)]

@@ -8,6 +8,7 @@ mod diff;
 mod expand;
 mod explain;
 mod fingerprints;
+mod format;
 mod io;
 mod json;
 mod options;
@@ -62,6 +63,7 @@ fn dispatch(command: Command, env: &Environment, io: &mut Io<'_>) -> u8 {
     match command {
         Command::Check(options) => check::run(&options, env, io),
         Command::Fix(options) => check::run(&check::fixing(options), env, io),
+        Command::Format(options) => format::run(&options, env, io),
         Command::Expand { args } => expand::run(&args, env, io),
         Command::Tree(options) => tree::run(&options, env, io),
         Command::Packages(options) => packages::run(&options, env, io),

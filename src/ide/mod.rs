@@ -10,6 +10,7 @@ mod completion;
 mod context;
 mod expressions;
 mod folding;
+mod format;
 mod hints;
 mod hover;
 mod locate;
@@ -36,6 +37,7 @@ pub use completion::{
 };
 pub use context::Cx;
 pub use folding::{Fold, FoldKind, folds};
+pub use format::{Indent, format, format_range, indentation};
 pub use hints::{Hint, HintKind, HintSettings, hints};
 pub use hover::{Hover, hover, value_of};
 pub use locate::{At, Part, locate};

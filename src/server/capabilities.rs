@@ -43,6 +43,8 @@ pub(super) fn offered(encoding: PositionEncodingKind, client: &ClientFacts) -> S
             trigger_characters: Some(characters(&[" ", "\"", "(", ","])),
             ..SignatureHelpOptions::default()
         }),
+        document_formatting_provider: Some(OneOf::Left(true)),
+        document_range_formatting_provider: Some(OneOf::Left(true)),
         document_on_type_formatting_provider: Some(DocumentOnTypeFormattingOptions {
             first_trigger_character: ">".to_owned(),
             more_trigger_character: Some(characters(&["/", "\n"])),

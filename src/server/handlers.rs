@@ -113,6 +113,17 @@ impl LanguageServer for Handlers {
         self.letterbox.ask(params, Engine::signature_help).await
     }
 
+    async fn formatting(&self, params: DocumentFormattingParams) -> Result<Option<Vec<TextEdit>>> {
+        self.letterbox.ask(params, Engine::format).await
+    }
+
+    async fn range_formatting(
+        &self,
+        params: DocumentRangeFormattingParams,
+    ) -> Result<Option<Vec<TextEdit>>> {
+        self.letterbox.ask(params, Engine::format_range).await
+    }
+
     async fn on_type_formatting(
         &self,
         params: DocumentOnTypeFormattingParams,

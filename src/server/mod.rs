@@ -15,6 +15,7 @@ mod engine;
 mod exit;
 mod expansion;
 mod failure;
+mod formatting;
 mod framing;
 mod handlers;
 mod hints;

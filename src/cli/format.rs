@@ -1,0 +1,116 @@
+//! `xacro-lint format`.
+
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::args::FormatArgs;
+use super::check::warn_about_config;
+use super::diff::unified;
+use super::io::Io;
+use super::render::{shown_path, visible};
+use super::text::counted;
+use crate::analysis::{CheckOptions, FixedFile, Session, Setup, apply};
+use crate::ide;
+use crate::vfs::Environment;
+
+/// Largest input that is read from standard input, in bytes.
+const MOST_INPUT: u64 = 20_000_000;
+
+/// What became of the files.
+#[derive(Default)]
+struct Done {
+    changed: usize,
+    same: usize,
+    /// Files that could not be formatted.
+    failed: usize,
+}
+
+/// Format files, or say which would change.
+pub(super) fn run(args: &FormatArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
+    let setup = Setup { about: args.paths.first().cloned().unwrap_or_default(), ..Setup::default() };
+    let session = match Session::new(env, setup) {
+        Ok(session) => session,
+        Err(error) => return usage(io, &error.to_string()),
+    };
+    let is_input = args.paths.iter().any(|path| path == Path::new("-"));
+    if is_input && let Err(error) = read_input(&session, io) {
+        return usage(io, &format!("standard input cannot be read: {error}"));
+    }
+    let options = CheckOptions { paths: args.paths.clone(), ..CheckOptions::default() };
+    if let Some(missing) = args.paths.iter().find(|path| session.vfs.text(path).is_err() && !is_dir(&session, path)) {
+        return usage(io, &format!("{}: cannot be read", visible(&missing.to_string_lossy())));
+    }
+    let mut done = Done::default();
+    for path in session.files(&options) {
+        one(args, &session, &path, env, io, &mut done);
+    }
+    warn_about_config(&session, env, io);
+    if !is_input {
+        io.line(&summary(args, &done));
+    }
+    match done {
+        Done { failed: 1.., .. } => 2,
+        Done { changed: 1.., .. } if args.check || args.diff => 1,
+        _ => 0,
+    }
+}
+
+fn usage(io: &mut Io<'_>, message: &str) -> u8 {
+    io.line(&format!("error: {}", visible(message)));
+    2
+}
+
+fn is_dir(session: &Session, path: &Path) -> bool {
+    session.vfs.is_dir(path)
+}
+
+/// Put standard input in the place of a file.
+fn read_input(session: &Session, io: &mut Io<'_>) -> std::io::Result<()> {
+    let mut input = Vec::new();
+    (&mut io.stdin).take(MOST_INPUT).read_to_end(&mut input)?;
+    session.vfs.set_buffer(Path::new("-"), Some(String::from_utf8_lossy(&input).into_owned()));
+    Ok(())
+}
+
+/// Format one file.
+fn one(args: &FormatArgs, session: &Session, path: &PathBuf, env: &Environment, io: &mut Io<'_>, done: &mut Done) {
+    let shown = visible(&shown_path(path, &env.cwd));
+    let Ok(source) = session.vfs.document(path) else {
+        done.failed += 1;
+        return io.line(&format!("error: {shown}: cannot be read"));
+    };
+    let document = &source.document;
+    if !document.errors().is_empty() {
+        done.failed += 1;
+        return io.line(&format!("error: {shown}: left alone, because its syntax is broken"));
+    }
+    let config = &session.settings(path).config.format;
+    let edits = ide::format(document, &ide::indentation(document), config);
+    let before = document.text();
+    let after = apply(&before, &edits);
+    let is_input = path.file_name().is_some_and(|name| name == "-");
+    let (same, file) = (before == after, FixedFile { path: Arc::from(path.as_path()), before, after });
+    if args.diff {
+        io.out(&unified(&file, &env.cwd));
+    } else if args.check && !same {
+        io.out(&format!("{shown}\n"));
+    } else if is_input && !args.check {
+        io.out(&file.after);
+    } else if !same && let Err(error) = session.vfs.rewrite(path, &file.before, &file.after) {
+        done.failed += 1;
+        return io.line(&format!("error: {shown}: cannot be written: {error}"));
+    }
+    done.changed += usize::from(!same);
+    done.same += usize::from(same);
+}
+
+fn summary(args: &FormatArgs, done: &Done) -> String {
+    let verb = if args.check || args.diff { "would format" } else { "formatted" };
+    match (done.changed, done.same) {
+        (0, 0) => "warning: no xacro or URDF file was found".to_owned(),
+        (0, same) => format!("nothing to format in {}", counted(same, "file")),
+        (changed, 0) => format!("{verb} {}", counted(changed, "file")),
+        (changed, same) => format!("{verb} {}, {same} left as they are", counted(changed, "file")),
+    }
+}
