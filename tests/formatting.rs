@@ -212,7 +212,8 @@ fn element() -> impl Strategy<Value = String> {
         let children = prop::collection::vec((blank(), inner), 0..5);
         (name.clone(), attributes.clone(), end.clone(), children, blank()).prop_map(
             |(name, attributes, end, children, last)| {
-                let children: String = children.into_iter().map(|(gap, child)| format!("{gap}{child}")).collect();
+                let children: String =
+                    children.into_iter().map(|(gap, child)| format!("{gap}{child}")).collect();
                 let tag = start_tag(name.clone(), attributes, end);
                 format!("{tag}{children}{last}</{name} >")
             },
@@ -258,10 +259,7 @@ fn elements_stand_on_lines_of_their_own() {
             "<a>\n<b x=\"1\"\n   y=\"2\"\n z=\"3\" /></a>",
             "<a>\n  <b x=\"1\"\n     y=\"2\"\n     z=\"3\" />\n</a>",
         ),
-        (
-            "<a>\n<b\n   x=\"1\"\n   y=\"2\"\n/></a>",
-            "<a>\n  <b\n     x=\"1\"\n     y=\"2\"\n  />\n</a>",
-        ),
+        ("<a>\n<b\n   x=\"1\"\n   y=\"2\"\n/></a>", "<a>\n  <b\n     x=\"1\"\n     y=\"2\"\n  />\n</a>"),
         ("<a>\n <p> x <b/>  <c/>\n</p></a>", "<a>\n  <p> x <b/>  <c/>\n</p>\n</a>"),
     ] {
         assert_eq!(plain(text), expected, "{text}");
@@ -272,7 +270,8 @@ fn elements_stand_on_lines_of_their_own() {
 fn long_tags_are_wrapped_where_that_is_wished() {
     let auto = Format { attributes: AttributeLayout::Auto, line_width: 30, self_close: true };
     let text = "<a>\n  <limit lower=\"-1\"\n upper=\"1\" effort=\"3\" velocity=\"2\"></limit>\n</a>\n";
-    let expected = "<a>\n  <limit lower=\"-1\" upper=\"1\"\n         effort=\"3\"\n         velocity=\"2\"/>\n</a>\n";
+    let expected =
+        "<a>\n  <limit lower=\"-1\" upper=\"1\"\n         effort=\"3\"\n         velocity=\"2\"/>\n</a>\n";
     assert_eq!(formatted(text, &Indent::blanks(2), &auto), expected);
 }
 

@@ -38,7 +38,9 @@ pub(super) fn run(args: &FormatArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
         return usage(io, &format!("standard input cannot be read: {error}"));
     }
     let options = CheckOptions { paths: args.paths.clone(), ..CheckOptions::default() };
-    if let Some(missing) = args.paths.iter().find(|path| session.vfs.text(path).is_err() && !is_dir(&session, path)) {
+    if let Some(missing) =
+        args.paths.iter().find(|path| session.vfs.text(path).is_err() && !is_dir(&session, path))
+    {
         return usage(io, &format!("{}: cannot be read", visible(&missing.to_string_lossy())));
     }
     let mut done = Done::default();
@@ -74,7 +76,14 @@ fn read_input(session: &Session, io: &mut Io<'_>) -> std::io::Result<()> {
 }
 
 /// Format one file.
-fn one(args: &FormatArgs, session: &Session, path: &PathBuf, env: &Environment, io: &mut Io<'_>, done: &mut Done) {
+fn one(
+    args: &FormatArgs,
+    session: &Session,
+    path: &Path,
+    env: &Environment,
+    io: &mut Io<'_>,
+    done: &mut Done,
+) {
     let shown = visible(&shown_path(path, &env.cwd));
     let Ok(source) = session.vfs.document(path) else {
         done.failed += 1;

@@ -117,10 +117,7 @@ impl LanguageServer for Handlers {
         self.letterbox.ask(params, Engine::format).await
     }
 
-    async fn range_formatting(
-        &self,
-        params: DocumentRangeFormattingParams,
-    ) -> Result<Option<Vec<TextEdit>>> {
+    async fn range_formatting(&self, params: DocumentRangeFormattingParams) -> Result<Option<Vec<TextEdit>>> {
         self.letterbox.ask(params, Engine::format_range).await
     }
 

@@ -111,7 +111,8 @@ impl Writer<'_> {
         let first = element.attrs().next().map(|attr| attr.name_range().start + piece.base);
         let below_first = new + name_width + 1;
         let first_is_broken = first.is_some_and(|at| begins_line(self.text, at));
-        let common = beginning.first().copied().filter(|first| beginning.iter().all(|column| column == first));
+        let common =
+            beginning.first().copied().filter(|first| beginning.iter().all(|column| column == first));
         let column = match common {
             _ if self.options.attributes == AttributeLayout::Auto => below_first,
             Some(column) if !first_is_broken && first.map(old) == Some(column) => below_first,
