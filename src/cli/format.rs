@@ -1,7 +1,7 @@
 //! `xacro-lint format`.
 
 use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use super::args::FormatArgs;
@@ -99,7 +99,7 @@ fn one(
     let before = document.text();
     let after = apply(&before, &edits);
     let is_input = path.file_name().is_some_and(|name| name == "-");
-    let (same, file) = (before == after, FixedFile { path: Arc::from(path.as_path()), before, after });
+    let (same, file) = (before == after, FixedFile { path: Arc::from(path), before, after });
     if args.diff {
         io.out(&unified(&file, &env.cwd));
     } else if args.check && !same {
