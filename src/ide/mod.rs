@@ -3,6 +3,7 @@
 //! Every feature is a file. Those that need only the text of a file take its document; those that need the
 //! meaning of names take a [`Cx`]: the file in the expansion of its active root.
 
+mod actions;
 mod calls;
 mod code;
 mod colours;
@@ -29,6 +30,7 @@ mod tokens;
 mod typed;
 mod values;
 
+pub use actions::{Action, ActionKind, MacroFile, include_macro, inlinable, quick_fixes, refactorings};
 pub use calls::{Caller, Calls, caller_target, calls_of, incoming, macro_at, macros_of, outgoing};
 pub use colours::{Colour, colour_text, colours};
 pub use completion::{

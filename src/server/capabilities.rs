@@ -1,7 +1,7 @@
 //! What the server offers.
 
 use lsp_types::{
-    CallHierarchyServerCapability, CodeLensOptions, ColorProviderCapability, CompletionOptions,
+    CallHierarchyServerCapability, CodeActionProviderCapability, CodeLensOptions, ColorProviderCapability, CompletionOptions,
     CompletionOptionsCompletionItem, DiagnosticOptions, DiagnosticServerCapabilities, DocumentLinkOptions,
     DocumentOnTypeFormattingOptions, ExecuteCommandOptions, FoldingRangeProviderCapability,
     HoverProviderCapability, InlayHintOptions, InlayHintServerCapabilities,
@@ -14,7 +14,7 @@ use lsp_types::{
 use serde_json::json;
 
 use super::client::ClientFacts;
-use super::{commands, tokens};
+use super::{actions, commands, tokens};
 
 /// What the server offers to a client.
 pub(super) fn offered(encoding: PositionEncodingKind, client: &ClientFacts) -> ServerCapabilities {
@@ -43,6 +43,7 @@ pub(super) fn offered(encoding: PositionEncodingKind, client: &ClientFacts) -> S
             trigger_characters: Some(characters(&[" ", "\"", "(", ","])),
             ..SignatureHelpOptions::default()
         }),
+        code_action_provider: Some(CodeActionProviderCapability::Options(actions::offered())),
         document_formatting_provider: Some(OneOf::Left(true)),
         document_range_formatting_provider: Some(OneOf::Left(true)),
         document_on_type_formatting_provider: Some(DocumentOnTypeFormattingOptions {

@@ -113,6 +113,10 @@ impl LanguageServer for Handlers {
         self.letterbox.ask(params, Engine::signature_help).await
     }
 
+    async fn code_action(&self, params: CodeActionParams) -> Result<Option<CodeActionResponse>> {
+        self.letterbox.ask(params, Engine::actions).await
+    }
+
     async fn formatting(&self, params: DocumentFormattingParams) -> Result<Option<Vec<TextEdit>>> {
         self.letterbox.ask(params, Engine::format).await
     }

@@ -3,6 +3,7 @@
 //! Nothing outside of this folder names the protocol's types. Handlers only post jobs (`letterbox`); one thread
 //! owns all state and works them off (`engine`); what goes out unasked leaves through one task (`outbox`).
 
+mod actions;
 mod calls;
 mod capabilities;
 mod client;

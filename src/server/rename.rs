@@ -74,7 +74,7 @@ impl Engine {
     }
 
     /// Files that may be changed: open ones, and those of the workspace that no tool has built.
-    fn is_ours(&self, path: &std::path::Path) -> bool {
+    pub fn is_ours(&self, path: &std::path::Path) -> bool {
         const BUILT: [&str; 4] = ["install", "build", "log", "devel"];
         let inside = self.world.folders().iter().filter_map(|folder| path.strip_prefix(folder).ok());
         let built = |path: &std::path::Path| path.iter().any(|part| BUILT.iter().any(|name| part == *name));

@@ -268,6 +268,31 @@ impl Client {
         text[offset(text, &range["start"])..offset(text, &range["end"])].to_owned()
     }
 
+    /// The text of an open file after an edit of the workspace that changes it.
+    #[track_caller]
+    pub fn after(&self, file: &str, edit: &Value) -> String {
+        let edits = edit["changes"][self.uri(file)].as_array().expect("changes of the file");
+        self.after_edits(file, edits)
+    }
+
+    /// The text of an open file after edits.
+    pub fn after_edits(&self, file: &str, edits: &[Value]) -> String {
+        let mut text = self.text(file).to_owned();
+        let place = |edit: &Value| {
+            let range = &edit["range"];
+            (offset(self.text(file), &range["start"]), offset(self.text(file), &range["end"]))
+        };
+        let mut places: Vec<((usize, usize), &Value)> = edits.iter().map(|edit| (place(edit), edit)).collect();
+        places.sort_by_key(|(place, _)| *place);
+        for pair in places.windows(2) {
+            assert!(pair[0].0.1 <= pair[1].0.0, "edits overlap: {edits:?}");
+        }
+        for ((start, end), edit) in places.into_iter().rev() {
+            text.replace_range(start..end, edit["newText"].as_str().unwrap());
+        }
+        text
+    }
+
     /// A location in short: `file:line text`, where the file is open.
     pub fn shown(&self, uri: &str, range: &Value) -> String {
         let name = uri.rsplit('/').next().unwrap();

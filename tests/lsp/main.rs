@@ -7,12 +7,14 @@
     clippy::disallowed_methods
 )] // a test may fail loudly
 
+mod actions;
 mod calls;
 mod client;
 mod completion;
 mod context;
 mod diagnostics;
 mod expansion;
+mod format;
 mod hints;
 mod hover;
 mod lifecycle;

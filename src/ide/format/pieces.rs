@@ -41,13 +41,14 @@ pub(super) fn pieces(document: &Document) -> Vec<Piece<'_>> {
     let end_tag = document.root_end_tag();
     if let Some(end) = end_tag {
         let start = root.start_tag_range().end;
-        if keeps_space(root) || holds_text(document) {
+        let whole = keeps_space(root) || holds_text(document);
+        if whole {
             row.push(Kind::Content, TextRange::new(start, end.start), 0);
         } else {
             row.inside(document);
         }
         row.depth = 0;
-        row.push(Kind::End { closes_elements: document.item_count() > 0 }, end, 0);
+        row.push(Kind::End { closes_elements: !whole && document.item_count() > 0 }, end, 0);
     }
     for node in document.epilog().filter(|node| node.kind() != NodeKind::Text) {
         row.node(node, document.footer_start());

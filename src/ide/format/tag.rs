@@ -56,7 +56,7 @@ impl Writer<'_> {
             self.gap(start, Some(layout.end));
         } else {
             // `<a b="c" />` is as common as `<a b="c"/>`
-            let blank = if blanks.is_empty() || !element.is_self_closing() { "" } else { " " };
+            let blank = if blanks.is_empty() { "" } else { " " };
             self.put(start, blank);
         }
         self.close_empty(element, piece);

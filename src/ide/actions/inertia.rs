@@ -1,0 +1,130 @@
+//! The inertia of a solid body of even density, from its shape and mass.
+
+use super::place::{enclosing, last_child, margin};
+use super::{Action, ActionKind, edit};
+use crate::base::{Span, TextRange};
+use crate::expand::{SourceRange, XId};
+use crate::ide::Cx;
+use crate::model::{Body, Inertial, Link, ShapeKind, Text, element_range};
+use crate::rules::Edit;
+use crate::xml::Node;
+
+/// Write the inertia that follows from the geometry of the link at an offset: a box, a cylinder or a sphere with
+/// the mass that is given. The centre of mass is the centre of the shape. Nothing is offered where the numbers
+/// differ from call to call.
+pub(super) fn from_geometry(cx: &Cx<'_>, offset: u32) -> Option<Action> {
+    let document = &cx.source.document;
+    let (base, node) = enclosing(document, offset, "link")?;
+    let place = node.range().shift(base);
+    let links = cx.robot?.links.iter().filter(|link| is_at(cx, link.element, place));
+    let mut all = links.map(|link| Some((solid(link)?, link)));
+    let (numbers, link) = all.next()??;
+    if !all.all(|other| other.is_some_and(|(other, _)| other == numbers)) {
+        return None;
+    }
+    let source = child(node, "inertial")?;
+    let body = body(link)?;
+    let body_node = node.child_elements().find(|child| is_at(cx, body.element, child.range().shift(base)))?;
+    // an origin that a macro brings along has no text here
+    let written = |node: Node<'_>, origin: bool| child(node, "origin").is_some() == origin;
+    let given = link.inertial.as_ref().is_some_and(|inertial| inertial.origin.is_some());
+    if !written(body_node, body.origin.is_some()) || !written(source, given) {
+        return None;
+    }
+    let mut edits = entries(cx, base, source, numbers);
+    edits.extend(centre(cx, base, source, child(body_node, "origin")));
+    edits.sort_by_key(|edit| (edit.span.range.start, edit.span.range.end));
+    let title = format!("compute the inertia of the {}", shape_name(body)?);
+    Some(Action { title, kind: ActionKind::Rewrite, edits })
+}
+
+fn is_at(cx: &Cx<'_>, element: XId, place: TextRange) -> bool {
+    let span = cx.span(SourceRange::from(element_range(cx.expansion, element)));
+    span == Some(Span { file: cx.source.id, range: place })
+}
+
+fn child<'a>(node: Node<'a>, name: &str) -> Option<Node<'a>> {
+    node.child_elements().find(|child| child.name() == name)
+}
+
+/// The body whose shape counts: the only collision, else the only visual.
+fn body(link: &Link) -> Option<&Body> {
+    match (link.collisions.as_slice(), link.visuals.as_slice()) {
+        ([one], _) | ([], [one]) => Some(one),
+        _ => None,
+    }
+}
+
+fn shape_name(body: &Body) -> Option<&'static str> {
+    match body.shape()?.kind {
+        ShapeKind::Box { .. } => Some("box"),
+        ShapeKind::Cylinder { .. } => Some("cylinder"),
+        ShapeKind::Sphere { .. } => Some("sphere"),
+        _ => None,
+    }
+}
+
+/// `ixx iyy izz` in kg m^2, from lengths in m and a mass in kg.
+fn solid(link: &Link) -> Option<[f64; 3]> {
+    let mass = link.inertial.as_ref().and_then(Inertial::mass)?;
+    let number = |text: &Option<Text>| text.as_ref().and_then(Text::number).filter(|n| *n > 0.0);
+    let [x, y, z] = match &body(link)?.shape()?.kind {
+        ShapeKind::Box { size } => {
+            let [x, y, z] = size.as_ref()?.numbers::<3>()?.map(|length| length * length / 12.0);
+            [y + z, x + z, x + y]
+        }
+        ShapeKind::Cylinder { radius, length } => {
+            let (r, l) = (number(radius)?, number(length)?);
+            let across = r * r / 4.0 + l * l / 12.0;
+            [across, across, r * r / 2.0]
+        }
+        ShapeKind::Sphere { radius } => {
+            let r = number(radius)?;
+            [0.4 * r * r; 3]
+        }
+        _ => return None,
+    };
+    let inertia = [mass * x, mass * y, mass * z];
+    inertia.iter().all(|entry| entry.is_finite() && *entry > 0.0).then_some(inertia)
+}
+
+/// The element `inertia` with these numbers.
+fn entries(cx: &Cx<'_>, base: u32, inertial: Node<'_>, [x, y, z]: [f64; 3]) -> Vec<Edit> {
+    let [x, y, z] = [x, y, z].map(shown);
+    let text =
+        format!("<inertia ixx=\"{x}\" ixy=\"0\" ixz=\"0\" iyy=\"{y}\" iyz=\"0\" izz=\"{z}\"/>");
+    let (range, text) = match child(inertial, "inertia") {
+        Some(old) => (old.range().shift(base), text),
+        None => last_child(cx.source, base, inertial, &text),
+    };
+    vec![edit(cx.source, range, text)]
+}
+
+/// The origin of the shape as that of the inertia.
+fn centre(cx: &Cx<'_>, base: u32, inertial: Node<'_>, shape: Option<Node<'_>>) -> Option<Edit> {
+    let document = &cx.source.document;
+    let new = shape.map(|origin| document.slice(origin.range().shift(base)));
+    let old = child(inertial, "origin").map(|origin| origin.range().shift(base));
+    match (old, new) {
+        (Some(old), Some(new)) if document.slice(old) != new => Some(edit(cx.source, old, new)),
+        (Some(old), None) => {
+            let identity = "<origin xyz=\"0 0 0\" rpy=\"0 0 0\"/>";
+            (document.slice(old) != identity).then(|| edit(cx.source, old, identity))
+        }
+        (None, Some(new)) => {
+            // in front of the first element, on a line like it
+            let first = inertial.child_elements().next()?.range().start + base;
+            let end = super::place::line_end(document);
+            let text = format!("{new}{end}{}", margin(document, first));
+            Some(edit(cx.source, TextRange::empty(first), text))
+        }
+        _ => None,
+    }
+}
+
+/// A number with six digits that count, and none that do not.
+fn shown(number: f64) -> String {
+    let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
+    let plain = format!("{rounded}");
+    if plain.len() <= 12 { plain } else { format!("{rounded:e}") }
+}

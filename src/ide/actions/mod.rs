@@ -1,0 +1,77 @@
+//! What an editor offers to do at a place: quick fixes of findings, and changes that keep the meaning.
+//!
+//! Every action is a list of edits; nothing is offered that was not worked out.
+
+mod create;
+mod extract;
+mod inertia;
+mod inline;
+mod mend;
+mod place;
+mod suppress;
+mod wrap;
+
+pub use create::{MacroFile, include_macro};
+pub use inline::inlinable;
+
+use super::context::Cx;
+use crate::base::{Span, TextRange};
+use crate::rules::Edit;
+use crate::vfs::SourceFile;
+
+/// Something that can be done.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Action {
+    /// What it does, for people.
+    pub title: String,
+    /// Which kind of change it is.
+    pub kind: ActionKind,
+    /// The changes; they do not overlap.
+    pub edits: Vec<Edit>,
+}
+
+/// Kinds of changes, as editors sort them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ActionKind {
+    /// Mends a finding.
+    Fix,
+    /// Gives a value a name.
+    Extract,
+    /// Puts a value in the place of its name.
+    Inline,
+    /// Writes it in another way.
+    Rewrite,
+}
+
+/// Quick fixes of a finding of `rule` at `range` that its rule does not offer by itself.
+pub fn quick_fixes(source: &SourceFile, rule: &str, range: TextRange) -> Vec<Action> {
+    let mut found = match rule {
+        "xml-syntax-error" => mend::mend_syntax(source, range),
+        _ => create::missing(source, rule, range),
+    };
+    if rule != "xml-syntax-error" {
+        found.extend(suppress::suppress(source, rule, range));
+    }
+    found
+}
+
+/// Changes offered for a selection, or for the place of the cursor when it is empty.
+pub fn refactorings(cx: &Cx<'_>, selection: TextRange) -> Vec<Action> {
+    if !cx.source.document.errors().is_empty() {
+        return Vec::new();
+    }
+    let mut found: Vec<Action> = inertia::from_geometry(cx, selection.start).into_iter().collect();
+    found.extend(extract::property(cx, selection));
+    found.extend(inline::property(cx, selection.start));
+    found.extend(wrap::in_condition(cx.source, selection));
+    found
+}
+
+/// An edit of a file.
+fn edit(source: &SourceFile, range: TextRange, content: impl Into<String>) -> Edit {
+    Edit { span: Span { file: source.id, range }, content: content.into() }
+}
+
+fn fix(title: String, edits: Vec<Edit>) -> Action {
+    Action { title, kind: ActionKind::Fix, edits }
+}

@@ -1,0 +1,53 @@
+//! Elements go into another one.
+
+use super::place::{element_at, line_end, margin};
+use super::{Action, ActionKind, edit};
+use crate::base::TextRange;
+use crate::ide::{format_range, indentation};
+use crate::vfs::SourceFile;
+use crate::workspace::config::Format;
+use crate::xml::Document;
+
+/// Put the selected elements, or the one whose start tag the cursor is in, under a condition.
+pub(super) fn in_condition(source: &SourceFile, selection: TextRange) -> Option<Action> {
+    let document = &source.document;
+    document.root()?.attr("xmlns:xacro")?;
+    let range = elements(document, selection)?;
+    let (end, margin) = (line_end(document), margin(document, range.start));
+    let body = document.slice(range);
+    let wrapped = format!("<xacro:if value=\"true\">{end}{margin}{body}{end}{margin}</xacro:if>");
+    // indentation is set as the formatter would, in the changed text
+    let mut changed = document.text();
+    changed.replace_range(range.start as usize..range.end as usize, &wrapped);
+    let new = TextRange::new(range.start, range.start + wrapped.len() as u32);
+    let changed_document = Document::parse(&changed);
+    let inside = format_range(&changed_document, new, &indentation(document), &Format::default());
+    for (place, text) in inside.iter().rev().filter(|(place, _)| new.contains_range(*place)) {
+        changed.replace_range(place.start as usize..place.end as usize, text);
+    }
+    let len = changed.len() as u32 + range.end - document.len();
+    let content = changed.get(range.start as usize..len as usize)?.to_owned();
+    let edits = vec![edit(source, range, content)];
+    Some(Action { title: "wrap in `xacro:if`".to_owned(), kind: ActionKind::Rewrite, edits })
+}
+
+/// The whole elements that a selection covers.
+fn elements(document: &Document, selection: TextRange) -> Option<TextRange> {
+    let text = document.slice(selection);
+    let blanks = (text.len() - text.trim_start().len()) as u32;
+    let range = TextRange::new(selection.start + blanks, selection.start + text.trim_end().len() as u32);
+    if range.is_empty() {
+        let (base, node) = element_at(document, selection.start)?;
+        let in_tag = node.start_tag_range().shift(base).touches(selection.start);
+        return (in_tag && base > 0).then(|| node.range().shift(base));
+    }
+    let (base, first) = element_at(document, range.start)?;
+    let (last_base, mut last) = element_at(document, range.end - 1)?;
+    while last.range().shift(last_base).end < range.end {
+        last = last.parent()?;
+    }
+    let begins = first.range().shift(base).start == range.start;
+    let ends = last.range().shift(last_base).end == range.end;
+    let beside = first.parent() == last.parent();
+    (begins && ends && beside && base > 0).then_some(range)
+}

@@ -1,0 +1,326 @@
+//! F24, F25: quick fixes and refactorings.
+
+use serde_json::{Value, json};
+
+use super::client::{Client, Options, position};
+use super::workspace::{ROBOT, ROBOT_TEXT, UNIT, pan_tilt, write};
+
+const FILE: &str = "src/pan_tilt/urdf/more.urdf.xacro";
+
+/// The actions for a marked text of an open file: `«` and `»` around it, or `|` for the cursor.
+#[track_caller]
+fn actions(client: &mut Client, file: &str, marked: &str, diagnostics: &[Value], only: &[&str]) -> Vec<Value> {
+    let (start, end) = match marked.split_once('|') {
+        Some((before, _)) => (before.len(), before.len()),
+        None => {
+            let start = marked.find('«').expect("a mark");
+            (start, marked.find('»').expect("a mark") - '«'.len_utf8())
+        }
+    };
+    let plain = marked.replace(['«', '»', '|'], "");
+    let text = client.text(file).to_owned();
+    let at = text.find(&plain).unwrap_or_else(|| panic!("`{plain}` in {file}"));
+    let mut params = client.of(file);
+    params["range"] = json!({ "start": position(&text, at + start), "end": position(&text, at + end) });
+    params["context"] = json!({ "diagnostics": diagnostics });
+    if !only.is_empty() {
+        params["context"]["only"] = json!(only);
+    }
+    let found = client.request("textDocument/codeAction", params);
+    found.as_array().cloned().unwrap_or_default()
+}
+
+/// The quick fixes of the only finding of a rule.
+#[track_caller]
+fn fixes(client: &mut Client, file: &str, rule: &str) -> Vec<Value> {
+    let found = client.diagnostics(file);
+    let of_rule: Vec<Value> = found.iter().filter(|d| d["code"] == rule).cloned().collect();
+    assert!(!of_rule.is_empty(), "{rule} in {found:?}");
+    let mut params = client.of(file);
+    params["range"] = of_rule[0]["range"].clone();
+    params["context"] = json!({ "diagnostics": [of_rule[0]], "only": ["quickfix"] });
+    let found = client.request("textDocument/codeAction", params);
+    found.as_array().cloned().unwrap_or_default()
+}
+
+#[track_caller]
+fn titled<'a>(actions: &'a [Value], title: &str) -> &'a Value {
+    let titles: Vec<&Value> = actions.iter().map(|action| &action["title"]).collect();
+    let found = actions.iter().find(|action| action["title"].as_str().unwrap().contains(title));
+    found.unwrap_or_else(|| panic!("`{title}` in {titles:?}"))
+}
+
+/// A robot with the xacro namespace around some elements.
+fn robot(content: &str) -> String {
+    format!("<robot name=\"🤖\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n{content}\n</robot>\n")
+}
+
+#[test]
+fn a_typo_is_replaced_by_the_suggestion() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    client.edit(ROBOT, "${m0 / 3}", "${m_0}");
+    let found = fixes(&mut client, ROBOT, "undefined-property");
+    let fix = titled(&found, "m0");
+    assert_eq!(fix["kind"], "quickfix");
+    assert_eq!(fix["diagnostics"][0]["code"], "undefined-property");
+    assert!(client.after(ROBOT, &fix["edit"]).contains("0 0 ${m0}"));
+    let made = client.after(ROBOT, &titled(&found, "create property `m_0`")["edit"]);
+    assert!(made.contains("  <xacro:property name=\"m_0\" value=\"0\"/>\n  <xacro:unit name=\"tilt\""), "{made}");
+}
+
+#[test]
+fn names_of_unsaved_includes_are_mended_too() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    client.open(UNIT);
+    client.edit(UNIT, "name=\"unit\"", "name=\"unitt\"");
+    client.edit(ROBOT, "value=\"0.15\"", "value=\"0.16\"");
+    let found = fixes(&mut client, ROBOT, "undefined-macro");
+    assert!(client.after(ROBOT, &titled(&found, "unitt")["edit"]).contains("<xacro:unitt name=\"pan\""));
+    let made = client.after(ROBOT, &titled(&found, "create macro `unit`")["edit"]);
+    assert!(made.contains("<xacro:macro name=\"unit\" params=\"name parent *content\"></xacro:macro>"), "{made}");
+}
+
+#[test]
+fn a_macro_of_the_workspace_can_be_included() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    client.edit(ROBOT, "</robot>", "  <xacro:lens prefix=\"a\"/>\n</robot>");
+    let found = fixes(&mut client, ROBOT, "undefined-macro");
+    let made = client.after(ROBOT, &titled(&found, "$(find lens)/urdf/lens.xacro")["edit"]);
+    let expected = "  <xacro:include filename=\"$(find lens)/urdf/lens.xacro\"/>\n  <xacro:lens prefix=\"a\"/>\n</robot>";
+    assert!(made.contains(expected), "{made}");
+}
+
+#[test]
+fn missing_things_are_created_where_they_are_missed() {
+    let mut client = Client::start();
+    for (content, rule, title, expected) in [
+        (
+            "  <link name=\"$(arg side)\"/>",
+            "undefined-arg",
+            "declare argument `side`",
+            "xacro\">\n  <xacro:arg name=\"side\" default=\"\"/>\n  <link",
+        ),
+        (
+            "  <link name=\"a\"/>\n  <joint name=\"j\" type=\"fixed\"><parent link=\"a\"/><child link=\"tool\"/></joint>",
+            "undefined-link",
+            "create link `tool`",
+            "  <link name=\"tool\"/>\n  <joint",
+        ),
+        (
+            "  <link name=\"a\"/>\n  <link name=\"b\"/>\n  <joint name=\"j\" type=\"revolute\">\n    <parent link=\"a\"/><child link=\"b\"/>\n  </joint>",
+            "missing-joint-limit",
+            "add a `limit`",
+            "<child link=\"b\"/>\n    <limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>\n  </joint>",
+        ),
+        (
+            "  <link name=\"a\"><visual><geometry><sphere/></geometry></visual></link>",
+            "missing-attribute",
+            "add `radius`",
+            "<sphere radius=\"\"/>",
+        ),
+        (
+            "  <xacro:macro name=\"m\" params=\"a\">\n    <link name=\"${a}${prefix}\"/>\n  </xacro:macro>\n  <xacro:m a=\"x\"/>",
+            "undefined-property",
+            "create parameter `prefix` of macro `m`",
+            "params=\"a prefix\"",
+        ),
+    ] {
+        client.open_with(FILE, &robot(content));
+        let found = fixes(&mut client, FILE, rule);
+        let made = client.after(FILE, &titled(&found, title)["edit"]);
+        assert!(made.contains(expected), "{made}");
+    }
+}
+
+#[test]
+fn broken_syntax_is_mended() {
+    let mut client = Client::start();
+    for (content, title, expected) in [
+        ("<link name=\"a\"></lnk>", "close `link`", "<link name=\"a\"></link>"),
+        ("<link name=\"a\" name=\"b\"/>", "remove the second `name`", "<link name=\"a\"/>"),
+        ("<link name=\"a < b\"/>", "write `&lt;`", "<link name=\"a &lt; b\"/>"),
+        ("<link name=\"a & b\"/>", "write `&amp;`", "<link name=\"a &amp; b\"/>"),
+        ("<link name=\"a\"><visual></link>", "close `visual`", "<visual></visual></link>"),
+    ] {
+        client.open_with(FILE, &robot(content));
+        let found = fixes(&mut client, FILE, "xml-syntax-error");
+        let made = client.after(FILE, &titled(&found, title)["edit"]);
+        assert!(made.contains(expected), "{made}");
+    }
+}
+
+#[test]
+fn a_finding_can_be_hidden() {
+    let mut client = Client::start();
+    for (title, expected) in [
+        ("here", "\n  <!-- xacro-lint: disable-next-line undefined-link -->\n  <joint"),
+        ("in this file", "<!-- xacro-lint: disable-file undefined-link -->\n<robot"),
+    ] {
+        // the finding stands at the child: the comment goes in front of its own tag
+        client.open_with(
+            FILE,
+            &robot("  <link name=\"a\"/>\n  <joint name=\"j\" type=\"fixed\">\n  <parent link=\"a\"/>\n  <child link=\"t\"/></joint>"),
+        );
+        let found = fixes(&mut client, FILE, "undefined-link");
+        let made = client.after(FILE, &titled(&found, title)["edit"]);
+        assert!(made.contains(&expected.replace("<joint", "<child")), "{made}");
+        client.open_with(FILE, &made);
+        let left = client.findings(FILE);
+        assert!(!left.iter().any(|found| found.contains("undefined-link")), "{left:?}");
+    }
+}
+
+#[test]
+fn all_safe_fixes_are_made_at_once() {
+    let mut client = Client::start();
+    let joint = |name: &str, child: &str| {
+        format!(
+            "  <joint name=\"{name}\" type=\"revolue\">\n    <parent link=\"a\"/><child link=\"{child}\"/><axis xyz=\"0 0 1\"/>\
+             <limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/>\n  </joint>\n"
+        )
+    };
+    let content = format!("  <link name=\"a\"/><link name=\"b\"/><link name=\"c\"/>\n{}{}", joint("é", "b"), joint("k", "c"));
+    client.open_with(FILE, &robot(&content));
+    client.diagnostics(FILE);
+    let found = actions(&mut client, FILE, "|<robot", &[], &["source.fixAll"]);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert_eq!(found[0]["kind"], "source.fixAll.xacro");
+    let made = client.after(FILE, &found[0]["edit"]);
+    assert_eq!(made.matches("type=\"revolute\"").count(), 2, "{made}");
+    let fix = fixes(&mut client, FILE, "unknown-joint-type");
+    assert_eq!(titled(&fix, "revolute")["isPreferred"], true);
+    assert!(actions(&mut client, FILE, "|<robot", &[], &[]).iter().all(|a| a["kind"] != "source.fixAll.xacro"));
+}
+
+#[test]
+fn what_a_client_makes_up_does_no_harm() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    let edit = json!({ "uri": "file:///etc/passwd", "newText": "x",
+        "range": { "start": { "line": 0, "character": 0 }, "end": { "line": 9, "character": 0 } } });
+    let data = json!({ "title": "boo", "safety": "safe", "edits": [edit] });
+    let range = json!({ "start": { "line": 2, "character": 0 }, "end": { "line": 2, "character": 9 } });
+    let forged = |code: Value, data: Value| {
+        json!({ "range": range, "message": "m", "source": "xacro", "code": code, "data": data })
+    };
+    let all = [
+        forged(json!("undefined-property"), data.clone()),
+        forged(json!("-->"), data.clone()),
+        forged(json!(7), json!(null)),
+        json!({ "range": { "start": { "line": 4_000_000_000_u32, "character": 9 }, "end": { "line": 0, "character": 0 } },
+            "message": "", "source": "xacro", "code": "undefined-arg", "data": [1] }),
+    ];
+    let found = actions(&mut client, ROBOT, "|<robot", &all, &["quickfix"]);
+    assert_eq!(found, Vec::<Value>::new());
+}
+
+const SOLID: &str = "  <link name=\"a\">
+    <inertial><mass value=\"${3 * 4}\"/></inertial>
+    <collision><origin xyz=\"0 0 1\"/><geometry><box size=\"1 2 3\"/></geometry></collision>
+  </link>";
+
+#[test]
+fn inertia_follows_from_the_geometry() {
+    let mut client = Client::start();
+    for (shape, expected) in [
+        ("<box size=\"1 2 3\"/>", ["13", "10", "5"]),
+        ("<cylinder radius=\"1\" length=\"2\"/>", ["7", "7", "6"]),
+        ("<sphere radius=\"0.5\"/>", ["1.2", "1.2", "1.2"]),
+    ] {
+        client.open_with(FILE, &robot(&SOLID.replace("<box size=\"1 2 3\"/>", shape)));
+        let found = actions(&mut client, FILE, "<in|ertial>", &[], &["refactor.rewrite"]);
+        let made = client.after(FILE, &titled(&found, "compute the inertia")["edit"]);
+        let [x, y, z] = expected;
+        let inertia =
+            format!("<inertia ixx=\"{x}\" ixy=\"0\" ixz=\"0\" iyy=\"{y}\" iyz=\"0\" izz=\"{z}\"/>");
+        assert!(made.contains(&inertia), "{made}");
+        assert!(made.contains("<inertial><origin xyz=\"0 0 1\"/>"), "{made}");
+    }
+}
+
+#[test]
+fn inertia_that_differs_by_call_or_is_unknown_is_not_offered() {
+    let mut client = Client::start();
+    let in_macro = |calls: &str| {
+        robot(&format!(
+            "  <xacro:macro name=\"m\" params=\"n size\">\n{}\n  </xacro:macro>\n{calls}",
+            SOLID.replace("\"1 2 3\"", "\"${size}\"").replace("\"a\"", "\"${n}\"")
+        ))
+    };
+    for (text, offered) in [
+        (in_macro("<xacro:m n=\"a\" size=\"1 2 3\"/><xacro:m n=\"b\" size=\"1 2 3\"/>"), true),
+        (in_macro("<xacro:m n=\"a\" size=\"1 2 3\"/><xacro:m n=\"b\" size=\"1 1 3\"/>"), false),
+        (in_macro(""), false),
+        (robot(&SOLID.replace("1 2 3", "1 x 3")), false),
+        (robot(SOLID).replace("</robot>", ""), false),
+    ] {
+        client.open_with(FILE, &text);
+        let found = actions(&mut client, FILE, "<in|ertial>", &[], &["refactor"]);
+        let is_offered = found.iter().any(|action| action["title"].as_str().unwrap().contains("inertia"));
+        assert_eq!(is_offered, offered, "{text}");
+    }
+}
+
+#[test]
+fn a_number_becomes_a_property_and_a_property_a_number() {
+    let mut client = Client::start();
+    client.open_with(
+        FILE,
+        &robot("  <link name=\"🤖 0.1\"><visual><geometry><box size=\"0.1 0.2 ${0.1 * 2}\"/></geometry></visual></link>"),
+    );
+    let found = actions(&mut client, FILE, "size=\"0|.1", &[], &["refactor.extract"]);
+    let one = client.after(FILE, &titled(&found, "make `0.1`")["edit"]);
+    let property = "  <xacro:property name=\"box_size\" value=\"0.1\"/>\n  <link name=\"🤖 0.1\">";
+    assert!(one.contains(property) && one.contains("size=\"${box_size} 0.2 ${0.1 * 2}\""), "{one}");
+    let all = client.after(FILE, &titled(&found, "all 2")["edit"]);
+    assert!(all.contains(property) && all.contains("size=\"${box_size} 0.2 ${box_size * 2}\""), "{all}");
+    client.open_with(FILE, &all);
+    for place in ["name=\"box|_size\"", "${box|_size}"] {
+        let found = actions(&mut client, FILE, place, &[], &["refactor.inline"]);
+        let back = client.after(FILE, &titled(&found, "inline property `box_size`")["edit"]);
+        assert!(back.contains("size=\"0.1 0.2 ${0.1 * 2}\""), "{back}");
+        assert!(!back.contains("property"), "{back}");
+    }
+}
+
+#[test]
+fn a_property_that_others_read_is_not_inlined() {
+    let folder = pan_tilt();
+    write(&folder, "src/pan_tilt/urdf/shared.xacro", robot("  <xacro:property name=\"shared\" value=\"1\"/>"));
+    let user = robot("  <xacro:include filename=\"shared.xacro\"/>\n  <link name=\"l${shared}\"/>");
+    write(&folder, "src/pan_tilt/urdf/one.urdf.xacro", &user);
+    let mut client = Client::with(folder, Options::default());
+    client.open("src/pan_tilt/urdf/one.urdf.xacro");
+    client.open("src/pan_tilt/urdf/shared.xacro");
+    let inline = |client: &mut Client| {
+        actions(client, "src/pan_tilt/urdf/one.urdf.xacro", "${sh|ared}", &[], &["refactor.inline"]).len()
+    };
+    assert_eq!(inline(&mut client), 1);
+    // a second robot reads it as well
+    client.open_with("src/pan_tilt/urdf/two.urdf.xacro", &user);
+    client.diagnostics("src/pan_tilt/urdf/two.urdf.xacro");
+    assert_eq!(inline(&mut client), 0);
+}
+
+#[test]
+fn elements_are_wrapped_in_a_condition() {
+    let mut client = Client::start();
+    client.open_with(FILE, &robot("  <link name=\"a\"/>\n  <link name=\"b\">\n    <!-- c -->\n  </link>"));
+    let found = actions(&mut client, FILE, "  «<link name=\"a\"/>\n  <link name=\"b\">\n    <!-- c -->\n  </link>»", &[], &["refactor"]);
+    let made = client.after(FILE, &titled(&found, "wrap in `xacro:if`")["edit"]);
+    let expected = "  <xacro:if value=\"true\">\n    <link name=\"a\"/>\n    <link name=\"b\">\n      <!-- c -->\n    </link>\n  </xacro:if>";
+    assert_eq!(made, robot(expected));
+    let found = actions(&mut client, FILE, "  «<link name=\"a\"/>\n  <link name=\"b\">»", &[], &["refactor"]);
+    assert!(found.iter().all(|action| !action["title"].as_str().unwrap().contains("wrap")), "{found:?}");
+}
+
+#[test]
+fn nothing_is_rewritten_in_a_broken_file() {
+    let mut client = Client::start();
+    client.open_with(ROBOT, &ROBOT_TEXT.replace("</robot>", ""));
+    let found = actions(&mut client, ROBOT, "value=\"0|.15\"", &[], &["refactor"]);
+    assert_eq!(found, Vec::<Value>::new());
+}
