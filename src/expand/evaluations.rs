@@ -61,7 +61,7 @@ impl Expander<'_> {
     /// Note what the expression at `at` gave; `mark` is how many reads there were before.
     pub fn note_value(&mut self, at: Origin, value: &Value, mark: usize) {
         let kept = &mut self.result.evaluations;
-        if kept.is_full() {
+        if kept.is_full() || !self.request.probe {
             return;
         }
         let start = kept.reads.len() as u32;

@@ -74,7 +74,8 @@ pub struct Request {
     pub root_dir: Option<String>,
     /// Budgets.
     pub limits: Limits,
-    /// Whether macros that nothing calls are looked into as well, with parameters whose values are unknown.
+    /// Whether more is wanted than the document: macros that nothing calls are looked into, with parameters whose
+    /// values are unknown, and it is noted what names refer to and what expressions gave.
     pub probe: bool,
     /// Set to stop early; the result is then incomplete.
     pub cancel: CancelFlag,

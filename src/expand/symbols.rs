@@ -160,6 +160,9 @@ impl Expander<'_> {
 
     /// Note that the text at `at` refers to a definition.
     pub fn note_use(&mut self, at: Origin, definition: Option<DefinitionId>, kind: UseKind) {
+        if !self.request.probe {
+            return;
+        }
         if let Some(definition) = definition {
             self.result.symbols.add_use(Use { place: at.into(), definition, kind }, self.idle);
         }
@@ -167,6 +170,9 @@ impl Expander<'_> {
 
     /// Note that the text at `at` reads a binding.
     pub fn note_read(&mut self, at: Origin, binding: u32, kind: UseKind) {
+        if !self.request.probe {
+            return;
+        }
         let definition = self.result.bindings.get(binding as usize).and_then(|info| info.definition);
         self.note_use(at, definition, kind);
     }
