@@ -102,6 +102,7 @@ impl Engine {
                 actions.push((action, fix.safety == Safety::Safe));
             }
             if rule == "undefined-macro" {
+                self.world.scan(|| cancel.is_cancelled());
                 let more = ide::include_macro(source, range, |name| self.files_with_macro(path, name));
                 actions.extend(more.into_iter().map(|action| (action, false)));
             }
@@ -154,8 +155,13 @@ impl Engine {
         let mut actions = ide::refactorings(&asked.cx(), selection);
         if let Some((_, name)) = ide::inlinable(&asked.cx(), selection.start) {
             // files of other robots may read the property
+            self.world.scan(|| cancel.is_cancelled());
+            if !self.world.is_scanned() {
+                return Err(Failure::Cancelled);
+            }
             let others = self.world.known_files().into_iter().filter(|file| !asked.analyzed.includes(file));
-            let reads = |file: &Path| self.world.document(file).is_some_and(|own| mentions(&own.document, &name));
+            let reads =
+                |file: &Path| self.world.document(file).is_some_and(|own| mentions(&own.document, &name));
             if others.into_iter().any(|file| reads(&file)) {
                 actions.retain(|action| action.kind != ActionKind::Inline);
             }

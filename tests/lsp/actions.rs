@@ -9,7 +9,13 @@ const FILE: &str = "src/pan_tilt/urdf/more.urdf.xacro";
 
 /// The actions for a marked text of an open file: `«` and `»` around it, or `|` for the cursor.
 #[track_caller]
-fn actions(client: &mut Client, file: &str, marked: &str, diagnostics: &[Value], only: &[&str]) -> Vec<Value> {
+fn actions(
+    client: &mut Client,
+    file: &str,
+    marked: &str,
+    diagnostics: &[Value],
+    only: &[&str],
+) -> Vec<Value> {
     let (start, end) = match marked.split_once('|') {
         Some((before, _)) => (before.len(), before.len()),
         None => {
@@ -50,6 +56,17 @@ fn titled<'a>(actions: &'a [Value], title: &str) -> &'a Value {
     found.unwrap_or_else(|| panic!("`{title}` in {titles:?}"))
 }
 
+/// Open the file, or give it another text.
+fn show(client: &mut Client, text: &str) {
+    match client.is_open(FILE) {
+        true => {
+            let old = client.text(FILE).to_owned();
+            client.edit(FILE, &old, text);
+        }
+        false => client.open_with(FILE, text),
+    }
+}
+
 /// A robot with the xacro namespace around some elements.
 fn robot(content: &str) -> String {
     format!("<robot name=\"🤖\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n{content}\n</robot>\n")
@@ -66,7 +83,10 @@ fn a_typo_is_replaced_by_the_suggestion() {
     assert_eq!(fix["diagnostics"][0]["code"], "undefined-property");
     assert!(client.after(ROBOT, &fix["edit"]).contains("0 0 ${m0}"));
     let made = client.after(ROBOT, &titled(&found, "create property `m_0`")["edit"]);
-    assert!(made.contains("  <xacro:property name=\"m_0\" value=\"0\"/>\n  <xacro:unit name=\"tilt\""), "{made}");
+    assert!(
+        made.contains("  <xacro:property name=\"m_0\" value=\"0\"/>\n  <xacro:unit name=\"tilt\""),
+        "{made}"
+    );
 }
 
 #[test]
@@ -79,7 +99,10 @@ fn names_of_unsaved_includes_are_mended_too() {
     let found = fixes(&mut client, ROBOT, "undefined-macro");
     assert!(client.after(ROBOT, &titled(&found, "unitt")["edit"]).contains("<xacro:unitt name=\"pan\""));
     let made = client.after(ROBOT, &titled(&found, "create macro `unit`")["edit"]);
-    assert!(made.contains("<xacro:macro name=\"unit\" params=\"name parent *content\"></xacro:macro>"), "{made}");
+    assert!(
+        made.contains("<xacro:macro name=\"unit\" params=\"name parent *content\"></xacro:macro>"),
+        "{made}"
+    );
 }
 
 #[test]
@@ -128,7 +151,7 @@ fn missing_things_are_created_where_they_are_missed() {
             "params=\"a prefix\"",
         ),
     ] {
-        client.open_with(FILE, &robot(content));
+        show(&mut client, &robot(content));
         let found = fixes(&mut client, FILE, rule);
         let made = client.after(FILE, &titled(&found, title)["edit"]);
         assert!(made.contains(expected), "{made}");
@@ -145,7 +168,7 @@ fn broken_syntax_is_mended() {
         ("<link name=\"a & b\"/>", "write `&amp;`", "<link name=\"a &amp; b\"/>"),
         ("<link name=\"a\"><visual></link>", "close `visual`", "<visual></visual></link>"),
     ] {
-        client.open_with(FILE, &robot(content));
+        show(&mut client, &robot(content));
         let found = fixes(&mut client, FILE, "xml-syntax-error");
         let made = client.after(FILE, &titled(&found, title)["edit"]);
         assert!(made.contains(expected), "{made}");
@@ -160,14 +183,16 @@ fn a_finding_can_be_hidden() {
         ("in this file", "<!-- xacro-lint: disable-file undefined-link -->\n<robot"),
     ] {
         // the finding stands at the child: the comment goes in front of its own tag
-        client.open_with(
-            FILE,
-            &robot("  <link name=\"a\"/>\n  <joint name=\"j\" type=\"fixed\">\n  <parent link=\"a\"/>\n  <child link=\"t\"/></joint>"),
+        show(
+            &mut client,
+            &robot(
+                "  <link name=\"a\"/>\n  <joint name=\"j\" type=\"fixed\">\n  <parent link=\"a\"/>\n  <child link=\"t\"/></joint>",
+            ),
         );
         let found = fixes(&mut client, FILE, "undefined-link");
         let made = client.after(FILE, &titled(&found, title)["edit"]);
         assert!(made.contains(&expected.replace("<joint", "<child")), "{made}");
-        client.open_with(FILE, &made);
+        show(&mut client, &made);
         let left = client.findings(FILE);
         assert!(!left.iter().any(|found| found.contains("undefined-link")), "{left:?}");
     }
@@ -178,21 +203,27 @@ fn all_safe_fixes_are_made_at_once() {
     let mut client = Client::start();
     let joint = |name: &str, child: &str| {
         format!(
-            "  <joint name=\"{name}\" type=\"revolue\">\n    <parent link=\"a\"/><child link=\"{child}\"/><axis xyz=\"0 0 1\"/>\
+            "  <joint name=\"{name}\" type=\"revolute\">\n    <parent link=\"a\"/><child link=\"{child}\"/><axis xyz=\"0 0 2\"/>\
              <limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/>\n  </joint>\n"
         )
     };
-    let content = format!("  <link name=\"a\"/><link name=\"b\"/><link name=\"c\"/>\n{}{}", joint("é", "b"), joint("k", "c"));
-    client.open_with(FILE, &robot(&content));
+    let content = format!(
+        "  <link name=\"a\"/><link name=\"b\"/><link name=\"c\"/>\n{}{}",
+        joint("é", "b"),
+        joint("k", "c")
+    );
+    show(&mut client, &robot(&content));
     client.diagnostics(FILE);
     let found = actions(&mut client, FILE, "|<robot", &[], &["source.fixAll"]);
     assert_eq!(found.len(), 1, "{found:?}");
     assert_eq!(found[0]["kind"], "source.fixAll.xacro");
     let made = client.after(FILE, &found[0]["edit"]);
-    assert_eq!(made.matches("type=\"revolute\"").count(), 2, "{made}");
-    let fix = fixes(&mut client, FILE, "unknown-joint-type");
-    assert_eq!(titled(&fix, "revolute")["isPreferred"], true);
-    assert!(actions(&mut client, FILE, "|<robot", &[], &[]).iter().all(|a| a["kind"] != "source.fixAll.xacro"));
+    assert_eq!(made.matches("xyz=\"0 0 1\"").count(), 2, "{made}");
+    let fix = fixes(&mut client, FILE, "axis-not-normalized");
+    assert_eq!(titled(&fix, "0 0 1")["isPreferred"], true);
+    assert!(
+        actions(&mut client, FILE, "|<robot", &[], &[]).iter().all(|a| a["kind"] != "source.fixAll.xacro")
+    );
 }
 
 #[test]
@@ -203,9 +234,7 @@ fn what_a_client_makes_up_does_no_harm() {
         "range": { "start": { "line": 0, "character": 0 }, "end": { "line": 9, "character": 0 } } });
     let data = json!({ "title": "boo", "safety": "safe", "edits": [edit] });
     let range = json!({ "start": { "line": 2, "character": 0 }, "end": { "line": 2, "character": 9 } });
-    let forged = |code: Value, data: Value| {
-        json!({ "range": range, "message": "m", "source": "xacro", "code": code, "data": data })
-    };
+    let forged = |code: Value, data: Value| json!({ "range": range, "message": "m", "source": "xacro", "code": code, "data": data });
     let all = [
         forged(json!("undefined-property"), data.clone()),
         forged(json!("-->"), data.clone()),
@@ -230,12 +259,11 @@ fn inertia_follows_from_the_geometry() {
         ("<cylinder radius=\"1\" length=\"2\"/>", ["7", "7", "6"]),
         ("<sphere radius=\"0.5\"/>", ["1.2", "1.2", "1.2"]),
     ] {
-        client.open_with(FILE, &robot(&SOLID.replace("<box size=\"1 2 3\"/>", shape)));
+        show(&mut client, &robot(&SOLID.replace("<box size=\"1 2 3\"/>", shape)));
         let found = actions(&mut client, FILE, "<in|ertial>", &[], &["refactor.rewrite"]);
         let made = client.after(FILE, &titled(&found, "compute the inertia")["edit"]);
         let [x, y, z] = expected;
-        let inertia =
-            format!("<inertia ixx=\"{x}\" ixy=\"0\" ixz=\"0\" iyy=\"{y}\" iyz=\"0\" izz=\"{z}\"/>");
+        let inertia = format!("<inertia ixx=\"{x}\" ixy=\"0\" ixz=\"0\" iyy=\"{y}\" iyz=\"0\" izz=\"{z}\"/>");
         assert!(made.contains(&inertia), "{made}");
         assert!(made.contains("<inertial><origin xyz=\"0 0 1\"/>"), "{made}");
     }
@@ -257,7 +285,7 @@ fn inertia_that_differs_by_call_or_is_unknown_is_not_offered() {
         (robot(&SOLID.replace("1 2 3", "1 x 3")), false),
         (robot(SOLID).replace("</robot>", ""), false),
     ] {
-        client.open_with(FILE, &text);
+        show(&mut client, &text);
         let found = actions(&mut client, FILE, "<in|ertial>", &[], &["refactor"]);
         let is_offered = found.iter().any(|action| action["title"].as_str().unwrap().contains("inertia"));
         assert_eq!(is_offered, offered, "{text}");
@@ -267,9 +295,11 @@ fn inertia_that_differs_by_call_or_is_unknown_is_not_offered() {
 #[test]
 fn a_number_becomes_a_property_and_a_property_a_number() {
     let mut client = Client::start();
-    client.open_with(
-        FILE,
-        &robot("  <link name=\"🤖 0.1\"><visual><geometry><box size=\"0.1 0.2 ${0.1 * 2}\"/></geometry></visual></link>"),
+    show(
+        &mut client,
+        &robot(
+            "  <link name=\"🤖 0.1\"><visual><geometry><box size=\"0.1 0.2 ${0.1 * 2}\"/></geometry></visual></link>",
+        ),
     );
     let found = actions(&mut client, FILE, "size=\"0|.1", &[], &["refactor.extract"]);
     let one = client.after(FILE, &titled(&found, "make `0.1`")["edit"]);
@@ -277,7 +307,7 @@ fn a_number_becomes_a_property_and_a_property_a_number() {
     assert!(one.contains(property) && one.contains("size=\"${box_size} 0.2 ${0.1 * 2}\""), "{one}");
     let all = client.after(FILE, &titled(&found, "all 2")["edit"]);
     assert!(all.contains(property) && all.contains("size=\"${box_size} 0.2 ${box_size * 2}\""), "{all}");
-    client.open_with(FILE, &all);
+    show(&mut client, &all);
     for place in ["name=\"box|_size\"", "${box|_size}"] {
         let found = actions(&mut client, FILE, place, &[], &["refactor.inline"]);
         let back = client.after(FILE, &titled(&found, "inline property `box_size`")["edit"]);
@@ -289,7 +319,11 @@ fn a_number_becomes_a_property_and_a_property_a_number() {
 #[test]
 fn a_property_that_others_read_is_not_inlined() {
     let folder = pan_tilt();
-    write(&folder, "src/pan_tilt/urdf/shared.xacro", robot("  <xacro:property name=\"shared\" value=\"1\"/>"));
+    write(
+        &folder,
+        "src/pan_tilt/urdf/shared.xacro",
+        robot("  <xacro:property name=\"shared\" value=\"1\"/>"),
+    );
     let user = robot("  <xacro:include filename=\"shared.xacro\"/>\n  <link name=\"l${shared}\"/>");
     write(&folder, "src/pan_tilt/urdf/one.urdf.xacro", &user);
     let mut client = Client::with(folder, Options::default());
@@ -308,8 +342,14 @@ fn a_property_that_others_read_is_not_inlined() {
 #[test]
 fn elements_are_wrapped_in_a_condition() {
     let mut client = Client::start();
-    client.open_with(FILE, &robot("  <link name=\"a\"/>\n  <link name=\"b\">\n    <!-- c -->\n  </link>"));
-    let found = actions(&mut client, FILE, "  «<link name=\"a\"/>\n  <link name=\"b\">\n    <!-- c -->\n  </link>»", &[], &["refactor"]);
+    show(&mut client, &robot("  <link name=\"a\"/>\n  <link name=\"b\">\n    <!-- c -->\n  </link>"));
+    let found = actions(
+        &mut client,
+        FILE,
+        "  «<link name=\"a\"/>\n  <link name=\"b\">\n    <!-- c -->\n  </link>»",
+        &[],
+        &["refactor"],
+    );
     let made = client.after(FILE, &titled(&found, "wrap in `xacro:if`")["edit"]);
     let expected = "  <xacro:if value=\"true\">\n    <link name=\"a\"/>\n    <link name=\"b\">\n      <!-- c -->\n    </link>\n  </xacro:if>";
     assert_eq!(made, robot(expected));
@@ -323,4 +363,29 @@ fn nothing_is_rewritten_in_a_broken_file() {
     client.open_with(ROBOT, &ROBOT_TEXT.replace("</robot>", ""));
     let found = actions(&mut client, ROBOT, "value=\"0|.15\"", &[], &["refactor"]);
     assert_eq!(found, Vec::<Value>::new());
+}
+
+#[test]
+fn a_call_gives_way_to_what_it_makes() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    let found = actions(&mut client, ROBOT, "<xacro:un|it name=\"tilt\"", &[], &["refactor.inline"]);
+    let made = client.after(ROBOT, &titled(&found, "expand macro `unit` here")["edit"]);
+    let expected = "  <link name=\"tilt_body\">\n    <inertial>\n      <mass value=\"0.3\"/>\n";
+    assert!(made.contains(expected), "{made}");
+    assert!(
+        made.contains(
+            "  <joint name=\"tilt\" type=\"revolute\">\n    <origin xyz=\"0 0 0.049999999999999996\"/>\n"
+        ),
+        "{made}"
+    );
+    let expand = |client: &mut Client| {
+        let params = json!({ "textDocument": { "uri": client.uri(ROBOT) } });
+        let text = client.request("xacro/expand", params)["urdf"].as_str().unwrap().to_owned();
+        let lines = text.lines().filter(|line| !line.trim_start().starts_with("<!--"));
+        lines.map(str::to_owned).collect::<Vec<_>>().join("\n")
+    };
+    let before = expand(&mut client);
+    client.edit(ROBOT, ROBOT_TEXT, &made);
+    assert_eq!(expand(&mut client), before);
 }

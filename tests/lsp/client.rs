@@ -225,6 +225,10 @@ impl Client {
         );
     }
 
+    pub fn is_open(&self, file: &str) -> bool {
+        self.texts.contains_key(&self.uri(file))
+    }
+
     pub fn text(&self, file: &str) -> &str {
         let (_, text) = &self.texts[&self.uri(file)];
         text
@@ -282,7 +286,8 @@ impl Client {
             let range = &edit["range"];
             (offset(self.text(file), &range["start"]), offset(self.text(file), &range["end"]))
         };
-        let mut places: Vec<((usize, usize), &Value)> = edits.iter().map(|edit| (place(edit), edit)).collect();
+        let mut places: Vec<((usize, usize), &Value)> =
+            edits.iter().map(|edit| (place(edit), edit)).collect();
         places.sort_by_key(|(place, _)| *place);
         for pair in places.windows(2) {
             assert!(pair[0].0.1 <= pair[1].0.0, "edits overlap: {edits:?}");

@@ -50,13 +50,20 @@ fn the_editor_says_how_far_lines_are_indented() {
 #[test]
 fn a_range_is_formatted_alone() {
     let mut client = Client::start();
-    client.open_with(FILE, "<robot name=\"🤖\">\n<link name=\"a\"/>\n<link   name=\"b\"/>\n<link name=\"c\"/>\n</robot>\n");
+    client.open_with(
+        FILE,
+        "<robot name=\"🤖\">\n<link name=\"a\"/>\n<link   name=\"b\"/>\n<link name=\"c\"/>\n</robot>\n",
+    );
     let mut params = client.of(FILE);
     params["options"] = blanks(2);
-    params["range"] = json!({ "start": { "line": 2, "character": 0 }, "end": { "line": 2, "character": 18 } });
+    params["range"] =
+        json!({ "start": { "line": 2, "character": 0 }, "end": { "line": 2, "character": 18 } });
     let edits = client.request("textDocument/rangeFormatting", params);
     let text = client.after_edits(FILE, edits.as_array().unwrap());
-    assert_eq!(text, "<robot name=\"🤖\">\n<link name=\"a\"/>\n  <link name=\"b\"/>\n<link name=\"c\"/>\n</robot>\n");
+    assert_eq!(
+        text,
+        "<robot name=\"🤖\">\n<link name=\"a\"/>\n  <link name=\"b\"/>\n<link name=\"c\"/>\n</robot>\n"
+    );
 }
 
 #[test]

@@ -53,11 +53,16 @@ fn value_at(source: &SourceFile, selection: TextRange) -> Option<Value<'_>> {
     let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else { return None };
     let whole = at.shift(attr.value_range());
     let fixed = FIXED.contains(&attr.name()) || attr.name().starts_with("xmlns") || at.base == 0;
-    if !speaks_xacro || fixed || node.name() == "xacro:property" && attr.raw().len() == selection.len() as usize {
+    if !speaks_xacro
+        || fixed
+        || node.name() == "xacro:property" && attr.raw().len() == selection.len() as usize
+    {
         return None;
     }
     let range = if selection.is_empty() {
-        numbers(attr.raw()).map(|range| range.shift(whole.start)).find(|range| range.touches(selection.start))?
+        numbers(attr.raw())
+            .map(|range| range.shift(whole.start))
+            .find(|range| range.touches(selection.start))?
     } else {
         selection
     };
@@ -83,9 +88,13 @@ fn numbers(text: &str) -> impl Iterator<Item = TextRange> + '_ {
             let start = at + rest.find(is_word)?;
             let word = text.get(start..)?;
             let mut len = word.find(|c| !is_word(c)).unwrap_or(word.len());
-            let number = |len: usize| word.get(..len).filter(|word| word.starts_with(|c: char| c.is_ascii_digit() || c == '.'));
+            let number = |len: usize| {
+                word.get(..len).filter(|word| word.starts_with(|c: char| c.is_ascii_digit() || c == '.'))
+            };
             // the sign of an exponent
-            if number(len).is_some_and(|word| word.ends_with(['e', 'E'])) && word.get(len..)?.starts_with(['-', '+']) {
+            if number(len).is_some_and(|word| word.ends_with(['e', 'E']))
+                && word.get(len..)?.starts_with(['-', '+'])
+            {
                 let more = word.get(len + 1..)?;
                 len += 1 + more.find(|c: char| !c.is_ascii_digit()).unwrap_or(more.len());
             }
@@ -104,7 +113,9 @@ fn in_expression(text: &str, offset: usize) -> Option<bool> {
     let Some(opened) = opened else { return Some(false) };
     let quotes = before.get(opened..)?.matches('\'').count();
     match before.get(opened + 1..)?.chars().next() {
-        Some('{') if before.get(opened..)?.matches('{').count() > before.get(opened..)?.matches('}').count() => {
+        Some('{')
+            if before.get(opened..)?.matches('{').count() > before.get(opened..)?.matches('}').count() =>
+        {
             (quotes % 2 == 0).then_some(true)
         }
         Some('{' | '(') => closed.is_some_and(|closed| closed > opened).then_some(false),
@@ -126,7 +137,8 @@ fn alike(source: &SourceFile, value: &Value<'_>, from: u32) -> Vec<(TextRange, b
             same.dedup();
             for range in same {
                 let place = range.shift(base + attr.value_range().start);
-                if let Some(inside) = in_expression(raw, range.start as usize).filter(|_| place.start >= from) {
+                if let Some(inside) = in_expression(raw, range.start as usize).filter(|_| place.start >= from)
+                {
                     found.push((place, inside));
                 }
             }

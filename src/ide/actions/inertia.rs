@@ -91,8 +91,7 @@ fn solid(link: &Link) -> Option<[f64; 3]> {
 /// The element `inertia` with these numbers.
 fn entries(cx: &Cx<'_>, base: u32, inertial: Node<'_>, [x, y, z]: [f64; 3]) -> Vec<Edit> {
     let [x, y, z] = [x, y, z].map(shown);
-    let text =
-        format!("<inertia ixx=\"{x}\" ixy=\"0\" ixz=\"0\" iyy=\"{y}\" iyz=\"0\" izz=\"{z}\"/>");
+    let text = format!("<inertia ixx=\"{x}\" ixy=\"0\" ixz=\"0\" iyy=\"{y}\" iyz=\"0\" izz=\"{z}\"/>");
     let (range, text) = match child(inertial, "inertia") {
         Some(old) => (old.range().shift(base), text),
         None => last_child(cx.source, base, inertial, &text),

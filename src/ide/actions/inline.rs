@@ -53,7 +53,10 @@ fn inlined(document: &Document, span: Span, name: &str, value: &str) -> Option<E
     if left.ends_with("${") && !left.ends_with("$${") && right.starts_with('}') {
         let start = range.start - (before.len() - left.len()) as u32 - 2;
         let end = range.end + (behind.len() - right.len()) as u32 + 1;
-        return Some(Edit { span: Span { range: TextRange::new(start, end), ..span }, content: value.to_owned() });
+        return Some(Edit {
+            span: Span { range: TextRange::new(start, end), ..span },
+            content: value.to_owned(),
+        });
     }
     // in an expression only numbers mean what they are
     let number = value.trim();

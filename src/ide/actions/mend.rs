@@ -9,7 +9,11 @@ use crate::xml::{Document, NodeKind, SyntaxError, SyntaxErrorKind};
 /// The remedies of the mistake at a range.
 pub fn mend_syntax(source: &SourceFile, range: TextRange) -> Vec<Action> {
     let errors = source.document.errors();
-    let Some(error) = errors.iter().find(|error| error.range == range) else { return Vec::new() };
+    // a finding may stand at either place of a mistake
+    let here = |error: &&SyntaxError| {
+        error.range == range || error.related.is_some_and(|(related, _)| related == range)
+    };
+    let Some(error) = errors.iter().find(here) else { return Vec::new() };
     let found: Vec<Action> = match error.kind {
         SyntaxErrorKind::MismatchedEndTag => end_tag(source, error),
         SyntaxErrorKind::UnclosedElement => unclosed(source, error).into_iter().collect(),

@@ -3,6 +3,7 @@
 //! Every action is a list of edits; nothing is offered that was not worked out.
 
 mod create;
+mod expand;
 mod extract;
 mod inertia;
 mod inline;
@@ -63,6 +64,7 @@ pub fn refactorings(cx: &Cx<'_>, selection: TextRange) -> Vec<Action> {
     let mut found: Vec<Action> = inertia::from_geometry(cx, selection.start).into_iter().collect();
     found.extend(extract::property(cx, selection));
     found.extend(inline::property(cx, selection.start));
+    found.extend(expand::call(cx, selection.start));
     found.extend(wrap::in_condition(cx.source, selection));
     found
 }

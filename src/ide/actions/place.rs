@@ -1,8 +1,9 @@
 //! Where new elements go, and how they are indented.
 
 use crate::base::TextRange;
-use crate::ide::{At, indentation, locate};
+use crate::ide::{At, format_range, indentation, locate};
 use crate::vfs::SourceFile;
+use crate::workspace::config::Format;
 use crate::xml::{Document, Node, NodeKind, Part};
 
 /// The line end of a document.
@@ -75,6 +76,19 @@ pub(super) fn top_level(document: &Document, at: u32, element: &str) -> String {
         return format!("{end}{}{element}", indentation(document).unit);
     }
     format!("{element}{end}{}", margin(document, at))
+}
+
+/// A text that takes the place of a range, indented as the formatter would in the changed document.
+pub(super) fn indented(document: &Document, range: TextRange, text: &str) -> Option<String> {
+    let mut changed = document.text();
+    changed.replace_range(range.start as usize..range.end as usize, text);
+    let new = TextRange::new(range.start, range.start + text.len() as u32);
+    let edits = format_range(&Document::parse(&changed), new, &indentation(document), &Format::default());
+    for (place, text) in edits.iter().rev().filter(|(place, _)| new.contains_range(*place)) {
+        changed.replace_range(place.start as usize..place.end as usize, text);
+    }
+    let end = (changed.len() as u32 + range.end).checked_sub(document.len())?;
+    changed.get(range.start as usize..end as usize).map(str::to_owned)
 }
 
 /// The place and text of a new last child of an element.

@@ -1,11 +1,9 @@
 //! Elements go into another one.
 
-use super::place::{element_at, line_end, margin};
+use super::place::{element_at, indented, line_end, margin};
 use super::{Action, ActionKind, edit};
 use crate::base::TextRange;
-use crate::ide::{format_range, indentation};
 use crate::vfs::SourceFile;
-use crate::workspace::config::Format;
 use crate::xml::Document;
 
 /// Put the selected elements, or the one whose start tag the cursor is in, under a condition.
@@ -16,17 +14,7 @@ pub(super) fn in_condition(source: &SourceFile, selection: TextRange) -> Option<
     let (end, margin) = (line_end(document), margin(document, range.start));
     let body = document.slice(range);
     let wrapped = format!("<xacro:if value=\"true\">{end}{margin}{body}{end}{margin}</xacro:if>");
-    // indentation is set as the formatter would, in the changed text
-    let mut changed = document.text();
-    changed.replace_range(range.start as usize..range.end as usize, &wrapped);
-    let new = TextRange::new(range.start, range.start + wrapped.len() as u32);
-    let changed_document = Document::parse(&changed);
-    let inside = format_range(&changed_document, new, &indentation(document), &Format::default());
-    for (place, text) in inside.iter().rev().filter(|(place, _)| new.contains_range(*place)) {
-        changed.replace_range(place.start as usize..place.end as usize, text);
-    }
-    let len = changed.len() as u32 + range.end - document.len();
-    let content = changed.get(range.start as usize..len as usize)?.to_owned();
+    let content = indented(document, range, &wrapped)?;
     let edits = vec![edit(source, range, content)];
     Some(Action { title: "wrap in `xacro:if`".to_owned(), kind: ActionKind::Rewrite, edits })
 }
