@@ -69,7 +69,8 @@ pub fn indentation(document: &Document) -> Indent {
             _ => {}
         }
     }
-    let most = steps.iter().max_by_key(|(step, count)| (**count, std::cmp::Reverse(step.len())));
+    let most =
+        steps.iter().max_by_key(|(step, count)| (**count, **step == "  ", std::cmp::Reverse(step.len())));
     match most {
         Some((&"\t", _)) => Indent::tabs(4),
         Some((step, _)) => Indent::blanks(step.len()),
