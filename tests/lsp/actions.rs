@@ -389,3 +389,41 @@ fn a_call_gives_way_to_what_it_makes() {
     client.edit(ROBOT, ROBOT_TEXT, &made);
     assert_eq!(expand(&mut client), before);
 }
+
+#[test]
+fn what_links_and_joints_lack_is_added() {
+    let mut client = Client::start();
+    let content = "  <link name=\"🤖\">
+    <visual>
+      <origin xyz=\"0 0 1\"/>
+      <geometry>
+        <sphere radius=\"1\"/>
+      </geometry>
+      <material name=\"m\"/>
+    </visual>
+  </link>
+  <joint name=\"j\" type=\"revolute\"/>";
+    show(&mut client, &robot(content));
+    let found = actions(&mut client, FILE, "<vis|ual>", &[], &["refactor.rewrite"]);
+    let made = client.after(FILE, &titled(&found, "collision")["edit"]);
+    let expected = "    </visual>
+    <collision>
+      <origin xyz=\"0 0 1\"/>
+      <geometry>
+        <sphere radius=\"1\"/>
+      </geometry>
+    </collision>
+  </link>";
+    assert!(made.contains(expected), "{made}");
+    let found = actions(&mut client, FILE, "<joi|nt", &[], &["refactor.rewrite"]);
+    let axis = client.after(FILE, &titled(&found, "axis")["edit"]);
+    assert!(axis.contains("revolute\">\n    <axis xyz=\"1 0 0\"/>\n  </joint>"), "{axis}");
+    let limit = client.after(FILE, &titled(&found, "limit")["edit"]);
+    assert!(
+        limit.contains("<limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>\n  </joint>"),
+        "{limit}"
+    );
+    show(&mut client, &robot(content).replace("/>\n</robot>", "><xacro:x/></joint>\n</robot>"));
+    let found = actions(&mut client, FILE, "<joi|nt", &[], &["refactor.rewrite"]);
+    assert!(found.iter().all(|action| !action["title"].as_str().unwrap().contains("add")), "{found:?}");
+}

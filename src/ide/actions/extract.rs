@@ -73,7 +73,9 @@ fn value_at(source: &SourceFile, selection: TextRange) -> Option<Value<'_>> {
     let inside = TextRange::new(range.start - whole.start, range.end - whole.start);
     let is_number = numbers(attr.raw()).any(|number| number == inside);
     let in_expression = in_expression(attr.raw(), inside.start as usize)?;
-    let plain = !text.trim().is_empty() && !text.contains(['$', '"', '\'', '<', '&', '{', '}']);
+    // xacro reads truth values from properties, and prints them in another way
+    let truth = matches!(text.trim(), "true" | "false" | "True" | "False");
+    let plain = !truth && !text.trim().is_empty() && !text.contains(['$', '"', '\'', '<', '&', '{', '}']);
     let admitted = is_number || plain && !in_expression && text.parse::<f64>().is_err();
     admitted.then(|| Value { text, range, in_expression, attr, element: node.local_name() })
 }

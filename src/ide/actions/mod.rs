@@ -7,6 +7,7 @@ mod expand;
 mod extract;
 mod inertia;
 mod inline;
+mod joint;
 mod mend;
 mod place;
 mod suppress;
@@ -66,6 +67,8 @@ pub fn refactorings(cx: &Cx<'_>, selection: TextRange) -> Vec<Action> {
     found.extend(inline::property(cx, selection.start));
     found.extend(expand::call(cx, selection.start));
     found.extend(wrap::in_condition(cx.source, selection));
+    found.extend(joint::additions(cx.source, selection.start));
+    found.extend(joint::collision(cx.source, selection.start));
     found
 }
 

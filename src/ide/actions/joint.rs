@@ -1,0 +1,52 @@
+//! What links and joints often lack, added from what is there.
+
+use super::place::{enclosing, last_child, line_end, margin};
+use super::{Action, ActionKind, edit};
+use crate::base::TextRange;
+use crate::ide::indentation;
+use crate::vfs::SourceFile;
+use crate::xml::Node;
+
+/// Elements that the joint at an offset can have and does not.
+pub(super) fn additions(source: &SourceFile, offset: u32) -> Vec<Action> {
+    let Some((base, joint)) = enclosing(&source.document, offset, "joint") else { return Vec::new() };
+    let kind = joint.attr("type").map_or("", |kind| kind.raw());
+    let has = |name: &str| joint.child_elements().any(|child| child.name() == name);
+    let add = |title: &str, text: &str| {
+        let (range, text) = last_child(source, base, joint, text);
+        Action { title: title.to_owned(), kind: ActionKind::Rewrite, edits: vec![edit(source, range, text)] }
+    };
+    // what a macro or a block brings along cannot be seen here
+    if joint.child_elements().any(|child| child.name().starts_with("xacro:")) {
+        return Vec::new();
+    }
+    let mut found = Vec::new();
+    if matches!(kind, "revolute" | "continuous" | "prismatic" | "planar") && !has("axis") {
+        found.push(add("add the axis that parsers assume", "<axis xyz=\"1 0 0\"/>"));
+    }
+    if matches!(kind, "revolute" | "prismatic") && !has("limit") {
+        let limit = "<limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>";
+        found.push(add("add a limit to fill in", limit));
+    }
+    found
+}
+
+/// A collision of the shape of the visual at an offset.
+pub(super) fn collision(source: &SourceFile, offset: u32) -> Option<Action> {
+    let document = &source.document;
+    let (base, visual) = enclosing(document, offset, "visual")?;
+    let is_collision = |node: Node<'_>| node.name() == "collision" || node.name().starts_with("xacro:");
+    if visual.parent()?.name() != "link" || visual.parent()?.child_elements().any(is_collision) {
+        return None;
+    }
+    let (end, margin) = (line_end(document), margin(document, base + visual.range().start));
+    let inner = format!("{end}{margin}{}", indentation(document).unit);
+    let kept = visual.child_elements().filter(|child| matches!(child.name(), "origin" | "geometry"));
+    let kept: Vec<String> = kept.map(|child| document.slice(child.range().shift(base))).collect();
+    if !kept.iter().any(|text| text.starts_with("<geometry")) {
+        return None;
+    }
+    let text = format!("{end}{margin}<collision>{inner}{}{end}{margin}</collision>", kept.join(&inner));
+    let edits = vec![edit(source, TextRange::empty(base + visual.range().end), text)];
+    Some(Action { title: "add a collision like this visual".to_owned(), kind: ActionKind::Rewrite, edits })
+}
