@@ -302,3 +302,15 @@ fn the_step_of_indentation_is_read_off_the_file() {
         assert_eq!(indentation(&Document::parse(text)).unit, unit, "{text}");
     }
 }
+
+#[test]
+fn long_lines_and_deep_documents_take_no_time() {
+    let many: String = (0..30_000).map(|i| format!("<link name=\"l{i}\" a=\"1\"/>")).collect();
+    let one_line = format!("<robot>{many}</robot>");
+    let formatted = plain(&one_line);
+    assert_eq!(formatted.lines().count(), 30_002);
+    assert_eq!(plain(&formatted), formatted);
+    let deep = format!("<robot>{}{}</robot>", "<link>".repeat(5_000), "</link>".repeat(5_000));
+    let formatted = plain(&deep);
+    assert_eq!(plain(&formatted), formatted);
+}

@@ -96,25 +96,21 @@ impl Writer<'_> {
 
     /// Attributes that stood in one column stay there, seen from the tag; others go below the first one.
     fn layout(&self, element: Node<'_>, piece: &Piece<'_>) -> Layout {
-        let old = |offset: u32| column_of(self.text, offset, self.indent.tab);
-        let (tag, new) = (old(piece.range.start), self.column);
-        let name_width = width(element.name(), 0, self.indent.tab) + 1;
-        let mut beginning = Vec::new();
-        let mut before = element.name_range().end;
-        for attr in element.attrs() {
-            let gap = TextRange::new(before, attr.name_range().start).shift(piece.base);
-            if gap.slice(self.text).contains(['\n', '\r']) {
-                beginning.push(old(gap.end));
-            }
-            before = attr.range().end;
+        let new = self.column;
+        let below_first = new + width(element.name(), 0, self.indent.tab) + 2;
+        let tag_text = piece.range.slice(self.text);
+        if self.options.attributes == AttributeLayout::Auto || !tag_text.contains(['\n', '\r']) {
+            // columns in the old text are not looked for: its lines may be long
+            return Layout { column: below_first, end: new };
         }
+        let old = |offset: u32| column_of(self.text, offset, self.indent.tab);
+        let tag = old(piece.range.start);
+        let beginning = self.beginning_lines(element, piece);
         let first = element.attrs().next().map(|attr| attr.name_range().start + piece.base);
-        let below_first = new + name_width + 1;
-        let first_is_broken = first.is_some_and(|at| begins_line(self.text, at));
-        let common =
-            beginning.first().copied().filter(|first| beginning.iter().all(|column| column == first));
+        let first_is_broken = first.is_some_and(|at| beginning.first() == Some(&at));
+        let common = beginning.first().map(|at| old(*at));
+        let common = common.filter(|first| beginning.iter().all(|at| old(*at) == *first));
         let column = match common {
-            _ if self.options.attributes == AttributeLayout::Auto => below_first,
             Some(column) if !first_is_broken && first.map(old) == Some(column) => below_first,
             Some(column) if column > tag => new + (column - tag),
             _ if first_is_broken => new + width(&self.indent.unit, new, self.indent.tab),
@@ -125,6 +121,20 @@ impl Writer<'_> {
         let end = if beginning.is_empty() || old(closer_at) == tag { new } else { column };
         Layout { column, end }
     }
+
+    /// Where attributes begin that have a line end in front of them.
+    fn beginning_lines(&self, element: Node<'_>, piece: &Piece<'_>) -> Vec<u32> {
+        let mut before = element.name_range().end;
+        let mut found = Vec::new();
+        for attr in element.attrs() {
+            let gap = TextRange::new(before, attr.name_range().start).shift(piece.base);
+            if gap.slice(self.text).contains(['\n', '\r']) {
+                found.push(gap.end);
+            }
+            before = attr.range().end;
+        }
+        found
+    }
 }
 
 /// The end of a start tag with the white space in front of it.
@@ -133,15 +143,8 @@ fn closer<'t>(element: Node<'_>, piece: &Piece<'_>, text: &'t str) -> &'t str {
     TextRange::new(behind + piece.base, piece.range.end).slice(text)
 }
 
-fn line_before(text: &str, offset: u32) -> &str {
-    let before = text.get(..offset as usize).unwrap_or("");
-    before.rfind(['\n', '\r']).map_or(before, |at| before.get(at + 1..).unwrap_or(""))
-}
-
 fn column_of(text: &str, offset: u32, tab: usize) -> usize {
-    width(line_before(text, offset), 0, tab)
-}
-
-fn begins_line(text: &str, offset: u32) -> bool {
-    super::is_blank(line_before(text, offset))
+    let before = text.get(..offset as usize).unwrap_or("");
+    let line = before.rfind(['\n', '\r']).map_or(0, |at| at + 1);
+    width(before.get(line..).unwrap_or(""), 0, tab)
 }
