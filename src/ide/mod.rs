@@ -30,7 +30,9 @@ mod tokens;
 mod typed;
 mod values;
 
-pub use actions::{Action, ActionKind, MacroFile, include_macro, inlinable, quick_fixes, refactorings};
+pub use actions::{
+    Action, ActionKind, MacroFile, ignored_in_config, include_macro, inlinable, quick_fixes, refactorings,
+};
 pub use calls::{Caller, Calls, caller_target, calls_of, incoming, macro_at, macros_of, outgoing};
 pub use colours::{Colour, colour_text, colours};
 pub use completion::{

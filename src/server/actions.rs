@@ -16,11 +16,12 @@ use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
 use crate::analysis::{apply, choose};
-use crate::base::{CancelFlag, TextRange};
+use crate::base::{CancelFlag, Span, TextRange};
 use crate::facts::{FactKind, MentionKind, facts};
 use crate::ide::{self, Action, ActionKind, MacroFile};
 use crate::rules::{Edit, Finding, Safety};
 use crate::vfs::SourceFile;
+use crate::workspace::config::find_config;
 use crate::xml::Document;
 
 /// All safe fixes of a file at once.
@@ -108,12 +109,22 @@ impl Engine {
             }
             let more = ide::quick_fixes(source, rule, range);
             actions.extend(more.into_iter().map(|action| (action, false)));
+            actions.extend(self.ignored_in_project(path, rule).map(|action| (action, false)));
             for (action, preferred) in actions {
                 let made = self.action(action, Some(diagnostic));
                 found.extend(made.map(|made| CodeAction { is_preferred: preferred.then_some(true), ..made }));
             }
         }
         Ok(found)
+    }
+
+    /// A rule switched off in the configuration file that holds for a file; none where there is no such file.
+    fn ignored_in_project(&self, path: &Path, rule: &str) -> Option<Action> {
+        let vfs = &self.world.session().vfs;
+        let config = find_config(vfs, path.parent()?)?;
+        let (range, content) = ide::ignored_in_config(&vfs.text(&config).ok()?.text, rule)?;
+        let edits = vec![Edit { span: Span { file: vfs.file_id(&config), range }, content }];
+        Some(Action { title: format!("switch `{rule}` off in the project"), kind: ActionKind::Fix, edits })
     }
 
     fn findings_in(&mut self, path: &Path, cancel: &CancelFlag) -> Result<Vec<Finding>, Failure> {
@@ -185,7 +196,7 @@ impl Engine {
             return Ok(None);
         }
         let edit = |(range, content): &(TextRange, String)| Edit {
-            span: crate::base::Span { file: source.id, range: *range },
+            span: Span { file: source.id, range: *range },
             content: content.clone(),
         };
         let title = "fix all that can be fixed safely".to_owned();

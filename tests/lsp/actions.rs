@@ -427,3 +427,15 @@ fn what_links_and_joints_lack_is_added() {
     let found = actions(&mut client, FILE, "<joi|nt", &[], &["refactor.rewrite"]);
     assert!(found.iter().all(|action| !action["title"].as_str().unwrap().contains("add")), "{found:?}");
 }
+
+#[test]
+fn a_rule_can_be_switched_off_for_the_project() {
+    let folder = pan_tilt();
+    write(&folder, "xacro-lint.toml", "ignore = [\"STY\"]\n");
+    let mut client = Client::with(folder, Options::default());
+    show(&mut client, &robot("  <link name=\"${nothing}\"/>"));
+    let found = fixes(&mut client, FILE, "undefined-property");
+    let changes = &titled(&found, "in the project")["edit"]["changes"][client.uri("xacro-lint.toml")];
+    assert_eq!(changes[0]["newText"], "\"undefined-property\", ");
+    assert_eq!(changes[0]["range"]["start"], json!({ "line": 0, "character": 10 }));
+}

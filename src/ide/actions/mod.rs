@@ -15,6 +15,7 @@ mod wrap;
 
 pub use create::{MacroFile, include_macro};
 pub use inline::inlinable;
+pub use suppress::ignored_in_config;
 
 use super::context::Cx;
 use crate::base::{Span, TextRange};

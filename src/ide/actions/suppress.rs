@@ -43,3 +43,46 @@ fn in_file(source: &SourceFile, rule: &str) -> Action {
     };
     fix(format!("hide `{rule}` in this file by a comment"), vec![edit(source, TextRange::empty(at), text)])
 }
+
+/// Switch a rule off in the text of a configuration file: the range that is replaced, and by what.
+pub fn ignored_in_config(text: &str, rule: &str) -> Option<(TextRange, String)> {
+    let rule = rules::find(rule).find(|known| known.name == rule)?.name;
+    let mut offset = 0;
+    for line in text.split_inclusive('\n') {
+        let key = line.trim_start().strip_prefix("ignore").map(str::trim_start);
+        if let Some(value) = key.and_then(|rest| rest.strip_prefix('=')).map(str::trim_start) {
+            let list = value.strip_prefix('[')?;
+            let at = TextRange::empty((offset + line.len() - list.len()) as u32);
+            let comma = if list.trim_start().starts_with(']') { "" } else { ", " };
+            return Some((at, format!("\"{rule}\"{comma}")));
+        }
+        if line.trim_start().starts_with('[') {
+            break;
+        }
+        offset += line.len();
+    }
+    // keys of the file itself stand in front of all tables
+    Some((TextRange::empty(0), format!("ignore = [\"{rule}\"]\n")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ignored_in_config;
+
+    #[test]
+    fn rules_are_ignored_in_the_list_that_is_there() {
+        for (text, expected) in [
+            ("", "ignore = [\"orphan-link\"]\n"),
+            ("target = 'ros1'\nignore = []\n", "target = 'ros1'\nignore = [\"orphan-link\"]\n"),
+            ("ignore=[\n  'STY',\n]\n", "ignore=[\"orphan-link\", \n  'STY',\n]\n"),
+            ("[x]\nignore = [1]\n", "ignore = [\"orphan-link\"]\n[x]\nignore = [1]\n"),
+        ] {
+            let (range, new) = ignored_in_config(text, "orphan-link").unwrap();
+            let mut changed = text.to_owned();
+            changed.replace_range(range.start as usize..range.end as usize, &new);
+            assert_eq!(changed, expected);
+        }
+        assert_eq!(ignored_in_config("ignore = 7", "orphan-link"), None);
+        assert_eq!(ignored_in_config("", "no-such-rule"), None);
+    }
+}
