@@ -7,12 +7,12 @@ use crate::base::TextRange;
 
 #[test]
 fn ids_follow_the_spelling() {
-    let vfs = Vfs::with_cwd(1000, "/work".into());
+    let vfs = Vfs::with_cwd(1000, "/top".into());
     let id = vfs.file_id(Path::new("a/b.x"));
-    assert_eq!(vfs.file_id(Path::new("/work/a/b.x")), id);
+    assert_eq!(vfs.file_id(Path::new("/top/a/b.x")), id);
     assert_eq!(vfs.file_id(Path::new("./a/./b.x")), id);
     assert_ne!(vfs.file_id(Path::new("a/../a/b.x")), id);
-    assert_eq!(&*vfs.path(id), Path::new("/work/a/b.x"));
+    assert_eq!(&*vfs.path(id), Path::new("/top/a/b.x"));
 }
 
 #[test]
