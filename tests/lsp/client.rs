@@ -308,6 +308,18 @@ impl Client {
         format!("{name}:{line} {text}")
     }
 
+    /// Ask until it holds: settings arrive when the server has asked for them. Whether it did in the end.
+    pub fn eventually(&mut self, mut holds: impl FnMut(&mut Self) -> bool) -> bool {
+        let begin = Instant::now();
+        while begin.elapsed() < PATIENCE {
+            if holds(self) {
+                return true;
+            }
+            std::thread::sleep(Duration::from_millis(10));
+        }
+        false
+    }
+
     /// Wait for the end of the process; its exit code.
     pub fn exit_code(&mut self) -> i32 {
         let begin = Instant::now();

@@ -104,7 +104,10 @@ fn settings_are_asked_for_and_hold() {
     );
     client.open(ROBOT);
     client.edit(ROBOT, "${m0 / 3}", "${m1 / 3}");
-    assert_eq!(client.findings(ROBOT), Vec::<String>::new());
+    assert!(client.eventually(|client| {
+        client.request("textDocument/foldingRange", client.of(ROBOT));
+        client.findings(ROBOT).is_empty()
+    }));
 }
 
 #[test]
