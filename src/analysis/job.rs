@@ -7,8 +7,8 @@ use std::time::Duration;
 use super::check::CheckOptions;
 use super::roots::{Job, Reason};
 use super::session::Session;
-use crate::base::{FileId, Span, TextRange};
-use crate::expand::{Expansion, FileUse, Limits, Read, Request, World, expand};
+use crate::base::{CancelFlag, FileId, Span, TextRange};
+use crate::expand::{Expansion, FileUse, Focus, Limits, Read, Request, World, expand};
 use crate::model::Robot;
 use crate::rules::{Finding, RootKind, by_code, check_expansion, check_files};
 use crate::vfs::{LoadError, SourceFile};
@@ -32,11 +32,16 @@ pub(super) struct Outcome {
 /// Expand a file and check the result.
 pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcome {
     let expansion = expansion(session, options, &job);
-    judge(session, job, &expansion)
+    judge(session, &options.cancel, job, &expansion)
 }
 
 /// Expand a file.
 pub(super) fn expansion(session: &Session, options: &CheckOptions, job: &Job) -> Expansion {
+    part(session, &options.cancel, job, None)
+}
+
+/// Expand a file, or only what is in focus.
+pub(super) fn part(session: &Session, cancel: &CancelFlag, job: &Job, focus: Option<Focus>) -> Expansion {
     let settings = session.settings(&job.file);
     let request = Request {
         // messages name files as the user would
@@ -45,19 +50,20 @@ pub(super) fn expansion(session: &Session, options: &CheckOptions, job: &Job) ->
         root_dir: None,
         probe: true,
         limits: limits(&settings.config.limits),
-        cancel: options.cancel.clone(),
+        focus,
+        cancel: cancel.clone(),
     };
     let world = World { vfs: &session.vfs, packages: &session.packages, env: &session.env };
     expand(world, &request)
 }
 
-/// Check an expansion.
-pub(super) fn judge(session: &Session, job: Job, expansion: &Expansion) -> Outcome {
+/// Check an expansion. When cancelled, findings are missing.
+pub(super) fn judge(session: &Session, cancel: &CancelFlag, job: Job, expansion: &Expansion) -> Outcome {
     let settings = session.settings(&job.file);
     let around = session.surroundings(&settings.config);
     let kind = kind(expansion, &job);
-    let mut findings = check_expansion(expansion, kind, job.reason != Reason::Walked, around);
-    findings.append(&mut check_files(expansion, around));
+    let mut findings = check_expansion(expansion, kind, job.reason != Reason::Walked, around, cancel);
+    findings.append(&mut check_files(expansion, around, cancel));
     if let Some(error) = &expansion.root_error {
         findings.extend(unreadable(session.vfs.file_id(&job.file), error));
     }

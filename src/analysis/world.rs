@@ -8,6 +8,7 @@ use std::sync::{Arc, OnceLock};
 use super::check::CheckOptions;
 use super::configs::Overrides;
 use super::context::RootChoice;
+use super::first_look::Settled;
 use super::graph::Graph;
 use super::job::{self, Outcome};
 use super::report::Report;
@@ -68,6 +69,8 @@ pub struct World {
     good: FastMap<RootChoice, Arc<Analyzed>>,
     /// Counts what no record tells of: packages, meshes, configuration.
     epoch: u64,
+    /// What the last check said of open files, to be carried along while they are edited.
+    pub(super) settled: FastMap<PathBuf, Settled>,
     /// Settings of the editor, and the folder they belong to.
     editor: Option<(serde_json::Value, PathBuf)>,
 }
@@ -95,6 +98,7 @@ impl World {
             cache: FastMap::default(),
             good: FastMap::default(),
             epoch: 0,
+            settled: FastMap::default(),
             editor: None,
         }
     }
@@ -119,6 +123,7 @@ impl World {
     /// Forget what no record tells of: packages, configuration, meshes.
     pub fn reload(&mut self) {
         self.epoch += 1;
+        self.settled.clear();
         self.session = session(&self.session.vfs, &self.env, &self.folders, self.editor.clone());
     }
 
@@ -139,12 +144,17 @@ impl World {
 
     /// A file was opened, or its whole text replaced.
     pub fn set_text(&mut self, path: &Path, text: String) {
+        self.settled.remove(path);
         self.session.vfs.set_buffer(path, Some(text));
         self.touch(path);
     }
 
     /// A range of bytes of an open file was replaced.
     pub fn edit(&mut self, path: &Path, range: TextRange, text: &str) {
+        let before = self.document(path);
+        if let Some(settled) = self.settled.get_mut(path) {
+            settled.note_edit(before.as_deref(), range, text);
+        }
         self.session.vfs.edit_buffer(path, range, text);
         self.touch(path);
     }
@@ -153,6 +163,7 @@ impl World {
     pub fn close(&mut self, path: &Path) {
         self.session.vfs.set_buffer(path, None);
         self.open.remove(path);
+        self.settled.remove(path);
         self.refresh(path);
     }
 
@@ -313,12 +324,15 @@ impl World {
         if cancel.is_cancelled() {
             return None;
         }
-        let outcome = job::judge(session, job, &expansion);
+        let outcome = job::judge(session, cancel, job, &expansion);
+        if cancel.is_cancelled() {
+            return None;
+        }
         let robot = Robot::of(&expansion);
         let kinematics = robot.as_ref().map(Kinematics::of);
         let (root, epoch, written) = (root.clone(), self.epoch, OnceLock::new());
-        let made =
-            Arc::new(Analyzed { root: root.clone(), expansion, robot, kinematics, outcome, written, epoch });
+        let made = Analyzed { root: root.clone(), expansion, robot, kinematics, outcome, written, epoch };
+        let made = Arc::new(made);
         if self.cache.len() >= Self::MOST_CACHED {
             self.cache.clear();
         }
@@ -381,8 +395,10 @@ impl World {
     /// What there is to say about files, each under its active root. `None` when cancelled.
     pub fn report(&mut self, paths: &[PathBuf], cancel: &CancelFlag) -> Option<Report> {
         let mut roots: Vec<RootChoice> = Vec::new();
+        let mut own: Vec<RootChoice> = Vec::new();
         for path in paths {
             let root = self.context(path).root.unwrap_or_else(|| RootChoice::plain(path));
+            own.push(root.clone());
             if !roots.contains(&root) {
                 roots.push(root);
             }
@@ -391,9 +407,21 @@ impl World {
         for root in &roots {
             outcomes.push(self.analyzed(root, cancel)?.outcome.clone());
         }
-        let options =
-            CheckOptions { paths: self.folders.clone(), entries: paths.to_vec(), ..CheckOptions::default() };
-        Some(self.session.conclude(&options, outcomes))
+        let report = self.session.conclude(&self.options(paths), outcomes);
+        for (path, root) in paths.iter().zip(own) {
+            self.settle(path, root, &report);
+        }
+        Some(report)
+    }
+
+    /// What a check of these files is about.
+    pub(super) fn options(&self, paths: &[PathBuf]) -> CheckOptions {
+        CheckOptions { paths: self.folders.clone(), entries: paths.to_vec(), ..CheckOptions::default() }
+    }
+
+    /// The last result of a root, whether it still holds or not.
+    pub(super) fn last(&self, root: &RootChoice) -> Option<&Arc<Analyzed>> {
+        self.cache.get(root)
     }
 }
 

@@ -86,6 +86,9 @@ impl Expander<'_> {
         let has_tail = document.footer_content().next().is_some();
         let mut siblings = Siblings::default();
         for (i, (_, item)) in document.items().enumerate() {
+            if !self.is_wanted(file, i, item) {
+                continue;
+            }
             let src = SrcId(header.0 + 1 + i as u32);
             let more = i + 1 < count || has_tail;
             self.eval_nodes(item.nodes(), src, more, out, cx, &mut siblings);

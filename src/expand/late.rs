@@ -36,6 +36,20 @@ impl Expander<'_> {
         }
     }
 
+    /// Whether a problem is known or not to be reported at all; a further call that leads to it is noted.
+    pub fn is_repeated(&mut self, code: &'static str, at: Origin, message: &str) -> bool {
+        if self.unwinding || self.idle {
+            return true;
+        }
+        let Some(place) = self.result.place(at) else { return false };
+        let Some(known) = self.problems.find(code, place, message) else { return false };
+        if self.problems.wants_calls(known) {
+            let call = self.trace(at).into_iter().next();
+            self.problems.add_call(known, call);
+        }
+        true
+    }
+
     /// Report that a name is not defined (yet).
     pub fn push_undefined(&mut self, kind: NameKind, name: &str, problem: Problem) {
         let before = self.problems.list.len();

@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 use ecow::EcoString;
 
 use super::evaluations::Evaluations;
+use super::focus::Focus;
 use super::late::Undefined;
 use super::origin::{FileIdx, Frame, FrameId, FrameKind, Origin, Source, SrcId};
 use super::probe::Probe;
@@ -77,6 +78,8 @@ pub struct Request {
     /// Whether more is wanted than the document: macros that nothing calls are looked into, with parameters whose
     /// values are unknown, and it is noted what names refer to and what expressions gave.
     pub probe: bool,
+    /// Only these items and what they need; the result is then no document.
+    pub focus: Option<Focus>,
     /// Set to stop early; the result is then incomplete.
     pub cancel: CancelFlag,
 }
@@ -399,7 +402,7 @@ impl<'w> Expander<'w> {
     }
 
     /// How expansion came to `at`: uses of lazy properties, then the frames around the innermost use.
-    fn trace(&self, at: Origin) -> Vec<Step> {
+    pub(super) fn trace(&self, at: Origin) -> Vec<Step> {
         const MOST: usize = 100;
         let mut steps = Vec::new();
         let mut from = at;

@@ -9,6 +9,7 @@ mod comments;
 mod control;
 mod element;
 mod evaluations;
+mod focus;
 mod functions;
 mod include;
 mod late;
@@ -31,6 +32,7 @@ mod write;
 mod yaml_value;
 
 pub use evaluations::{Evaluation, Evaluations};
+pub use focus::Focus;
 pub use machine::{Expansion, FileUse, Limits, Request, World, expand};
 pub use origin::{FileIdx, Frame, FrameId, FrameKind, Origin, Source, SrcId};
 pub use params::parse as parse_params;

@@ -113,26 +113,43 @@ impl Problem {
 #[derive(Debug, Default)]
 pub(super) struct Problems {
     pub list: Vec<Problem>,
-    seen: FastMap<(&'static str, super::FileIdx, TextRange, String), usize>,
+    /// By code and place: the problems that were reported there.
+    seen: FastMap<(&'static str, super::FileIdx, TextRange), Vec<usize>>,
 }
 
 impl Problems {
     /// Calls kept for one problem.
     const MOST_CALLS: usize = 100;
 
-    pub fn push(&mut self, problem: Problem) {
-        let key = (problem.code, problem.place.file, problem.place.range, problem.message.clone());
-        if let Some(old) = self.seen.get(&key).and_then(|&i| self.list.get_mut(i)) {
-            if let Some(call) = problem.trace.into_iter().next()
-                && old.more_calls.len() < Self::MOST_CALLS
-                && !old.trace.contains(&call)
-                && !old.more_calls.contains(&call)
-            {
-                old.more_calls.push(call);
-            }
-            return;
+    /// The number of a problem that was reported.
+    pub fn find(&self, code: &'static str, place: Place, message: &str) -> Option<usize> {
+        let here = self.seen.get(&(code, place.file, place.range))?;
+        let is_same = |i: &&usize| self.list.get(**i).is_some_and(|old| old.message == message);
+        here.iter().find(is_same).copied()
+    }
+
+    /// Whether further calls that lead to a problem are of interest.
+    pub fn wants_calls(&self, known: usize) -> bool {
+        self.list.get(known).is_some_and(|old| old.more_calls.len() < Self::MOST_CALLS)
+    }
+
+    /// Note a further call that leads to a problem.
+    pub fn add_call(&mut self, known: usize, call: Option<Step>) {
+        if let (Some(old), Some(call)) = (self.list.get_mut(known), call)
+            && old.more_calls.len() < Self::MOST_CALLS
+            && !old.trace.contains(&call)
+            && !old.more_calls.contains(&call)
+        {
+            old.more_calls.push(call);
         }
-        self.seen.insert(key, self.list.len());
+    }
+
+    pub fn push(&mut self, problem: Problem) {
+        if let Some(known) = self.find(problem.code, problem.place, &problem.message) {
+            return self.add_call(known, problem.trace.into_iter().next());
+        }
+        let here = self.seen.entry((problem.code, problem.place.file, problem.place.range)).or_default();
+        here.push(self.list.len());
         self.list.push(problem);
     }
 }

@@ -176,6 +176,11 @@ impl Expander<'_> {
 
     /// Report a name that is no property, parameter or global symbol; `code` is the expression it stands in.
     pub fn undefined_property(&mut self, scope: ScopeId, name: &str, code: &str, at: Origin) {
+        let message = format!("property `{name}` is not defined");
+        // in a macro with many calls, looking for similar names each time would cost more than the calls
+        if !self.include_missing && self.is_repeated("XAC001", at, &message) {
+            return;
+        }
         let names = self.scopes.visible_names(scope);
         let near = nearest(name, names.iter().copied()).map(str::to_owned);
         // what a missing include would have defined is no news; a near name is a typing error all the same
@@ -184,7 +189,7 @@ impl Expander<'_> {
             return;
         }
         let mut problem = self
-            .problem("XAC001", at, format!("property `{name}` is not defined"))
+            .problem("XAC001", at, message)
             .says(format!("name '{name}' is not defined \nwhen evaluating expression '{code}'"));
         if let Some(near) = near {
             problem =

@@ -7,10 +7,10 @@ use super::finding::{Edit, Finding, Fix, Related};
 use super::mend;
 use super::package::is_news;
 use super::place;
-use super::registry::{Check, Rule, Safety, Severity, all, by_code};
+use super::registry::{Category, Check, Rule, Safety, Severity, all, by_code};
 use super::sink::{Sink, limit_calls, span};
 use super::xacro::is_unprefixed;
-use crate::base::{FastSet, FileId, Span};
+use crate::base::{CancelFlag, FastSet, FileId, Span};
 use crate::expand::{Expansion, FileIdx, FileUse, Problem, Step};
 use crate::model::{Kinematics, Robot};
 use crate::vfs::Vfs;
@@ -31,6 +31,7 @@ pub fn check_expansion(
     kind: RootKind,
     explicit: bool,
     world: Surroundings<'_>,
+    cancel: &CancelFlag,
 ) -> Vec<Finding> {
     let unprefixed = Unprefixed::of(expansion);
     let problems = expansion.problems.iter().filter(|problem| !unprefixed.explains(expansion, problem));
@@ -49,7 +50,7 @@ pub fn check_expansion(
     for (element, kind, robot) in whole.into_iter().chain(probes) {
         let (robot, resources) = (robot.as_ref(), OnceCell::new());
         let document = DocumentCx { expansion, element, kind, explicit, robot, world, resources };
-        run(&mut sink, |rule, sink| {
+        run(&mut sink, cancel, |rule, sink| {
             if let Check::Document(check) = rule.check {
                 check(&document, sink);
             }
@@ -59,7 +60,7 @@ pub fn check_expansion(
         let kinematics = Kinematics::of(robot);
         let whole = is_whole(expansion) && !unprefixed.structure && robot.names_are_known();
         let cx = RobotCx { expansion, robot, kinematics: &kinematics, world, whole };
-        run(&mut sink, |rule, sink| {
+        run(&mut sink, cancel, |rule, sink| {
             if let Check::Robot(check) = rule.check {
                 check(&cx, sink);
             }
@@ -72,16 +73,36 @@ pub fn check_expansion(
     findings
 }
 
+/// What can be said of a part of a file: what expansion reported, and what the schema says about each element.
+pub fn check_part(expansion: &Expansion, world: Surroundings<'_>) -> Vec<Finding> {
+    let mut findings: Vec<Finding> =
+        expansion.problems.iter().filter_map(|problem| finding(expansion, problem, world.vfs)).collect();
+    excuse_packages(&mut findings, world);
+    let Some(first) = all().next() else { return findings };
+    let mut sink = Sink::new(expansion, first);
+    let probes = expansion.probes.iter().map(|probe| probe.content);
+    for element in expansion.tree.root().into_iter().chain(probes) {
+        let (kind, resources) = (RootKind::Library, OnceCell::new());
+        let document = DocumentCx { expansion, element, kind, explicit: true, robot: None, world, resources };
+        run(&mut sink, &CancelFlag::default(), |rule, sink| match rule.check {
+            Check::Document(check) if rule.category == Category::Xml => check(&document, sink),
+            _ => {}
+        });
+    }
+    findings.extend(sink.finish());
+    findings
+}
+
 /// What the rules say about the source files of an expansion. Of a file that is not well-formed, only that
 /// is said.
-pub fn check_files(expansion: &Expansion, world: Surroundings<'_>) -> Vec<Finding> {
+pub fn check_files(expansion: &Expansion, world: Surroundings<'_>, cancel: &CancelFlag) -> Vec<Finding> {
     let Some(first) = all().next() else { return Vec::new() };
     let mut sink = Sink::new(expansion, first);
     let macros = defined_macros(expansion);
     for (file, used) in (0..).map(FileIdx).zip(&expansion.files) {
         let cx = FileCx { expansion, file, source: &used.source, macros: &macros, world };
         let well_formed = used.source.document.errors().is_empty();
-        run(&mut sink, |rule, sink| match rule.check {
+        run(&mut sink, cancel, |rule, sink| match rule.check {
             Check::File(check) if well_formed => check(&cx, sink),
             _ => {}
         });
@@ -96,8 +117,9 @@ fn defined_macros(expansion: &Expansion) -> FastSet<String> {
     macros.filter_map(|node| Some(node.attr("name")?.raw().trim_start_matches("xacro:").to_owned())).collect()
 }
 
-fn run(sink: &mut Sink<'_>, mut apply: impl FnMut(&Rule, &mut Sink<'_>)) {
-    for rule in all() {
+/// All rules, until cancelled.
+fn run(sink: &mut Sink<'_>, cancel: &CancelFlag, mut apply: impl FnMut(&Rule, &mut Sink<'_>)) {
+    for rule in all().take_while(|_| !cancel.is_cancelled()) {
         sink.set_rule(rule);
         apply(rule, sink);
     }

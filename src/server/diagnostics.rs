@@ -27,15 +27,33 @@ const MOST_RELATED: usize = 100;
 impl Engine {
     /// Make and publish diagnostics; given up when a job comes in meanwhile, and tried again later.
     pub fn make_diagnostics(&mut self) {
-        let cancel = self.pressure.background();
         if self.client.pulls_diagnostics {
             self.due = None;
             return;
         }
-        if let Some(found) = self.found(&cancel) {
+        let touched = std::mem::take(&mut self.touched);
+        let mut complete = !touched.is_empty();
+        for path in touched {
+            complete &= self.first_look(path);
+        }
+        if complete && !self.wants_check {
             self.due = None;
+            return;
+        }
+        self.wants_check = true;
+        let cancel = self.pressure.background();
+        if let Some(found) = self.found(&cancel) {
+            (self.due, self.wants_check) = (None, false);
             self.publish(found);
         }
+    }
+
+    /// Say at once what can be said of an edit; whether that is all.
+    fn first_look(&mut self, path: PathBuf) -> bool {
+        let Some(look) = self.world.first_look(&path) else { return false };
+        let found = look.findings.iter().take(MOST).filter_map(|finding| self.diagnostic(finding)).collect();
+        self.publish_one(path, found);
+        look.is_complete
     }
 
     /// The diagnostics of all open files and the files they depend on. `None` when cancelled.
@@ -60,18 +78,22 @@ impl Engine {
             found.entry(path.clone()).or_default();
         }
         for (path, diagnostics) in found {
-            let version = self.documents.get(&path).map(|open| open.version);
-            let hash = fingerprint(&diagnostics, version);
-            if self.published.get(&path) == Some(&hash) {
-                continue;
-            }
-            let Some(uri) = self.uri(&path) else { continue };
-            match diagnostics.is_empty() && version.is_none() {
-                true => self.published.remove(&path),
-                false => self.published.insert(path, hash),
-            };
-            self.outbox.send(Message::Diagnostics(uri, diagnostics, version));
+            self.publish_one(path, diagnostics);
         }
+    }
+
+    fn publish_one(&mut self, path: PathBuf, diagnostics: Vec<Diagnostic>) {
+        let version = self.documents.get(&path).map(|open| open.version);
+        let hash = fingerprint(&diagnostics, version);
+        if self.published.get(&path) == Some(&hash) {
+            return;
+        }
+        let Some(uri) = self.uri(&path) else { return };
+        match diagnostics.is_empty() && version.is_none() {
+            true => self.published.remove(&path),
+            false => self.published.insert(path, hash),
+        };
+        self.outbox.send(Message::Diagnostics(uri, diagnostics, version));
     }
 
     pub fn pull_diagnostics(

@@ -1,6 +1,6 @@
 //! The analysis thread: it alone owns the state, and works off one job after the other.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -42,6 +42,10 @@ pub(super) struct Engine {
     pub sent_tokens: BTreeMap<PathBuf, super::tokens::Sent>,
     /// Which hints are shown.
     pub hint_settings: crate::ide::HintSettings,
+    /// Files that were edited since diagnostics were made the last time, even in haste.
+    pub touched: BTreeSet<PathBuf>,
+    /// Something else than a comment changed since the last whole check.
+    pub wants_check: bool,
     /// When diagnostics are to be made.
     pub due: Option<Instant>,
     /// The pause after the last edit before diagnostics are made.
@@ -71,6 +75,8 @@ impl Engine {
             published: BTreeMap::new(),
             sent_tokens: BTreeMap::new(),
             hint_settings: crate::ide::HintSettings::default(),
+            touched: BTreeSet::new(),
+            wants_check: true,
             due: None,
             delay: Self::DELAY,
             snippets: true,
@@ -128,8 +134,14 @@ impl Engine {
         }
     }
 
-    /// Diagnostics are wanted after the pause.
+    /// A check is wanted after the pause.
     pub fn schedule(&mut self) {
+        self.wants_check = true;
+        self.schedule_look();
+    }
+
+    /// Diagnostics are wanted after the pause; a whole check perhaps not.
+    pub fn schedule_look(&mut self) {
         self.due = Some(Instant::now() + self.delay);
     }
 

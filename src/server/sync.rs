@@ -17,6 +17,7 @@ impl Engine {
         let open = OpenDocument { uri: document.uri, version: document.version };
         self.documents.insert(path, open);
         // the first look at a file should not wait for a pause in typing
+        self.wants_check = true;
         self.due = Some(std::time::Instant::now());
     }
 
@@ -37,7 +38,8 @@ impl Engine {
                 _ => self.world.set_text(&path, change.text),
             }
         }
-        self.schedule();
+        self.touched.insert(path);
+        self.schedule_look();
     }
 
     pub fn saved(&mut self, _: DidSaveTextDocumentParams) {

@@ -60,6 +60,18 @@ pub(super) fn name_char(text: &str, at: usize, first: bool) -> usize {
     if known { c.len_utf8() } else { 0 }
 }
 
+/// Offset behind the run of ASCII name characters at `at`; where no name may begin, `at` itself.
+#[inline]
+pub(super) fn skip_ascii_name(bytes: &[u8], at: usize) -> usize {
+    let class = |b: u8| CLASS[b as usize];
+    match bytes.get(at) {
+        Some(&b) if class(b) & START != 0 => {}
+        _ => return at,
+    }
+    let rest = bytes.get(at..).unwrap_or(&[]);
+    at + rest.iter().position(|&b| class(b) & NAME == 0).unwrap_or(rest.len())
+}
+
 /// Offset behind the run of name characters at `at`, without regard to colons.
 pub(super) fn skip_name(text: &str, mut at: usize) -> usize {
     loop {

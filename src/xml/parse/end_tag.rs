@@ -1,7 +1,7 @@
 //! End tags, and elements that end without one.
 
 use super::{Parser, Stop, Verdict};
-use crate::xml::chars::name_char;
+use crate::xml::chars::{name_char, skip_ascii_name};
 use crate::xml::error::{Condition, SyntaxError, SyntaxErrorKind as Kind, expat};
 use crate::xml::node::NodeKind;
 
@@ -83,6 +83,7 @@ impl Parser<'_> {
                 if self.peek().is_none() { (expat::UNCLOSED_TOKEN, start) } else { (expat::INVALID, at) };
             return (at, Some(verdict));
         }
+        self.pos = skip_ascii_name(self.bytes, self.pos);
         loop {
             match name_char(self.text, self.pos, false) {
                 0 if self.bytes.get(self.pos) == Some(&b':') => self.pos += 1,

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use super::Parser;
 use crate::base::FastMap;
-use crate::xml::chars::{is_space, name_char};
+use crate::xml::chars::{is_space, name_char, skip_ascii_name};
 
 /// A name as it stands in the text.
 pub(super) struct QName {
@@ -18,6 +18,11 @@ impl Parser<'_> {
     /// Read a qualified name at `start`: `name` or `prefix:name`. A name with a mistake goes on to the next
     /// character that certainly is not part of it.
     pub(super) fn qname(&self, start: usize) -> QName {
+        // nearly all names end here
+        let plain = skip_ascii_name(self.bytes, start);
+        if plain > start && self.bytes.get(plain).is_some_and(|&b| b != b':' && b < 0x80) {
+            return QName { end: plain, prefixed: false, bad: None };
+        }
         let mut end = start;
         let mut prefixed = false;
         let mut bad = None;
