@@ -168,13 +168,13 @@ fn changed_items(old: &Document, new: &Document) -> Option<Range<usize>> {
     if !Arc::ptr_eq(old.header(), new.header()) || !Arc::ptr_eq(old.footer(), new.footer()) {
         return None;
     }
-    let same = |(a, b): &((u32, &Arc<Item>), (u32, &Arc<Item>))| Arc::ptr_eq(a.1, b.1);
-    let start = old.items().zip(new.items()).take_while(same).count();
+    let same = |a: &Arc<Item>, b: &Arc<Item>| Arc::ptr_eq(a, b);
+    let start = old.items().zip(new.items()).take_while(|((_, a), (_, b))| same(a, b)).count();
     let (old_count, new_count) = (old.item_count(), new.item_count());
     let most = old_count.min(new_count) - start;
     let back = |n: usize| {
         let pair = old.item(old_count - 1 - n).zip(new.item(new_count - 1 - n));
-        pair.is_some_and(|(a, b)| Arc::ptr_eq(a.1, b.1))
+        pair.is_some_and(|((_, a), (_, b))| same(a, b))
     };
     let kept = (0..most).take_while(|&n| back(n)).count();
     let items = start..new_count - kept;

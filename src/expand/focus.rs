@@ -40,9 +40,8 @@ impl Expander<'_> {
     fn in_focus(&self, file: FileIdx, number: usize) -> bool {
         let file = self.result.files.get(file.0 as usize);
         let focus = self.request.focus.as_ref();
-        file.zip(focus).is_some_and(|(file, focus)| {
-            focus.items.contains(&number) && *file.source.path == *focus.path
-        })
+        file.zip(focus)
+            .is_some_and(|(file, focus)| focus.items.contains(&number) && *file.source.path == *focus.path)
     }
 }
 
