@@ -252,6 +252,8 @@ impl Expander<'_> {
 
     /// Evaluate the attributes of a tag onto `out`; those of xacro itself are dropped.
     pub fn eval_attributes(&mut self, tag: Tag<'_>, out: XId, cx: Cx) {
+        // results are kept for long: no room for more attributes than there are
+        self.result.tree.get_mut(out).attrs.reserve_exact(tag.node.attrs().len());
         for attr in tag.attrs() {
             let name = attr.name();
             if name.starts_with("xacro:") || name == "xmlns:xacro" {

@@ -45,6 +45,12 @@ impl Evaluations {
         found.filter_map(|&index| self.list.get(index as usize))
     }
 
+    /// Give back the room for more.
+    pub(super) fn shrink(&mut self) {
+        self.list.shrink_to_fit();
+        self.reads.shrink_to_fit();
+    }
+
     /// Whether there were more than are kept.
     pub fn is_full(&self) -> bool {
         self.list.len() >= Self::MOST

@@ -133,6 +133,18 @@ pub struct Expansion {
     pub root_error: Option<LoadError>,
 }
 
+impl Expansion {
+    /// Give back the room for more of everything: a language server keeps expansions for long.
+    fn shrink(&mut self) {
+        self.tree.shrink();
+        self.frames.shrink_to_fit();
+        self.bindings.shrink_to_fit();
+        self.sources.shrink_to_fit();
+        self.symbols.shrink();
+        self.evaluations.shrink();
+    }
+}
+
 /// Expand a file. Never fails: what went wrong is in [`Expansion::problems`].
 ///
 /// Runs on a thread of its own whose stack fits the deepest nesting the limits admit.
@@ -285,6 +297,7 @@ impl<'w> Expander<'w> {
         self.result.problems = std::mem::take(&mut self.problems.list);
         self.result.whole = !(self.content_lost || self.include_missing || self.stopped);
         self.result.complete &= !self.result.has_errors();
+        self.result.shrink();
         self.result
     }
 

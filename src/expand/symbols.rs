@@ -120,6 +120,13 @@ impl Symbols {
         self.uses.iter().chain(&self.idle_uses)
     }
 
+    /// Give back what only serves to add more.
+    pub(super) fn shrink(&mut self) {
+        (self.known, self.seen) = (FastMap::default(), FastSet::default());
+        self.definitions.shrink_to_fit();
+        self.uses.shrink_to_fit();
+    }
+
     fn add(&mut self, definition: Definition) -> DefinitionId {
         let next = DefinitionId(self.definitions.len() as u32);
         let id = *self.known.entry((definition.place, definition.name.clone())).or_insert(next);

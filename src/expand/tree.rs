@@ -132,6 +132,11 @@ impl XTree {
         id
     }
 
+    /// Give back the room for more nodes.
+    pub(super) fn shrink(&mut self) {
+        self.nodes.shrink_to_fit();
+    }
+
     /// How many nodes were ever made.
     pub fn len(&self) -> usize {
         self.nodes.len()

@@ -59,13 +59,16 @@ impl Chunk {
         self.far = self.items.iter().any(|item| item.reach() > item.len());
         self.loud = false;
         self.prefixes.clear();
-        for error in self.items.iter().flat_map(|item| item.errors()) {
-            match &error.condition {
-                Condition::UnlessBound(prefix) if !self.prefixes.contains(prefix) => {
-                    self.prefixes.push(prefix.clone());
+        for item in self.items.iter() {
+            for stored in item.errors() {
+                if stored.condition != Condition::UnlessBound {
+                    self.loud = true;
+                    continue;
                 }
-                Condition::UnlessBound(_) => {}
-                _ => self.loud = true,
+                let prefix = stored.error.range.slice(item.text());
+                if !self.prefixes.iter().any(|known| **known == *prefix) {
+                    self.prefixes.push(prefix.into());
+                }
             }
         }
     }

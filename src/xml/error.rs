@@ -89,8 +89,8 @@ pub(super) struct ItemError {
 pub(super) enum Condition {
     /// In any case.
     Always,
-    /// When the root does not declare this prefix.
-    UnlessBound(Box<str>),
+    /// When the root does not declare the prefix at the place of the error.
+    UnlessBound,
     /// When this entity is missing, or not fit for its place.
     Entity { name: Box<str>, in_attribute: bool },
     /// When both mean the same namespace.

@@ -1,11 +1,13 @@
 //! The unit of parsing: one child of the root with its own text and its own flat tree.
 
 use std::any::Any;
+use std::borrow::Cow;
 use std::fmt;
 use std::sync::{Arc, OnceLock};
 
-use super::error::ItemError;
+use super::error::{Condition, ItemError, SyntaxError, SyntaxErrorKind, expat};
 use super::node::{AttrData, Node, NodeData, NodeId, Siblings};
+use crate::base::TextRange;
 
 /// An immutable piece of a document: leading text and comments and one element, or the header, or the
 /// footer. All ranges in it count from its own start.
@@ -14,16 +16,52 @@ pub struct Item {
     pub(super) nodes: Box<[NodeData]>,
     pub(super) attrs: Box<[AttrData]>,
     pub(super) extra: Option<Box<Extra>>,
+    /// The only thing that could be wrong: a prefix that the root must declare. Most items of xacro have that.
+    outer: Option<OuterPrefix>,
     /// Line ends in `text`.
     pub(super) lines: u32,
     caches: [OnceLock<Arc<dyn Any + Send + Sync>>; 2],
+}
+
+/// A prefix that the root must declare.
+#[derive(Clone, Copy)]
+struct OuterPrefix {
+    range: TextRange,
+    expat_offset: u32,
+}
+
+impl OuterPrefix {
+    /// The only error of an item, if it is one of these.
+    fn of(extra: &Extra) -> Option<Self> {
+        let Extra { errors, entity_uses, reach: 0, needs_root_name: false } = extra else { return None };
+        match &**errors {
+            [ItemError { error, condition: Condition::UnlessBound, diverges: false }]
+                if entity_uses.is_empty() && error.related.is_none() =>
+            {
+                Some(Self { range: error.range, expat_offset: error.expat_offset })
+            }
+            _ => None,
+        }
+    }
+
+    fn error(self) -> ItemError {
+        let error = SyntaxError {
+            kind: SyntaxErrorKind::UnboundPrefix,
+            range: self.range,
+            related: None,
+            message: String::new(),
+            expat: expat::UNBOUND,
+            expat_offset: self.expat_offset,
+        };
+        ItemError { error, condition: Condition::UnlessBound, diverges: false }
+    }
 }
 
 /// What few items have.
 #[derive(Default)]
 pub(super) struct Extra {
     /// In the order expat would meet them.
-    pub(super) errors: Vec<ItemError>,
+    pub(super) errors: Box<[ItemError]>,
     /// Length of the text the parser looked at to shape this item, when that goes beyond its end;
     /// `u32::MAX`: to the end of the file.
     pub(super) reach: u32,
@@ -58,11 +96,13 @@ impl Item {
         attrs: &[AttrData],
         extra: Option<Extra>,
     ) -> Self {
+        let outer = extra.as_ref().and_then(OuterPrefix::of);
         Self {
             text: text.into(),
             nodes: nodes.into(),
             attrs: attrs.into(),
-            extra: extra.map(Box::new),
+            outer,
+            extra: extra.filter(|_| outer.is_none()).map(Box::new),
             lines,
             caches: Default::default(),
         }
@@ -110,11 +150,13 @@ impl Item {
 
     /// Whether the item holds errors of its own (those that depend on the header not counted).
     pub fn has_errors(&self) -> bool {
-        self.errors().iter().any(|e| e.condition == super::error::Condition::Always)
+        self.errors().any(|e| e.condition == Condition::Always)
     }
 
-    pub(super) fn errors(&self) -> &[ItemError] {
-        self.extra.as_ref().map_or(&[], |extra| &extra.errors)
+    pub(super) fn errors(&self) -> impl Iterator<Item = Cow<'_, ItemError>> {
+        let outer = self.outer.map(|outer| Cow::Owned(outer.error()));
+        let stored = self.extra.iter().flat_map(|extra| &extra.errors).map(Cow::Borrowed);
+        outer.into_iter().chain(stored)
     }
 
     pub(super) fn entity_uses(&self) -> &[EntityUse] {

@@ -49,11 +49,14 @@ struct Found<'a> {
 impl<'a> Found<'a> {
     fn add(&mut self, context: &Context, start: u32, item: &'a Item) {
         for stored in item.errors() {
-            let Some(mut error) = context.judge(stored) else { continue };
-            if let Condition::UnlessBound(prefix) = &stored.condition
-                && !self.prefixes.insert(prefix)
-            {
-                continue;
+            let Some(mut error) = context.judge(&stored, item) else { continue };
+            if stored.condition == Condition::UnlessBound {
+                let prefix = error.range.slice(&item.text);
+                if !self.prefixes.insert(prefix) {
+                    continue;
+                }
+                error.message =
+                    format!("prefix `{prefix}` is not declared: add `xmlns:{prefix}=\"...\"` to the root");
             }
             error.range = error.range.shift(start);
             error.related = error.related.map(|(range, label)| (range.shift(start), label));
@@ -114,11 +117,14 @@ impl Document {
 
 impl Context {
     /// The error, if it is one.
-    fn judge(&self, stored: &ItemError) -> Option<SyntaxError> {
+    fn judge(&self, stored: &ItemError, item: &Item) -> Option<SyntaxError> {
         let error = || stored.error.clone();
         match &stored.condition {
             Condition::Always => Some(error()),
-            Condition::UnlessBound(prefix) => (!self.namespaces.contains_key(prefix)).then(error),
+            Condition::UnlessBound => {
+                let prefix = stored.error.range.slice(&item.text);
+                (!self.namespaces.contains_key(prefix)).then(error)
+            }
             Condition::SameNamespace(one, two) => {
                 #[allow(
                     clippy::pattern_type_mismatch,

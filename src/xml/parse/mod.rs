@@ -159,9 +159,9 @@ impl<'t> Parser<'t> {
             && !self.needs_root_name
             && reach as usize == text.len();
         let extra = (!plain).then(|| Extra {
-            errors: std::mem::take(&mut self.errors),
+            errors: self.errors.drain(..).collect(),
             entity_uses: self.take_entity_uses(),
-            reach,
+            reach: if reach as usize == text.len() { 0 } else { reach },
             needs_root_name: self.needs_root_name,
         });
         Item::new(text, count_line_ends(text), &self.nodes, &self.attrs, extra)
