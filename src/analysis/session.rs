@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::configs::{Configs, Overrides, Settings};
 use crate::model::Meshes;
-use crate::rules::Surroundings;
+use crate::rules::{Manifests, Surroundings};
 use crate::vfs::{Environment, LoadError, Vfs};
 use crate::workspace::config::Config;
 use crate::workspace::config::ConfigWarning;
@@ -20,6 +20,7 @@ pub struct Session {
     /// Variables and working directory.
     pub env: Environment,
     meshes: Meshes,
+    manifests: Manifests,
     configs: Configs,
 }
 
@@ -71,7 +72,14 @@ impl Session {
             ..PackageOptions::default()
         };
         let packages = Packages::new(vfs.clone(), env, options);
-        Self { vfs, packages, env: env.clone(), meshes: Meshes::default(), configs }
+        Self {
+            vfs,
+            packages,
+            env: env.clone(),
+            meshes: Meshes::default(),
+            manifests: Manifests::default(),
+            configs,
+        }
     }
 
     /// The settings for a file.
@@ -99,6 +107,7 @@ impl Session {
         let variables = ["AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "ROS_PACKAGE_PATH"];
         let sourced = variables.iter().any(|name| self.env.var(name).is_some_and(|value| !value.is_empty()));
         let has_ros = sourced || self.vfs.is_dir(Path::new("/opt/ros"));
-        Surroundings { packages: &self.packages, has_ros, vfs: &self.vfs, meshes: &self.meshes, config }
+        let (vfs, meshes, manifests) = (&self.vfs, &self.meshes, &self.manifests);
+        Surroundings { packages: &self.packages, has_ros, vfs, meshes, manifests, config }
     }
 }
