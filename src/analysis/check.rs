@@ -52,6 +52,7 @@ impl Session {
         let read: FastSet<&PathBuf> = outcomes.iter().flat_map(|outcome| &outcome.reads).collect();
         reads.extend(read.into_iter().cloned());
         reads.extend(self.config_files());
+        reads.extend(self.mesh_files());
         let kept = self.keep(outcomes, &included);
         Report { unreadable: report.unreadable, reads, ..self.conclude(options, kept) }
     }

@@ -74,3 +74,54 @@ impl Session {
 fn needs_includer(finding: &Finding) -> bool {
     ["XAC001", "XAC002", "XAC003", "XAC004", "XAC005", "XAC025", "XAC027"].contains(&finding.rule.code)
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+    use std::path::PathBuf;
+
+    use crate::analysis::{CheckOptions, Report, Session, Setup};
+    use crate::vfs::testing::Tree;
+
+    fn check(tree: &Tree) -> (Report, (usize, usize)) {
+        let setup = Setup { about: tree.root().to_owned(), ..Setup::default() };
+        let session = Session::new(&tree.environment(&[]), setup).unwrap();
+        let options = CheckOptions { paths: vec![tree.root().to_owned()], ..CheckOptions::default() };
+        let report = session.check(&options);
+        (report, options.progress.get())
+    }
+
+    #[test]
+    fn parts_of_robots_are_not_expanded_again() {
+        let tree = Tree::new();
+        let robot = "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'>\
+                     <xacro:arg name='kind' default='left'/>\
+                     <xacro:include filename='parts/$(arg kind).xacro'/><link name='base_link'/></robot>";
+        tree.write("r.urdf.xacro", robot);
+        for part in ["left", "right", "alone"] {
+            tree.write(&format!("parts/{part}.xacro"), "<robot/>");
+        }
+        let (report, progress) = check(&tree);
+        let roots: BTreeSet<PathBuf> = report.roots.into_iter().collect();
+        // whoever passes another argument includes the other one
+        let expected = ["r.urdf.xacro", "parts/right.xacro"].map(|file| tree.path(file));
+        assert_eq!(
+            roots,
+            BTreeSet::from(expected).into_iter().chain([tree.path("parts/alone.xacro")]).collect()
+        );
+        assert_eq!((report.robots, progress), (1, (4, 4)));
+    }
+
+    #[test]
+    fn meshes_are_read_whether_they_are_there_or_not() {
+        let tree = Tree::new();
+        let body = |name: &str| format!("<visual><geometry><mesh filename='{name}'/></geometry></visual>");
+        let bodies = body("there.stl") + &body("gone.stl");
+        tree.write("r.urdf", &format!("<robot name='r'><link name='base_link'>{bodies}</link></robot>"));
+        tree.write("there.stl", "solid");
+        let (report, _) = check(&tree);
+        for file in ["r.urdf", "there.stl", "gone.stl"] {
+            assert!(report.reads.contains(&tree.path(file)), "{file}");
+        }
+    }
+}

@@ -1,5 +1,6 @@
 //! Files, packages, environment and configuration that checks and commands share.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -95,6 +96,11 @@ impl Session {
     /// What in the configurations read so far has no effect.
     pub fn config_warnings(&self) -> Vec<ConfigWarning> {
         self.configs.warnings()
+    }
+
+    /// The meshes that were read or looked for so far.
+    pub(super) fn mesh_files(&self) -> BTreeSet<PathBuf> {
+        self.meshes.looked_for()
     }
 
     /// The configuration files read so far.

@@ -130,6 +130,7 @@ impl Resources {
         paths.sort_unstable();
         paths.dedup();
         let (meshes, vfs) = (cx.world.meshes, cx.world.vfs);
+        known.values().filter_map(Target::place).for_each(|path| meshes.note(path));
         let get = |path: &&Path| meshes.get(vfs, path);
         // threads are only started where there is work for them
         let read: Vec<Arc<Mesh>> = match paths.len() {
@@ -143,6 +144,17 @@ impl Resources {
 }
 
 impl Target {
+    /// The path it leads to, whatever is there.
+    fn place(&self) -> Option<&Path> {
+        match self {
+            Target::File(path)
+            | Target::NoFile(path)
+            | Target::OtherCase(path)
+            | Target::Missing(path, _) => Some(path),
+            Target::Unknown | Target::Malformed => None,
+        }
+    }
+
     /// The file it leads to.
     pub fn file(&self) -> Option<&Path> {
         match self {
