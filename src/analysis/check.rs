@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use super::includes;
 use super::job::{self, Outcome};
 use super::merge::{merge, once_per_package};
 use super::progress::Progress;
@@ -15,6 +14,7 @@ use super::session::Session;
 use super::suppress::Hiding;
 use super::walk;
 use crate::base::{CancelFlag, FastSet};
+use crate::expand::large_stacks;
 use crate::rules::{Finding, Severity, invalid_config};
 use crate::workspace::workspace_root;
 
@@ -36,21 +36,40 @@ pub struct CheckOptions {
 impl Session {
     /// Check files and folders.
     pub fn check(&self, options: &CheckOptions) -> Report {
+        let _held = self.vfs.hold();
         let mut report = Report::default();
         let jobs = self.jobs(options, &mut report);
         options.progress.begin(jobs.len());
+        let mut reads: BTreeSet<PathBuf> = jobs.iter().map(|job| job.file.clone()).collect();
+        // most files are parts of robots: those are expanded first, and what they include needs no look of its own
+        let (first, later, included) = self.in_turns(jobs);
+        let mut outcomes = self.run_all(options, first);
+        let waiting = later.len();
+        let later = self.uncovered(later, &outcomes);
+        options.progress.skip(waiting - later.len());
+        outcomes.extend(self.run_all(options, later));
+        // parts are named by many robots
+        let read: FastSet<&PathBuf> = outcomes.iter().flat_map(|outcome| &outcome.reads).collect();
+        reads.extend(read.into_iter().cloned());
+        reads.extend(self.config_files());
+        reads.extend(self.mesh_files());
+        let kept = self.keep(outcomes, &included);
+        Report { unreadable: report.unreadable, reads, ..self.conclude(options, kept) }
+    }
+
+    fn run_all(&self, options: &CheckOptions, jobs: Vec<Job>) -> Vec<Outcome> {
         let run = |job| {
             let outcome = job::run(self, options, job);
             options.progress.step();
             outcome
         };
-        let outcomes: Vec<Outcome> = jobs.into_par_iter().map(run).collect();
-        let mut reads: BTreeSet<PathBuf> =
-            outcomes.iter().flat_map(|outcome| &outcome.reads).cloned().collect();
-        reads.extend(outcomes.iter().map(|outcome| outcome.job.file.clone()));
-        reads.extend(self.config_files());
-        let kept = self.keep(outcomes);
-        Report { unreadable: report.unreadable, reads, ..self.conclude(options, kept) }
+        if jobs.len() < 2 {
+            return jobs.into_iter().map(run).collect();
+        }
+        match large_stacks() {
+            Some(pool) => pool.install(|| jobs.into_par_iter().map(run).collect()),
+            None => jobs.into_par_iter().map(run).collect(),
+        }
     }
 
     /// One report of many outcomes: merged, as configured, in order.
@@ -141,51 +160,6 @@ impl Session {
         jobs
     }
 
-    /// Drop what another expansion covers, and what cannot be judged without the file that includes it.
-    fn keep(&self, outcomes: Vec<Outcome>) -> Vec<Outcome> {
-        let included = self.statically_included(&outcomes);
-        let (mut kept, mut others): (Vec<Outcome>, Vec<Outcome>) =
-            outcomes.into_iter().partition(|outcome| outcome.job.reason != Reason::Walked);
-        let mut covered: FastSet<u128> = FastSet::default();
-        let identities = |outcome: &Outcome| -> Vec<u128> {
-            outcome.reads.iter().filter_map(|path| self.vfs.identity(path)).collect()
-        };
-        let robots = others.iter().chain(&kept).filter(|outcome| outcome.is_robot);
-        covered.extend(robots.flat_map(identities));
-        // robots first: what they include needs no look of its own
-        others.sort_by_key(|outcome| !outcome.is_robot);
-        for mut outcome in others {
-            let own = self.vfs.identity(&outcome.job.file).unwrap_or_default();
-            if covered.contains(&own) {
-                continue;
-            }
-            if !outcome.is_robot {
-                covered.extend(identities(&outcome));
-                if included.contains(&own) {
-                    outcome.findings.retain(|finding| !needs_includer(finding));
-                }
-            }
-            kept.push(outcome);
-        }
-        kept
-    }
-
-    /// The files that another file may include, by what its text says.
-    fn statically_included(&self, outcomes: &[Outcome]) -> FastSet<u128> {
-        let patterns: Vec<_> = outcomes
-            .par_iter()
-            .filter_map(|outcome| outcome.files.first())
-            .map(|file| (file.path.clone(), includes::patterns(file, &self.packages)))
-            .collect();
-        let is_included = |file: &Path| {
-            let from_others = patterns.iter().filter(|(from, _)| **from != *file);
-            from_others.flat_map(|(_, patterns)| patterns).any(|pattern| pattern.matches(file))
-        };
-        let files =
-            outcomes.iter().map(|outcome| outcome.job.file.as_path()).filter(|file| is_included(file));
-        files.filter_map(|file| self.vfs.identity(file)).collect()
-    }
-
     /// The folders whose files are the user's own: in files elsewhere, only errors are news.
     pub(super) fn homes(&self, options: &CheckOptions) -> Vec<PathBuf> {
         let home = self.env.var("HOME").map(Path::new);
@@ -232,9 +206,4 @@ fn shorten(message: &mut String) {
         message.truncate(message.floor_char_boundary(MOST));
         message.push('…');
     }
-}
-
-/// Whether a finding may be wrong as long as the file that includes this one is not known.
-fn needs_includer(finding: &Finding) -> bool {
-    ["XAC001", "XAC002", "XAC003", "XAC004", "XAC005", "XAC025", "XAC027"].contains(&finding.rule.code)
 }

@@ -74,6 +74,11 @@ impl Settings {
         if self.passes(finding.rule, path) { self.selection.severity(finding) } else { None }
     }
 
+    /// Whether a rule runs for any file.
+    pub(super) fn selects(&self, rule: &Rule) -> bool {
+        self.selection.runs(rule)
+    }
+
     /// Whether a rule runs for `path`.
     pub fn runs(&self, rule: &Rule, path: &Path) -> bool {
         self.selection.runs(rule) && self.passes(rule, path)

@@ -1,7 +1,9 @@
 //! Who may include whom, read off the texts alone: conditions and arguments are not looked at.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
+use crate::base::FastMap;
 use crate::vfs::SourceFile;
 use crate::workspace::Packages;
 use crate::workspace::config::Pattern;
@@ -13,6 +15,52 @@ pub(super) fn patterns(source: &SourceFile, packages: &Packages) -> Vec<Pattern>
         document.parts().flat_map(|(_, item)| item.all_nodes()).filter(|node| node.name() == "xacro:include");
     let names = nodes.filter_map(|node| Some(node.attr("filename")?.value(document.entities()).into_owned()));
     names.filter_map(|name| pattern(&name, &source.path, packages)).collect()
+}
+
+/// What the files of a workspace include, arranged so that nobody has to try every pattern on every file.
+#[derive(Default)]
+pub(super) struct Included {
+    /// By the beginning that is sure: who includes what.
+    by_start: FastMap<PathBuf, Vec<Include>>,
+}
+
+/// What a file includes.
+pub(super) struct Include {
+    from: Arc<Path>,
+    start: PathBuf,
+    /// None: the start is the whole path.
+    pattern: Option<Pattern>,
+}
+
+impl Included {
+    /// The includes of one file.
+    pub(super) fn by(source: &SourceFile, packages: &Packages) -> Vec<Include> {
+        let include = |pattern: Pattern| {
+            let (start, is_whole) = pattern.start();
+            Include { from: source.path.clone(), start, pattern: (!is_whole).then_some(pattern) }
+        };
+        patterns(source, packages).into_iter().map(include).collect()
+    }
+
+    /// Those of many.
+    pub(super) fn of(includes: Vec<Vec<Include>>) -> Self {
+        let mut all = Self::default();
+        for include in includes.into_iter().flatten() {
+            all.by_start.entry(include.start.clone()).or_default().push(include);
+        }
+        all
+    }
+
+    /// Whether another file may include `file`.
+    pub(super) fn has(&self, file: &Path) -> bool {
+        file.ancestors().filter_map(|start| self.by_start.get(start)).flatten().any(|include| {
+            let matches = match &include.pattern {
+                Some(pattern) => pattern.matches(file),
+                None => include.start == *file,
+            };
+            matches && *include.from != *file
+        })
+    }
 }
 
 /// A file name with packages found and every other expression standing for anything. None when the name says
@@ -60,7 +108,42 @@ fn tidy(path: &str, absolute: bool) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::tidy;
+    use std::path::Path;
+
+    use super::{Included, tidy};
+    use crate::vfs::testing::Tree;
+    use crate::workspace::{PackageOptions, Packages};
+
+    #[test]
+    fn included_by_another_file() {
+        let tree = Tree::new();
+        let include = |name: &str| format!("<robot><xacro:include filename=\"{name}\"/></robot>");
+        tree.write("p/package.xml", "<package><name>p</name></package>");
+        tree.write("p/robots/r.xacro", &include("$(find p)/urdf/a.xacro"));
+        tree.write("p/robots/s.xacro", &include("../urdf/arm_$(arg arm).xacro"));
+        tree.write("p/robots/t.xacro", &include("../$(arg kind)/parts/u.xacro"));
+        tree.write("p/robots/self.xacro", &include("self.xacro"));
+        let packages = Packages::new(tree.vfs().clone(), &tree.environment(&[]), PackageOptions::default());
+        let of = |name: &str| {
+            let source = tree.vfs().document(&tree.path(name)).unwrap();
+            Included::by(&source, &packages)
+        };
+        let names = ["r", "s", "t", "self"].map(|name| of(&format!("p/robots/{name}.xacro")));
+        let included = Included::of(names.into());
+        for (file, expected) in [
+            ("p/urdf/a.xacro", true),
+            ("p/urdf/b.xacro", false),
+            ("p/urdf/arm_left.xacro", true),
+            ("p/urdf/deep/arm_left.xacro", false),
+            ("p/hands/parts/u.xacro", true),
+            ("p/hands/u.xacro", false),
+            ("p/robots/self.xacro", false),
+            ("p/robots/r.xacro", false),
+        ] {
+            assert_eq!(included.has(&tree.path(file)), expected, "{file}");
+        }
+        assert!(!included.has(Path::new("/")));
+    }
 
     #[test]
     fn paths() {

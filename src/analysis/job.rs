@@ -1,16 +1,17 @@
 //! One expansion, and what the rules say about it.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
 use super::check::CheckOptions;
+use super::configs::Settings;
 use super::roots::{Job, Reason};
 use super::session::Session;
-use crate::base::{CancelFlag, FileId, Span, TextRange};
+use crate::base::{CancelFlag, FastSet, FileId, Span, TextRange};
 use crate::expand::{Expansion, FileUse, Focus, Limits, Read, Request, World, expand};
 use crate::model::Robot;
-use crate::rules::{Finding, RootKind, by_code, check_expansion, check_files};
+use crate::rules::{Chosen, Finding, RootKind, Rule, all, by_code, check_expansion, check_files};
 use crate::vfs::{LoadError, SourceFile};
 use crate::workspace::config;
 
@@ -61,9 +62,13 @@ pub(super) fn part(session: &Session, cancel: &CancelFlag, job: &Job, focus: Opt
 pub(super) fn judge(session: &Session, cancel: &CancelFlag, job: Job, expansion: &Expansion) -> Outcome {
     let settings = session.settings(&job.file);
     let around = session.surroundings(&settings.config);
-    let kind = kind(expansion, &job);
-    let mut findings = check_expansion(expansion, kind, job.reason != Reason::Walked, around, cancel);
-    findings.append(&mut check_files(expansion, around, cancel));
+    let robot = Robot::of(expansion);
+    let kind = kind(expansion, robot.as_ref(), &job);
+    let explicit = job.reason != Reason::Walked;
+    let rules = wanted(session, expansion, settings.clone());
+    let chosen = Chosen { rules: &rules, cancel };
+    let mut findings = check_expansion(expansion, robot.as_ref(), (kind, explicit), around, chosen);
+    findings.append(&mut check_files(expansion, around, chosen));
     if let Some(error) = &expansion.root_error {
         findings.extend(unreadable(session.vfs.file_id(&job.file), error));
     }
@@ -78,13 +83,30 @@ pub(super) fn judge(session: &Session, cancel: &CancelFlag, job: Job, expansion:
     }
 }
 
+/// The rules that run somewhere in what an expansion read, or for the packages around it.
+fn wanted(session: &Session, expansion: &Expansion, root: Arc<Settings>) -> Vec<&'static Rule> {
+    let mut found = vec![root];
+    let mut folders: FastSet<&Path> = FastSet::default();
+    let sources = expansion.files.iter().map(|file| &*file.source.path);
+    for file in sources.filter(|file| file.parent().is_some_and(|folder| folders.insert(folder))) {
+        let package = session.packages.containing(file).map(|package| package.folder);
+        let around = package.map(|folder| session.folder_settings(&folder));
+        for settings in std::iter::once(session.settings(file)).chain(around) {
+            if !found.iter().any(|known| Arc::ptr_eq(known, &settings)) {
+                found.push(settings);
+            }
+        }
+    }
+    all().filter(|rule| found.iter().any(|settings| settings.selects(rule))).collect()
+}
+
 /// A file is a robot when it is configured as one, calls itself plain URDF, or gives one by itself.
-fn kind(expansion: &Expansion, job: &Job) -> RootKind {
+fn kind(expansion: &Expansion, robot: Option<&Robot>, job: &Job) -> RootKind {
     let uses_xacro =
         |file: &FileUse| file.source.document.root().is_some_and(|root| root.attr("xmlns:xacro").is_some());
     let plain = job.file.extension().is_some_and(|ending| ending == "urdf")
         && !expansion.files.first().is_some_and(uses_xacro);
-    let by_itself = || Robot::of(expansion).is_some_and(|robot| robot.is_entry());
+    let by_itself = || robot.is_some_and(Robot::is_entry);
     if job.reason == Reason::Root || plain || by_itself() || is_bare(expansion) {
         RootKind::Robot
     } else {

@@ -6,6 +6,7 @@ mod baseline;
 mod check;
 mod configs;
 mod context;
+mod coverage;
 mod first_look;
 mod fix;
 mod graph;

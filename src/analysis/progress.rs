@@ -22,6 +22,10 @@ impl Progress {
     }
 
     pub(super) fn step(&self) {
-        self.counts.0.fetch_add(1, Ordering::Relaxed);
+        self.skip(1);
+    }
+
+    pub(super) fn skip(&self, expansions: usize) {
+        self.counts.0.fetch_add(expansions, Ordering::Relaxed);
     }
 }

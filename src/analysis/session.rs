@@ -1,11 +1,12 @@
 //! Files, packages, environment and configuration that checks and commands share.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::configs::{Configs, Overrides, Settings};
 use crate::model::Meshes;
-use crate::rules::Surroundings;
+use crate::rules::{Manifests, Surroundings};
 use crate::vfs::{Environment, LoadError, Vfs};
 use crate::workspace::config::Config;
 use crate::workspace::config::ConfigWarning;
@@ -20,6 +21,7 @@ pub struct Session {
     /// Variables and working directory.
     pub env: Environment,
     meshes: Meshes,
+    manifests: Manifests,
     configs: Configs,
 }
 
@@ -71,7 +73,14 @@ impl Session {
             ..PackageOptions::default()
         };
         let packages = Packages::new(vfs.clone(), env, options);
-        Self { vfs, packages, env: env.clone(), meshes: Meshes::default(), configs }
+        Self {
+            vfs,
+            packages,
+            env: env.clone(),
+            meshes: Meshes::default(),
+            manifests: Manifests::default(),
+            configs,
+        }
     }
 
     /// The settings for a file.
@@ -89,6 +98,11 @@ impl Session {
         self.configs.warnings()
     }
 
+    /// The meshes that were read or looked for so far.
+    pub(super) fn mesh_files(&self) -> BTreeSet<PathBuf> {
+        self.meshes.looked_for()
+    }
+
     /// The configuration files read so far.
     pub(super) fn config_files(&self) -> Vec<PathBuf> {
         self.configs.files()
@@ -99,6 +113,7 @@ impl Session {
         let variables = ["AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "ROS_PACKAGE_PATH"];
         let sourced = variables.iter().any(|name| self.env.var(name).is_some_and(|value| !value.is_empty()));
         let has_ros = sourced || self.vfs.is_dir(Path::new("/opt/ros"));
-        Surroundings { packages: &self.packages, has_ros, vfs: &self.vfs, meshes: &self.meshes, config }
+        let (vfs, meshes, manifests) = (&self.vfs, &self.meshes, &self.manifests);
+        Surroundings { packages: &self.packages, has_ros, vfs, meshes, manifests, config }
     }
 }

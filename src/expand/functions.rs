@@ -12,7 +12,6 @@ use super::yaml_value::file_value;
 use crate::base::TextRange;
 use crate::expr::{ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display, literal};
 use crate::vfs::LoadError;
-use crate::yaml;
 
 /// The host of one expression.
 pub(super) struct ExprHost<'m, 'w, 't> {
@@ -158,21 +157,16 @@ impl ExprHost<'_, '_, '_> {
         let name = self.machine.absolute_name(&name);
         // load_yaml opens relative to the working directory, whatever --root-dir says
         let path: PathBuf = self.machine.world.env.cwd.join(&name);
-        let file = match self.machine.world.vfs.text(&path) {
-            Ok(file) => file,
+        let loaded = match self.machine.world.vfs.yaml(&path, &name) {
+            Ok(loaded) => loaded,
             Err(error) => {
                 self.machine.result.record.add(Read::Missing(path));
                 return self.unreadable(&name, &error);
             }
         };
-        self.machine.result.record.add(Read::File(path, file.hash));
+        self.machine.result.record.add(Read::File(path, loaded.file.hash));
         self.machine.open_files.push(OpenFile { name: name.clone(), file: None, conditions: u32::MAX });
-        let loaded = yaml::load(&file.text, &name);
-        let value = match &loaded {
-            _ if file.encoding_error.is_some() => {
-                let message = file.encoding_error.as_ref().map(|(_, message)| message.as_str());
-                Err(EvalError::new(ErrorKind::Value, message.unwrap_or_default()).at(range))
-            }
+        let value = match &loaded.value {
             Ok(node) => file_value(node, &mut self.machine.budget),
             Err(error) => Err(EvalError::new(ErrorKind::Value, error.message.clone()).at(range)),
         };

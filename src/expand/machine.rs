@@ -15,6 +15,7 @@ use super::problem::{Place as ProblemPlace, Problem, Problems, Severity, Step, s
 use super::record::{Read, Record};
 use super::resolve::{BindingInfo, LazyUse};
 use super::scope::{MacroDef, Macros, MacrosId, Scopes};
+use super::stack::on_large_stack;
 use super::symbols::Symbols;
 use super::text::CachedText;
 use super::tree::{XId, XKind, XTree};
@@ -147,18 +148,9 @@ impl Expansion {
 
 /// Expand a file. Never fails: what went wrong is in [`Expansion::problems`].
 ///
-/// Runs on a thread of its own whose stack fits the deepest nesting the limits admit.
+/// Runs [`on_large_stack`].
 pub fn expand(world: World<'_>, request: &Request) -> Expansion {
-    const STACK: usize = 512 << 20;
-    std::thread::scope(|scope| {
-        let builder = std::thread::Builder::new().name("expand".into()).stack_size(STACK);
-        let run = builder.spawn_scoped(scope, || Expander::new(world, request).run());
-        match run.map(std::thread::ScopedJoinHandle::join) {
-            Ok(Ok(expansion)) => expansion,
-            Ok(Err(panic)) => std::panic::resume_unwind(panic),
-            Err(_) => Expander::new(world, request).run(),
-        }
-    })
+    on_large_stack(|| Expander::new(world, request).run())
 }
 
 /// Where evaluation stands: the scope chains and the way that led here.

@@ -3,6 +3,9 @@
 use std::cell::OnceCell;
 
 use super::geometry::Resources;
+use super::package::{Manifests, Mention};
+use super::xacro::Mentions;
+use super::xml::{Numeric, Seen};
 use crate::base::FastSet;
 use crate::expand::{Expansion, FileIdx, XId};
 use crate::model::{Joint, Kinematics, Link, Meshes, Robot};
@@ -32,6 +35,8 @@ pub struct FileCx<'a> {
     pub macros: &'a FastSet<String>,
     /// What lies around it.
     pub world: Surroundings<'a>,
+    /// The packages that it names, once a rule has asked.
+    pub(super) packages: OnceCell<Vec<Mention>>,
 }
 
 impl FileCx<'_> {
@@ -71,9 +76,41 @@ pub struct DocumentCx<'a> {
     pub world: Surroundings<'a>,
     /// The meshes that the robot names, once a rule has asked.
     pub(super) resources: OnceCell<Resources>,
+    /// What the texts mention, once a rule has asked.
+    pub(super) mentions: OnceCell<Option<Vec<Mentions>>>,
+    /// The elements seen through the schema, once a rule has asked.
+    pub(super) seen: OnceCell<Vec<Seen>>,
+    /// The attributes that hold numbers, once a rule has asked.
+    pub(super) numeric: OnceCell<Vec<Numeric>>,
+    /// The macros that the files define, once a rule has asked.
+    pub(super) macros: OnceCell<FastSet<&'a str>>,
 }
 
-impl DocumentCx<'_> {
+impl<'a> DocumentCx<'a> {
+    /// What there is to know about an element of an expansion.
+    pub(super) fn new(
+        expansion: &'a Expansion,
+        element: XId,
+        kind: RootKind,
+        explicit: bool,
+        robot: Option<&'a Robot>,
+        world: Surroundings<'a>,
+    ) -> Self {
+        Self {
+            expansion,
+            element,
+            kind,
+            explicit,
+            robot,
+            world,
+            resources: OnceCell::new(),
+            mentions: OnceCell::new(),
+            seen: OnceCell::new(),
+            numeric: OnceCell::new(),
+            macros: OnceCell::new(),
+        }
+    }
+
     /// The links of the document.
     pub fn links(&self) -> &[Link] {
         self.robot.map_or(&[], |robot| &robot.links)
@@ -103,6 +140,8 @@ pub struct Surroundings<'a> {
     pub vfs: &'a Vfs,
     /// Meshes, read once.
     pub meshes: &'a Meshes,
+    /// Package manifests, read once.
+    pub manifests: &'a Manifests,
     /// The configuration of the root file.
     pub config: &'a Config,
 }

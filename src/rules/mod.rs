@@ -38,11 +38,12 @@ pub use geometry::{FileTarget, link_bounds, resolve_file};
 pub use linter::{
     Directive, Malformed, Selector, Suppression, Suppressions, invalid_config, unused_suppression,
 };
+pub use package::Manifests;
 pub use registry::{
     Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector,
     unknown_selector,
 };
-pub use run::{check_expansion, check_files, check_part};
+pub use run::{Chosen, check_expansion, check_files, check_part};
 pub use selection::{Selection, SelectionOptions};
 pub use sink::Sink;
 pub use thresholds::{THRESHOLDS, Threshold};

@@ -1,5 +1,6 @@
 //! Running rules.
 
+use std::borrow::Cow;
 use std::cell::OnceCell;
 
 use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings};
@@ -25,42 +26,51 @@ pub(super) fn is_whole(expansion: &Expansion) -> bool {
     expansion.whole && !expansion.problems.iter().any(loses)
 }
 
-/// What expansion reported, and what the rules say about the expanded document.
+/// Which rules run, and until when.
+#[derive(Clone, Copy)]
+pub struct Chosen<'a> {
+    /// The rules.
+    pub rules: &'a [&'static Rule],
+    /// Set to stop early; findings are missing then.
+    pub cancel: &'a CancelFlag,
+}
+
+/// What expansion of a file (what it is taken for, whether the user named it) reported, and what rules say about
+/// the expanded document.
 pub fn check_expansion(
     expansion: &Expansion,
-    kind: RootKind,
-    explicit: bool,
+    robot: Option<&Robot>,
+    (kind, explicit): (RootKind, bool),
     world: Surroundings<'_>,
-    cancel: &CancelFlag,
+    chosen: Chosen<'_>,
 ) -> Vec<Finding> {
     let unprefixed = Unprefixed::of(expansion);
     let problems = expansion.problems.iter().filter(|problem| !unprefixed.explains(expansion, problem));
     let mut findings: Vec<Finding> =
         problems.filter_map(|problem| finding(expansion, problem, world.vfs)).collect();
     excuse_packages(&mut findings, world);
-    let robot = Robot::of(expansion);
     let Some(first) = all().next() else { return findings };
     let mut sink = Sink::new(expansion, first);
-    let whole = expansion.tree.root().map(|root| (root, kind, robot.clone()));
+    let whole = expansion.tree.root().map(|root| (root, kind, robot.map(Cow::Borrowed)));
     // what a macro gives that nothing calls is looked at like a library
     let probes = expansion
         .probes
         .iter()
-        .map(|probe| (probe.content, RootKind::Library, Some(Robot::below(&expansion.tree, probe.content))));
+        .map(|probe| (probe.content, Cow::Owned(Robot::below(&expansion.tree, probe.content))))
+        .map(|(content, robot)| (content, RootKind::Library, Some(robot)));
     for (element, kind, robot) in whole.into_iter().chain(probes) {
-        let (robot, resources) = (robot.as_ref(), OnceCell::new());
-        let document = DocumentCx { expansion, element, kind, explicit, robot, world, resources };
-        run(&mut sink, cancel, |rule, sink| {
+        let document = DocumentCx::new(expansion, element, kind, explicit, robot.as_deref(), world);
+        chosen.run(&mut sink, |rule, sink| {
             if let Check::Document(check) = rule.check {
                 check(&document, sink);
             }
         });
     }
-    if let Some(robot) = robot.as_ref().filter(|_| kind == RootKind::Robot) {
+    if let Some(robot) = robot.filter(|_| kind == RootKind::Robot) {
         let kinematics = Kinematics::of(robot);
         let whole = is_whole(expansion) && !unprefixed.structure && robot.names_are_known();
         let cx = RobotCx { expansion, robot, kinematics: &kinematics, world, whole };
-        run(&mut sink, cancel, |rule, sink| {
+        chosen.run(&mut sink, |rule, sink| {
             if let Check::Robot(check) = rule.check {
                 check(&cx, sink);
             }
@@ -82,27 +92,29 @@ pub fn check_part(expansion: &Expansion, world: Surroundings<'_>) -> Vec<Finding
     let mut sink = Sink::new(expansion, first);
     let probes = expansion.probes.iter().map(|probe| probe.content);
     for element in expansion.tree.root().into_iter().chain(probes) {
-        let (kind, resources) = (RootKind::Library, OnceCell::new());
-        let document = DocumentCx { expansion, element, kind, explicit: true, robot: None, world, resources };
-        run(&mut sink, &CancelFlag::default(), |rule, sink| match rule.check {
-            Check::Document(check) if rule.category == Category::Xml => check(&document, sink),
-            _ => {}
-        });
+        let document = DocumentCx::new(expansion, element, RootKind::Library, true, None, world);
+        for rule in all().filter(|rule| rule.category == Category::Xml) {
+            sink.set_rule(rule);
+            if let Check::Document(check) = rule.check {
+                check(&document, &mut sink);
+            }
+        }
     }
     findings.extend(sink.finish());
     findings
 }
 
-/// What the rules say about the source files of an expansion. Of a file that is not well-formed, only that
+/// What rules say about the source files of an expansion. Of a file that is not well-formed, only that
 /// is said.
-pub fn check_files(expansion: &Expansion, world: Surroundings<'_>, cancel: &CancelFlag) -> Vec<Finding> {
+pub fn check_files(expansion: &Expansion, world: Surroundings<'_>, chosen: Chosen<'_>) -> Vec<Finding> {
     let Some(first) = all().next() else { return Vec::new() };
     let mut sink = Sink::new(expansion, first);
     let macros = defined_macros(expansion);
     for (file, used) in (0..).map(FileIdx).zip(&expansion.files) {
-        let cx = FileCx { expansion, file, source: &used.source, macros: &macros, world };
+        let packages = OnceCell::new();
+        let cx = FileCx { expansion, file, source: &used.source, macros: &macros, world, packages };
         let well_formed = used.source.document.errors().is_empty();
-        run(&mut sink, cancel, |rule, sink| match rule.check {
+        chosen.run(&mut sink, |rule, sink| match rule.check {
             Check::File(check) if well_formed => check(&cx, sink),
             _ => {}
         });
@@ -117,11 +129,12 @@ fn defined_macros(expansion: &Expansion) -> FastSet<String> {
     macros.filter_map(|node| Some(node.attr("name")?.raw().trim_start_matches("xacro:").to_owned())).collect()
 }
 
-/// All rules, until cancelled.
-fn run(sink: &mut Sink<'_>, cancel: &CancelFlag, mut apply: impl FnMut(&Rule, &mut Sink<'_>)) {
-    for rule in all().take_while(|_| !cancel.is_cancelled()) {
-        sink.set_rule(rule);
-        apply(rule, sink);
+impl Chosen<'_> {
+    fn run(self, sink: &mut Sink<'_>, mut apply: impl FnMut(&Rule, &mut Sink<'_>)) {
+        for &rule in self.rules.iter().take_while(|_| !self.cancel.is_cancelled()) {
+            sink.set_rule(rule);
+            apply(rule, sink);
+        }
     }
 }
 

@@ -44,6 +44,12 @@ impl<T> Cache<T> {
         result
     }
 
+    /// Whether there is a value for the file as it is now.
+    pub(super) fn knows(&self, id: FileId, stamp: Stamp) -> bool {
+        let slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        slots.get(&id).is_some_and(|slot| slot.stamp == stamp && slot.settled)
+    }
+
     fn cell(&self, id: FileId, stamp: Stamp) -> Cell<T> {
         let mut slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         match slots.get(&id) {

@@ -33,7 +33,7 @@ impl Vfs {
     ) -> Result<Arc<T>, LoadError> {
         let id = self.file_id(path);
         let path = self.path(id);
-        let Stat { stamp, .. } = read::stat(&path)?;
+        let Stat { stamp, .. } = self.stat(id, &path)?;
         cache.0.get(id, stamp, || Ok(Arc::new(make(read::bytes(&path, limit)?))))
     }
 
@@ -49,7 +49,8 @@ impl Vfs {
     pub fn names(&self, folder: &Path) -> Arc<Vec<DirEntry>> {
         let id = self.file_id(folder);
         let path = self.path(id);
-        let listed = read::stat(&path)
+        let listed = self
+            .stat(id, &path)
             .and_then(|stat| self.folders.get(id, stat.stamp, || Ok(Arc::new(self.list_dir(&path)))));
         listed.unwrap_or_default()
     }

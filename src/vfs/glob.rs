@@ -90,6 +90,15 @@ impl Wildcard {
         Self(compile(text))
     }
 
+    /// The only name that fits, where there is only one.
+    pub fn literal(&self) -> Option<String> {
+        let letter = |token: &Token| match token {
+            Token::Literal(letter) => Some(*letter),
+            _ => None,
+        };
+        self.0.iter().map(letter).collect()
+    }
+
     /// Whether the whole of `name` fits.
     pub fn matches(&self, name: &str) -> bool {
         let name: Vec<char> = name.chars().collect();

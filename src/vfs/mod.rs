@@ -13,6 +13,7 @@ mod derived;
 mod environment;
 mod error;
 mod glob;
+mod held;
 mod ids;
 mod output;
 mod process;
@@ -30,6 +31,7 @@ pub use derived::{FileCache, text_of};
 pub use environment::Environment;
 pub use error::{LoadError, LoadErrorKind};
 pub use glob::{Wildcard, covers, has_magic};
+pub use held::Held;
 pub use output::write_atomically;
 pub use process::is_process_alive;
 
@@ -38,6 +40,7 @@ use crate::xml::Document;
 use crate::yaml::{self, Node, YamlError};
 use buffer::Buffer;
 use cache::Cache;
+use held::Asked;
 use ids::Ids;
 use read::{Identity, Stamp};
 
@@ -138,6 +141,7 @@ pub struct Vfs {
     sources: Cache<SourceFile>,
     yaml: Cache<YamlFile>,
     folders: Cache<Vec<DirEntry>>,
+    asked: Asked,
 }
 
 impl Vfs {
@@ -159,6 +163,7 @@ impl Vfs {
             sources: Cache::default(),
             yaml: Cache::default(),
             folders: Cache::default(),
+            asked: Asked::default(),
         }
     }
 
@@ -246,13 +251,15 @@ impl Vfs {
                 let (text, hash) = (file.text.clone(), file.hash);
                 Ok(Arc::new(TextFile { id, path, text, hash, encoding_error: None }))
             }),
-            State::Disk(stamp) => self.texts.get(id, stamp, || {
-                let limit = self.max_file_bytes.load(Ordering::Relaxed);
-                let decode::Decoded { text, error } = decode::decode(read::bytes(&path, limit)?);
-                let hash = read::hash(&text);
-                Ok(Arc::new(TextFile { id, path, text, hash, encoding_error: error }))
-            }),
+            State::Disk(stamp) => self.texts.get(id, stamp, || self.read(id, &path).map(Arc::new)),
         }
+    }
+
+    fn read(&self, id: FileId, path: &Arc<Path>) -> Result<TextFile, LoadError> {
+        let limit = self.max_file_bytes.load(Ordering::Relaxed);
+        let decode::Decoded { text, error } = decode::decode(read::bytes(path, limit)?);
+        let hash = read::hash(&text);
+        Ok(TextFile { id, path: path.clone(), text, hash, encoding_error: error })
     }
 
     /// An XML file, parsed; not again while its text stays the same. Of a buffer that was edited, only
@@ -270,6 +277,10 @@ impl Vfs {
                 let (document, hash) = (source.document.clone(), source.hash);
                 Ok(Arc::new(SourceFile { id, path, document, hash, encoding_error: None }))
             }),
+            // the document holds the text: it need not be kept a second time
+            State::Disk(stamp) if stamp.is_settled() => {
+                self.sources.get(id, stamp, || Ok(SourceFile::parse(&self.read(id, &path)?)))
+            }
             State::Disk(_) => {
                 let text = self.text(&path)?;
                 self.sources.get(id, Stamp::Content(text.hash), || Ok(SourceFile::parse(&text)))
@@ -283,6 +294,7 @@ impl Vfs {
         let id = self.file_id(path);
         match self.state(id, &self.path(id)).ok()? {
             State::Buffer(buffer) => Some(buffer.hash()),
+            State::Disk(stamp) if self.sources.knows(id, stamp) => Some(self.document(path).ok()?.hash),
             State::Disk(_) => Some(self.text(path).ok()?.hash),
         }
     }
@@ -368,7 +380,7 @@ impl Vfs {
         if let Some(buffer) = buffers.get(&id) {
             return Ok(State::Buffer(buffer.clone()));
         }
-        let stat = read::stat(path)?;
+        let stat = self.stat(id, path)?;
         let is_same = |buffer: &&Arc<Buffer>| stat.identity.is_some() && buffer.identity == stat.identity;
         Ok(match buffers.values().find(is_same) {
             Some(buffer) => State::Buffer(buffer.clone()),

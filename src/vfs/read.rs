@@ -56,6 +56,7 @@ impl Stamp {
 }
 
 /// The answer of [`stat`].
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Stat {
     /// State of the content.
     pub(super) stamp: Stamp,

@@ -1,5 +1,6 @@
 //! Package look-up: the one answer to `$(find pkg)`, `package://` and `model://`.
 
+use std::borrow::Cow;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
@@ -164,7 +165,8 @@ impl Packages {
 
     /// The package that `file` lies in: the nearest manifest upward.
     pub fn containing(&self, file: &Path) -> Option<Package> {
-        let file = without_parents(&self.vfs.absolute(file));
+        let is_tidy = file.is_absolute() && !file.components().any(|part| part == Component::ParentDir);
+        let file = if is_tidy { Cow::from(file) } else { without_parents(&self.vfs.absolute(file)).into() };
         let folder = file.parent()?;
         self.owners.get(folder.to_owned(), || {
             folder.ancestors().find_map(|folder| {

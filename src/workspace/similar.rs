@@ -1,35 +1,60 @@
 //! "Did you mean".
 
+/// Words longer than this are no names that anybody spells by hand.
+const LONGEST: usize = 100;
+
 /// The candidate closest to `word`, if any is close enough to be meant: at most a third of its letters
 /// differ, and never more than three; of two letters, the second. The first of equals wins.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let letters: Vec<char> = word.chars().flat_map(char::to_lowercase).collect();
-    let limit = if letters.len() == 2 { 1 } else { (letters.len() / 3).min(3) };
-    let mut best: Option<(usize, &str)> = None;
+    let (mut letters, mut other) = (Vec::new(), Vec::new());
+    if !fold(word, &mut letters) {
+        return None;
+    }
+    let mut limit = if letters.len() == 2 { 1 } else { (letters.len() / 3).min(3) };
+    let mut best = None;
     for candidate in candidates {
-        let other: Vec<char> = candidate.chars().flat_map(char::to_lowercase).collect();
-        if candidate == word || letters.len().abs_diff(other.len()) > limit {
+        // a letter takes one to four bytes
+        let possible =
+            letters.len() <= candidate.len() + limit && candidate.len() <= 4 * (letters.len() + limit);
+        if candidate == word || !possible || !fold(candidate, &mut other) {
             continue;
         }
         if letters.len() == 2 && (other.len() != 2 || letters.first() != other.first()) {
             continue;
         }
-        let distance = distance(&letters, &other);
-        if distance <= limit && best.is_none_or(|(least, _)| distance < least) {
-            best = Some((distance, candidate));
+        if let Some(distance) = distance(&letters, &other, limit) {
+            best = Some(candidate);
+            if distance == 0 {
+                break;
+            }
+            limit = distance - 1;
         }
     }
-    best.map(|(_, candidate)| candidate)
+    best
+}
+
+/// The small letters of a word; false when there are too many of them.
+fn fold(word: &str, letters: &mut Vec<char>) -> bool {
+    letters.clear();
+    letters.extend(word.chars().flat_map(char::to_lowercase).take(LONGEST + 1));
+    letters.len() <= LONGEST
 }
 
 /// How many letters of `a` are to be inserted, removed, replaced or swapped with their neighbour to get `b`.
 pub fn edit_distance(a: &str, b: &str) -> usize {
     let letters = |text: &str| text.chars().collect::<Vec<char>>();
-    distance(&letters(a), &letters(b))
+    let (a, b) = (letters(a), letters(b));
+    let most = a.len().max(b.len());
+    distance(&a, &b, most).unwrap_or(most)
 }
 
-/// Letters inserted, removed, replaced or swapped with their neighbour to get from `a` to `b`.
-fn distance(a: &[char], b: &[char]) -> usize {
+/// Letters inserted, removed, replaced or swapped with their neighbour to get from `a` to `b`; none when these
+/// are more than `most`.
+fn distance(a: &[char], b: &[char], most: usize) -> Option<usize> {
+    let (a, b) = different(a, b);
+    if a.len().abs_diff(b.len()) > most {
+        return None;
+    }
     let mut before: Vec<usize> = Vec::new();
     let mut row: Vec<usize> = (0..=b.len()).collect();
     for (i, &x) in a.iter().enumerate() {
@@ -43,14 +68,26 @@ fn distance(a: &[char], b: &[char]) -> usize {
             }
             next.push(cost);
         }
+        // no later number is below the least of two rows
+        if next.iter().chain(&row).all(|&cost| cost > most) {
+            return None;
+        }
         before = std::mem::replace(&mut row, next);
     }
-    row.last().copied().unwrap_or(a.len())
+    row.last().copied().filter(|&distance| distance <= most)
+}
+
+/// What lies between the letters that both begin with and those that both end with.
+fn different<'a>(a: &'a [char], b: &'a [char]) -> (&'a [char], &'a [char]) {
+    let same = a.iter().zip(b).take_while(|(x, y)| x == y).count();
+    let (a, b) = (a.get(same..).unwrap_or_default(), b.get(same..).unwrap_or_default());
+    let same = a.iter().rev().zip(b.iter().rev()).take_while(|(x, y)| x == y).count();
+    (a.get(..a.len() - same).unwrap_or_default(), b.get(..b.len() - same).unwrap_or_default())
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{edit_distance, nearest};
+    use super::{distance, edit_distance, nearest};
 
     #[test]
     fn words() {
@@ -74,5 +111,21 @@ mod tests {
         assert_eq!((edit_distance("orgin", "origin"), edit_distance("ab", "ba")), (1, 1));
         assert_eq!(nearest("abc", ["abd", "abe"]), Some("abd"));
         assert_eq!(nearest("ab", ["a", "b"]), None);
+        assert_eq!(nearest(&"x".repeat(2000), ["y".repeat(2000).as_str()]), None);
+    }
+
+    /// Words over few letters, so that many are near each other.
+    #[test]
+    fn a_bound_changes_no_distance_below_it() {
+        let words: Vec<Vec<char>> = (0..3_usize.pow(5))
+            .map(|n| (0..5).map(|i| char::from(b'a' + (n / 3_usize.pow(i) % 3) as u8)).collect())
+            .map(|word: Vec<char>| word[..1 + word.iter().filter(|c| **c == 'a').count().min(4)].to_vec())
+            .collect();
+        for (a, b) in words.iter().zip(words.iter().rev()).chain(words.iter().zip(words.iter().skip(7))) {
+            let exact = distance(a, b, 9).unwrap();
+            for most in 0..6 {
+                assert_eq!(distance(a, b, most), Some(exact).filter(|&exact| exact <= most), "{a:?} {b:?}");
+            }
+        }
     }
 }

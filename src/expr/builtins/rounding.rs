@@ -39,12 +39,12 @@ fn round_int(interp: &mut Interp, value: &Value, digits: i128) -> Eval {
     if digits >= 0 {
         return Ok(Value::int(number.into_owned()));
     }
+    // Python computes the power of ten whatever the number is; a decimal digit has 3.32 bits.
+    interp.budget.int_bits(digits.unsigned_abs().saturating_mul(10) / 3)?;
     // Far beyond the number's own digits the result is zero.
     if digits < -(i128::from(number.bits()) / 3 + 2) {
         return Ok(Value::Int(0));
     }
-    // A decimal digit has 3.32 bits; the length of the number bounds this.
-    interp.budget.int_bits(digits.unsigned_abs() * 10 / 3)?;
     let unit = BigInt::from(10).pow(u32::try_from(digits.unsigned_abs()).unwrap_or(0));
     let (mut quotient, rest) = ops::int::div_mod(&number, &unit);
     match (&rest * 2u32).cmp(&unit) {

@@ -1,11 +1,13 @@
 //! Meshes that were read.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::defect::Defect;
 use super::draft::{Dependency, MeshFormat};
 use super::{Mesh, obj};
+use crate::base::FastSet;
 use crate::vfs::{FileCache, LoadErrorKind, Vfs};
 use crate::workspace::percent_decoded;
 
@@ -19,6 +21,7 @@ const MOST_MATERIAL_BYTES: u64 = 10_000_000;
 pub struct Meshes {
     meshes: FileCache<Mesh>,
     textures: FileCache<Vec<String>>,
+    looked_for: Mutex<FastSet<PathBuf>>,
 }
 
 /// A file that a mesh needs and that is not there.
@@ -33,6 +36,19 @@ pub struct Missing {
 }
 
 impl Meshes {
+    /// Remember that a description names a file, whether it is there or not.
+    pub fn note(&self, path: &Path) {
+        let mut paths = self.looked_for.lock().unwrap_or_else(PoisonError::into_inner);
+        if !paths.contains(path) {
+            paths.insert(path.to_owned());
+        }
+    }
+
+    /// The files that descriptions named so far.
+    pub fn looked_for(&self) -> BTreeSet<PathBuf> {
+        self.looked_for.lock().unwrap_or_else(PoisonError::into_inner).iter().cloned().collect()
+    }
+
     /// The mesh in a file.
     pub fn get(&self, vfs: &Vfs, path: &Path) -> Arc<Mesh> {
         let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();

@@ -1,7 +1,5 @@
 //! How large visuals and collisions are, in the frame of their link.
 
-use std::cell::OnceCell;
-
 use super::super::context::{DocumentCx, RootKind, Surroundings};
 use super::resources::factors;
 use crate::expand::Expansion;
@@ -36,15 +34,7 @@ pub fn link_bounds(
     world: Surroundings<'_>,
     link: &Link,
 ) -> Option<Bounds> {
-    let cx = DocumentCx {
-        expansion,
-        element: robot.element,
-        kind: RootKind::Robot,
-        explicit: false,
-        robot: Some(robot),
-        world,
-        resources: OnceCell::new(),
-    };
+    let cx = DocumentCx::new(expansion, robot.element, RootKind::Robot, false, Some(robot), world);
     let bodies = if link.visuals.is_empty() { &link.collisions } else { &link.visuals };
     extent_of(&cx, bodies).bounds()
 }

@@ -130,7 +130,13 @@ impl Resources {
         paths.sort_unstable();
         paths.dedup();
         let (meshes, vfs) = (cx.world.meshes, cx.world.vfs);
-        let read: Vec<Arc<Mesh>> = paths.par_iter().map(|path| meshes.get(vfs, path)).collect();
+        known.values().filter_map(Target::place).for_each(|path| meshes.note(path));
+        let get = |path: &&Path| meshes.get(vfs, path);
+        // threads are only started where there is work for them
+        let read: Vec<Arc<Mesh>> = match paths.len() {
+            0 | 1 => paths.iter().map(get).collect(),
+            _ => paths.par_iter().map(get).collect(),
+        };
         let read: FastMap<&Path, Arc<Mesh>> = paths.into_iter().zip(read).collect();
         let mesh = |target: &Target| read.get(target.file()?).cloned();
         Self { meshes: targets.iter().map(|(id, target)| (*id, (target.clone(), mesh(target)))).collect() }
@@ -138,6 +144,17 @@ impl Resources {
 }
 
 impl Target {
+    /// The path it leads to, whatever is there.
+    fn place(&self) -> Option<&Path> {
+        match self {
+            Target::File(path)
+            | Target::NoFile(path)
+            | Target::OtherCase(path)
+            | Target::Missing(path, _) => Some(path),
+            Target::Unknown | Target::Malformed => None,
+        }
+    }
+
     /// The file it leads to.
     pub fn file(&self) -> Option<&Path> {
         match self {

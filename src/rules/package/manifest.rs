@@ -1,18 +1,40 @@
 //! What a `package.xml` says about dependencies.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use roxmltree::{Document, Node, ParsingOptions};
 
 use super::super::context::Surroundings;
-use crate::base::{FileId, Span, TextRange};
+use crate::base::{FastMap, FileId, Span, TextRange};
 use crate::expand::FileIdx;
+use crate::vfs::TextFile;
+use crate::workspace::Package;
 
 /// Markup of a sane manifest stays far below this.
 const MAX_NODES: u32 = 100_000;
 
 /// The elements that make a package come along with another one at run time.
 const RUNTIME: [&str; 4] = ["depend", "exec_depend", "run_depend", "build_export_depend"];
+
+/// Manifests, read once for each text they have.
+#[derive(Default)]
+pub struct Manifests(Mutex<FastMap<FileId, Known>>);
+
+/// A manifest and the hash of its text; none when it cannot be understood.
+type Known = (u64, Option<Arc<Manifest>>);
+
+impl Manifests {
+    fn get(&self, id: FileId, text: &TextFile, package: Package) -> Option<Arc<Manifest>> {
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, manifest)) = known.get(&id).filter(|(hash, _)| *hash == text.hash) {
+            return manifest.clone();
+        }
+        let manifest = Manifest::read(&text.text, id, package.folder, package.name).map(Arc::new);
+        known.insert(id, (text.hash, manifest.clone()));
+        manifest
+    }
+}
 
 /// The manifest of the package that a file belongs to.
 pub(super) struct Manifest {
@@ -33,12 +55,11 @@ pub(super) struct Manifest {
 
 impl Manifest {
     /// That of the package around a file of the expansion; none when there is none that can be read.
-    pub fn around(world: Surroundings<'_>, file: &std::path::Path) -> Option<Self> {
+    pub fn around(world: Surroundings<'_>, file: &Path) -> Option<Arc<Self>> {
         let package = world.packages.containing(file)?;
         let path = package.folder.join("package.xml");
         let text = world.vfs.text(&path).ok()?;
-        let id = world.vfs.file_id(&path);
-        Self::read(&text.text, id, package.folder, package.name)
+        world.manifests.get(world.vfs.file_id(&path), &text, package)
     }
 
     fn read(text: &str, file: FileId, folder: PathBuf, name: String) -> Option<Self> {
@@ -104,7 +125,7 @@ pub(super) fn of_file(
     world: Surroundings<'_>,
     expansion: &crate::expand::Expansion,
     file: FileIdx,
-) -> Option<Manifest> {
+) -> Option<Arc<Manifest>> {
     Manifest::around(world, &expansion.files.get(file.0 as usize)?.source.path)
 }
 

@@ -1,11 +1,14 @@
 //! The packages that a file names.
 
+use memchr::memchr2;
+
 use super::super::context::FileCx;
 use crate::base::TextRange;
 use crate::xml::NodeKind;
 
 /// A package that a text names.
-pub(super) struct Mention {
+#[derive(Debug)]
+pub struct Mention {
     /// Its name.
     pub name: String,
     /// Where the name stands, absolute.
@@ -15,7 +18,11 @@ pub(super) struct Mention {
 }
 
 /// The packages in `package://` URIs and in `$(find)` of a file, comments left out.
-pub(super) fn packages(cx: &FileCx<'_>) -> Vec<Mention> {
+pub(super) fn packages<'a>(cx: &'a FileCx<'_>) -> &'a [Mention] {
+    cx.packages.get_or_init(|| of_file(cx))
+}
+
+fn of_file(cx: &FileCx<'_>) -> Vec<Mention> {
     let mut found = Vec::new();
     for (base, item) in cx.source.document.parts() {
         for node in item.all_nodes() {
@@ -36,6 +43,9 @@ pub(super) fn packages(cx: &FileCx<'_>) -> Vec<Mention> {
 }
 
 fn in_text(text: &str, base: u32, found: &mut Vec<Mention>) {
+    if memchr2(b':', b'(', text.as_bytes()).is_none() {
+        return;
+    }
     for (lead, is_uri) in [("package://", true), ("$(find ", false)] {
         for (at, _) in text.match_indices(lead) {
             let rest = text.get(at + lead.len()..).unwrap_or_default();

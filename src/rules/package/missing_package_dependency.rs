@@ -26,7 +26,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     }
     let Some(manifest) = manifest::of_file(cx.world, cx.expansion, cx.file) else { return };
     let mut said: FastSet<&str> = FastSet::default();
-    for mention in &mentions {
+    for mention in mentions {
         let name = mention.name.as_str();
         let declared = name == manifest.name || manifest.runtime.iter().any(|known| known == name);
         if declared || !said.insert(name) || is_misspelt(cx, name) {

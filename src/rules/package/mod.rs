@@ -12,6 +12,8 @@ mod xacro_not_in_package;
 
 use super::registry::Rule;
 
+pub use manifest::Manifests;
+pub(super) use mentions::Mention;
 pub(super) use package_not_found::is_news;
 
 /// The rules.

@@ -5,6 +5,10 @@
 mod control;
 mod urdf;
 
+use std::sync::LazyLock;
+
+use crate::base::FastMap;
+
 /// An element below certain parents. Elements of one name below different parents have entries of their own.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementSpec {
@@ -124,7 +128,17 @@ impl ElementSpec {
 
     /// The element of a name that may stand in it.
     pub fn child(&self, name: &str) -> Option<&'static ElementSpec> {
-        self.children().find(|element| element.name == name)
+        static BY_PARENT: LazyLock<FastMap<(&str, &str), &'static ElementSpec>> = LazyLock::new(|| {
+            let pairs =
+                elements().flat_map(|element| element.parents.iter().map(move |parent| (parent, element)));
+            // of two elements of one name the first counts
+            let mut known = FastMap::default();
+            pairs.for_each(|(&parent, element)| {
+                known.entry((parent, element.name)).or_insert(element);
+            });
+            known
+        });
+        BY_PARENT.get(&(self.key, name)).copied()
     }
 
     /// The elements that may stand in it.

@@ -12,6 +12,7 @@ mod multiple_roots;
 mod names_differ_by_case;
 mod no_links;
 mod orphan_link;
+mod rust_consumer_cannot_load;
 mod undefined_link;
 
 use super::registry::Rule;
@@ -30,4 +31,5 @@ pub(super) static RULES: &[Rule] = &[
     duplicate_geometry_name::RULE,
     link_joint_same_name::RULE,
     names_differ_by_case::RULE,
+    rust_consumer_cannot_load::RULE,
 ];

@@ -1,42 +1,34 @@
 //! What the texts of a description mention, whether expansion came by or not.
 
+use ecow::EcoString;
+use memchr::memchr;
+
 use super::super::context::DocumentCx;
 use super::untaken;
 use crate::base::FastSet;
 use crate::expand::FileIdx;
+use crate::vfs::SourceFile;
 use crate::xml::{Item, Node, NodeKind};
 
 /// The words inside of `${}` and `$()`, the names that parameters forward, and the macros that are called.
 ///
 /// A branch that is not taken with these arguments is taken with others: what it mentions is used.
-#[derive(Default)]
-pub(super) struct Mentions {
-    words: FastSet<String>,
+#[derive(Debug, Default)]
+pub struct Mentions {
+    words: FastSet<EcoString>,
     /// Names of tags behind `xacro:`.
-    pub tags: FastSet<String>,
+    pub tags: FastSet<EcoString>,
     /// Names of inserted blocks, where they are written out.
-    pub blocks: FastSet<String>,
+    pub blocks: FastSet<EcoString>,
     /// Whether something is computed that could be any macro or block.
     pub computed: bool,
 }
 
 impl Mentions {
-    /// Those of all files of an expansion, and of those that other arguments would bring in; none when it
-    /// cannot be told which.
-    pub fn of(cx: &DocumentCx<'_>) -> Option<Self> {
-        Self::outside(cx, &FastSet::default())
-    }
-
-    /// The same without some files.
-    pub fn outside(cx: &DocumentCx<'_>, without: &FastSet<FileIdx>) -> Option<Self> {
+    fn of_file(file: &SourceFile) -> Self {
         let mut mentions = Self::default();
-        let files = (0..).map(FileIdx).zip(&cx.expansion.files).filter(|(file, _)| !without.contains(file));
-        let parts = files.flat_map(|(_, file)| file.source.document.parts());
-        parts.for_each(|(_, item)| mentions.add_item(item));
-        for file in untaken::files(cx)? {
-            file.document.parts().for_each(|(_, item)| mentions.add_item(item));
-        }
-        Some(mentions)
+        file.document.parts().for_each(|(_, item)| mentions.add_item(item));
+        mentions
     }
 
     /// Those inside of an element, the element itself not counted.
@@ -60,14 +52,16 @@ impl Mentions {
             _ => return,
         }
         let tag = node.name().strip_prefix("xacro:");
-        self.tags.extend(tag.map(str::to_owned));
+        if let Some(tag) = tag {
+            insert(&mut self.tags, tag);
+        }
         self.computed |= matches!(tag, Some("call" | "element"));
         for attr in node.attrs() {
             match (tag, attr.name()) {
                 (Some("macro"), "params") => self.add_params(attr.raw()),
                 (Some("insert_block"), "name") => {
                     self.computed |= attr.raw().contains('$');
-                    self.blocks.insert(attr.raw().to_owned());
+                    insert(&mut self.blocks, attr.raw());
                 }
                 _ => {}
             }
@@ -80,21 +74,60 @@ impl Mentions {
         for word in params.split_whitespace() {
             let forwarded =
                 word.split_once('=').filter(|(_, value)| value.trim_start_matches('\'').starts_with('^'));
-            self.words.extend(forwarded.map(|(name, _)| name.trim_end_matches(':').to_owned()));
+            self.words.extend(forwarded.map(|(name, _)| name.trim_end_matches(':').into()));
         }
     }
 
     fn add_text(&mut self, text: &str) {
-        if text.contains('$') {
+        if memchr(b'$', text.as_bytes()).is_some() {
             let words =
                 text.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty());
-            self.words.extend(words.map(str::to_owned));
+            for word in words {
+                insert(&mut self.words, word);
+            }
         }
     }
 
     /// Whether an expression mentions a name.
     pub fn word(&self, name: &str) -> bool {
         self.words.contains(name)
+    }
+
+    /// Whether a macro may be called.
+    pub fn tag(&self, name: &str) -> bool {
+        self.tags.contains(name) || self.computed
+    }
+
+    /// Whether a block may be inserted.
+    pub fn block(&self, name: &str) -> bool {
+        self.blocks.contains(name) || self.computed
+    }
+}
+
+/// The mentions of the files of an expansion, in their order, and of those that other arguments would bring in;
+/// none when it cannot be told which.
+pub(super) fn everywhere<'a>(cx: &'a DocumentCx<'_>) -> Option<&'a [Mentions]> {
+    let mentions = cx.mentions.get_or_init(|| {
+        let untaken = untaken::files(cx)?;
+        let read = cx.expansion.files.iter().map(|file| &file.source);
+        Some(read.chain(&untaken).map(|file| Mentions::of_file(file)).collect())
+    });
+    mentions.as_deref()
+}
+
+/// The same without some files.
+pub(super) fn outside<'a>(
+    cx: &'a DocumentCx<'_>,
+    without: &'a FastSet<FileIdx>,
+) -> Option<impl Iterator<Item = &'a Mentions> + Clone> {
+    let files = (0..).map(FileIdx).zip(everywhere(cx)?).filter(|(file, _)| !without.contains(file));
+    Some(files.map(|(_, mentions)| mentions))
+}
+
+/// Most names are met many times.
+fn insert(names: &mut FastSet<EcoString>, name: &str) {
+    if !names.contains(name) {
+        names.insert(name.into());
     }
 }
 

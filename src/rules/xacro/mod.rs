@@ -23,6 +23,7 @@ use super::registry::Safety::{Safe, Unsafe};
 use super::registry::Severity::{Error, Info, Warning};
 use super::registry::{Rule, page};
 
+pub(super) use mentions::Mentions;
 pub(super) use unprefixed_xacro_tag::is_unprefixed;
 
 /// The rules. Those without a file are found by the expander.

@@ -38,7 +38,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (src, read) in (0..).map(SrcId).zip(&cx.expansion.sources) {
         let attrs = read.item.all_nodes().flat_map(|node| node.attrs());
         // references such as &quot; shift the text against the source
-        for attr in attrs.filter(|attr| attr.has_dollar() && !attr.raw().contains('&')) {
+        let compares = |text: &str| text.contains('=') && !text.contains('&');
+        for attr in attrs.filter(|attr| attr.has_dollar() && compares(attr.raw())) {
             let start = attr.value_range().start;
             for (found, offset) in comparisons(attr.raw()) {
                 let at = SourceRange { src, range: found.name_range.shift(start + offset) };

@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::mentions::Mentions;
+use super::mentions;
 use super::unused;
 use crate::expand::SymbolKind;
 
@@ -24,8 +24,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if found.is_empty() {
         return;
     }
-    let Some(mentions) = Mentions::of(cx) else { return };
-    for (_, definition, place) in found.into_iter().filter(|(_, found, _)| !mentions.word(&found.name)) {
+    let Some(mentions) = mentions::everywhere(cx) else { return };
+    let is_read = |name: &str| mentions.iter().any(|file| file.word(name));
+    for (_, definition, place) in found.into_iter().filter(|(_, found, _)| !is_read(&found.name)) {
         let message = format!("argument `{}` is never read", definition.name);
         let help = "remove it, and what passes it in launch files";
         let report = out.report_in(place.file, place.range, message).help(help);

@@ -4,7 +4,7 @@ use super::super::context::{DocumentCx, RootKind};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::run::is_whole;
 use super::super::sink::Sink;
-use super::mentions::Mentions;
+use super::mentions;
 use super::source::{self, Inclusion};
 use crate::base::{FastSet, TextRange};
 use crate::expand::{FileIdx, SourceRange, SymbolKind};
@@ -82,17 +82,15 @@ fn is_used(cx: &DocumentCx<'_>, files: &FastSet<FileIdx>) -> bool {
     let symbols = &cx.expansion.symbols;
     let inside =
         |at: SourceRange| source::place(cx.expansion, at).is_some_and(|place| files.contains(&place.file));
-    let Some(mentions) = Mentions::outside(cx, files) else { return true };
+    let Some(mentions) = mentions::outside(cx, files) else { return true };
     let mut any = false;
     for (id, definition) in symbols.iter().filter(|(_, definition)| inside(definition.place)) {
         any = true;
         let named = match definition.kind {
-            SymbolKind::Macro => mentions.tags.contains(definition.name.as_str()) || mentions.computed,
-            SymbolKind::BlockProperty => {
-                mentions.blocks.contains(definition.name.as_str()) || mentions.computed
-            }
+            SymbolKind::Macro => mentions.clone().any(|file| file.tag(&definition.name)),
+            SymbolKind::BlockProperty => mentions.clone().any(|file| file.block(&definition.name)),
             SymbolKind::Parameter | SymbolKind::BlockParameter => continue,
-            _ => mentions.word(&definition.name),
+            _ => mentions.clone().any(|file| file.word(&definition.name)),
         };
         if named || symbols.uses_of(id).any(|used| !inside(used.place)) {
             return true;

@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::mentions::Mentions;
+use super::mentions;
 use super::unused;
 use crate::expand::SymbolKind;
 
@@ -24,10 +24,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if found.is_empty() {
         return;
     }
-    let Some(mentions) = Mentions::of(cx) else { return };
+    let Some(mentions) = mentions::everywhere(cx) else { return };
     for (_, definition, place) in found {
         let name = definition.name.as_str();
-        if mentions.computed || mentions.tags.contains(name) {
+        if mentions.iter().any(|file| file.tag(name)) {
             continue;
         }
         let message = format!("macro `{name}` is never called");

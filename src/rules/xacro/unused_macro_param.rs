@@ -1,5 +1,7 @@
 //! A parameter that its macro does not use.
 
+use ecow::EcoString;
+
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
@@ -57,7 +59,7 @@ fn body(cx: &DocumentCx<'_>, of: DefinitionId, forwards: &Forwards) -> Option<Me
         .find(|child| matches!(child.kind(), NodeKind::Element | NodeKind::Text) && !is_blank(*child))?;
     let body = Mentions::inside(node);
     let known =
-        |tag: &String| is_keyword(tag) || forwards.macros.contains(tag.rsplit('.').next().unwrap_or(tag));
+        |tag: &EcoString| is_keyword(tag) || forwards.macros.contains(tag.rsplit('.').next().unwrap_or(tag));
     (!body.tags.contains("include") && body.tags.iter().all(known)).then_some(body)
 }
 

@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::mentions::Mentions;
+use super::mentions;
 use super::unused;
 use crate::expand::SymbolKind;
 
@@ -24,12 +24,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if found.is_empty() {
         return;
     }
-    let Some(mentions) = Mentions::of(cx) else { return };
+    let Some(mentions) = mentions::everywhere(cx) else { return };
     for (_, definition, place) in found {
         let name = definition.name.as_str();
         let block = definition.kind == SymbolKind::BlockProperty;
-        let inserted = block && (mentions.blocks.contains(name) || mentions.computed);
-        if inserted || mentions.word(name) {
+        if mentions.iter().any(|file| file.word(name) || block && file.block(name)) {
             continue;
         }
         let message = format!("property `{name}` is never read");

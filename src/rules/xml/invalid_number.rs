@@ -22,16 +22,32 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for (id, name, count, text) in numeric(cx) {
-        let bad = bad_words(&text, count);
-        for range in bad {
-            report(cx, id, name, &text, range, out);
+    for Numeric { id, name, count, text } in numeric(cx) {
+        for range in bad_words(text, *count) {
+            report(cx, *id, name, text, range, out);
         }
     }
 }
 
-/// Attributes that hold numbers: element, name, how many numbers, value. Those not known are left out.
-pub(super) fn numeric(cx: &DocumentCx<'_>) -> Vec<(XId, &'static str, usize, Text)> {
+/// An attribute that holds numbers.
+#[derive(Debug)]
+pub struct Numeric {
+    /// Its element.
+    pub id: XId,
+    /// Its name.
+    pub name: &'static str,
+    /// How many numbers it holds.
+    pub count: usize,
+    /// Its value.
+    pub text: Text,
+}
+
+/// Attributes that hold numbers. Those not known are left out.
+pub(super) fn numeric<'a>(cx: &'a DocumentCx<'_>) -> &'a [Numeric] {
+    cx.numeric.get_or_init(|| find_numeric(cx))
+}
+
+fn find_numeric(cx: &DocumentCx<'_>) -> Vec<Numeric> {
     let mut found = Vec::new();
     for (id, spec) in walk::known(cx) {
         for attribute in spec.attributes {
@@ -40,9 +56,8 @@ pub(super) fn numeric(cx: &DocumentCx<'_>) -> Vec<(XId, &'static str, usize, Tex
                 let open = text.value.contains("${") || text.value.contains("$(");
                 text.known && !open && !is_reported(cx, text)
             };
-            found.extend(
-                text.filter(|(_, text)| judged(text)).map(|(count, text)| (id, attribute.name, count, text)),
-            );
+            let text = text.filter(|(_, text)| judged(text));
+            found.extend(text.map(|(count, text)| Numeric { id, name: attribute.name, count, text }));
         }
     }
     found

@@ -6,7 +6,6 @@ use super::super::run::is_whole;
 use super::super::schema::ElementSpec;
 use super::super::sink::Sink;
 use super::walk;
-use crate::base::FastSet;
 use crate::expand::XId;
 use crate::model::tag_start;
 
@@ -26,9 +25,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if !is_whole(cx.expansion) {
         return;
     }
-    let macros = walk::macros(cx.expansion);
-    for (id, spec) in walk::known(cx) {
-        let missing = missing(cx, id, spec, &macros);
+    for (id, spec) in walk::known(cx).filter(|(_, spec)| !spec.required.is_empty()) {
+        let missing = missing(cx, id, spec);
         if missing.is_empty() || walk::may_get_more(cx, id) {
             continue;
         }
@@ -39,15 +37,15 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// The required children that are absent, not misspelt, and in no tag that lacks its prefix.
-fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec, macros: &FastSet<&str>) -> Vec<&'static str> {
+fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str> {
     let tree = &cx.expansion.tree;
     let mut misspelt = Vec::new();
     for child in tree.elements(id) {
-        if walk::lacks_prefix(cx, child, macros) {
-            return Vec::new();
-        }
         let name = tree.get(child).text.as_str();
         if spec.child(name).is_none() {
+            if walk::lacks_prefix(cx, child) {
+                return Vec::new();
+            }
             misspelt.extend(walk::meant(name, spec.children().map(|child| child.name)));
         }
     }

@@ -18,6 +18,9 @@ mod xacro_tags_in_urdf;
 
 use super::registry::{Category::Xml, Rule, Safety, Severity::Error, page};
 
+pub use invalid_number::Numeric;
+pub use walk::Seen;
+
 /// The rules.
 pub(super) static RULES: &[Rule] = &[
     Rule::found("XML001", "xml-syntax-error", Xml, Error, page!("xml-syntax-error")).fixed(Safety::Safe),

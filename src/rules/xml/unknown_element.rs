@@ -22,13 +22,12 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let macros = walk::macros(cx.expansion);
-    for Seen { id, spec, parent } in walk::elements(cx) {
+    for &Seen { id, spec, parent } in walk::elements(cx) {
         let (None, Some(parent)) = (spec, parent) else { continue };
         let name = cx.expansion.tree.get(id).text.as_str();
         // shapes have a rule of their own
         let elsewhere = name.contains(':') || parent.name == "geometry";
-        if elsewhere || is_allowed(cx, name) || walk::lacks_prefix(cx, id, &macros) {
+        if elsewhere || is_allowed(cx, name) || walk::lacks_prefix(cx, id) {
             continue;
         }
         let near = walk::meant(name, parent.children().map(|child| child.name));

@@ -10,7 +10,7 @@ use crate::workspace::edit_distance;
 use crate::xml::Node;
 
 /// An element outside of the free zones.
-pub(super) struct Seen {
+pub struct Seen {
     pub id: XId,
     /// What the schema says about it; none: it may not stand there.
     pub spec: Option<&'static ElementSpec>,
@@ -20,7 +20,11 @@ pub(super) struct Seen {
 
 /// All elements of a robot, or of what a library gives by itself, except what stands inside of unknown
 /// elements and free zones; parents first.
-pub(super) fn elements(cx: &DocumentCx<'_>) -> Vec<Seen> {
+pub(super) fn elements<'a>(cx: &'a DocumentCx<'_>) -> &'a [Seen] {
+    cx.seen.get_or_init(|| see(cx))
+}
+
+fn see(cx: &DocumentCx<'_>) -> Vec<Seen> {
     let tree = &cx.expansion.tree;
     let root = tree.get(cx.element);
     let is_robot = root.kind == XKind::Container || root.text == schema::robot().name;
@@ -66,7 +70,7 @@ fn is_foreign(cx: &DocumentCx<'_>, element: XId) -> bool {
 
 /// Those that the schema knows, without the blocks that are meant for other tools.
 pub(super) fn known(cx: &DocumentCx<'_>) -> impl Iterator<Item = (XId, &'static ElementSpec)> {
-    let known = elements(cx).into_iter().filter_map(|seen| Some((seen.id, seen.spec?)));
+    let known = elements(cx).iter().filter_map(|seen| Some((seen.id, seen.spec?)));
     let is_element = |id: XId| cx.expansion.tree.get(id).kind == XKind::Element;
     known.filter(move |&(id, spec)| is_element(id) && !is_free_zone(spec.name))
 }
@@ -124,14 +128,18 @@ pub(super) fn meant<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -
 }
 
 /// The macros that the files of an expansion define somewhere.
-pub(super) fn macros(expansion: &Expansion) -> FastSet<&str> {
+fn macros<'a, 'e>(cx: &'a DocumentCx<'e>) -> &'a FastSet<&'e str> {
+    cx.macros.get_or_init(|| defined_macros(cx.expansion))
+}
+
+fn defined_macros(expansion: &Expansion) -> FastSet<&str> {
     let items = expansion.files.iter().flat_map(|file| file.source.document.parts());
     let macros = items.flat_map(|(_, item)| item.all_nodes()).filter(|node| node.name() == "xacro:macro");
     macros.filter_map(|node| Some(node.attr("name")?.raw())).collect()
 }
 
 /// Whether an element is one that a rule about forgotten `xacro:` speaks about.
-pub(super) fn lacks_prefix(cx: &DocumentCx<'_>, element: XId, macros: &FastSet<&str>) -> bool {
+pub(super) fn lacks_prefix(cx: &DocumentCx<'_>, element: XId) -> bool {
     const TAGS: [&str; 7] = ["arg", "if", "include", "insert_block", "macro", "property", "unless"];
     let node = cx.expansion.tree.get(element);
     let declares = || {
@@ -140,7 +148,7 @@ pub(super) fn lacks_prefix(cx: &DocumentCx<'_>, element: XId, macros: &FastSet<&
         file.source.document.root()?.attr("xmlns:xacro")
     };
     let name = node.text.as_str();
-    macros.contains(name) || TAGS.contains(&name) && declares().is_some()
+    macros(cx).contains(name) || TAGS.contains(&name) && declares().is_some()
 }
 
 #[cfg(test)]

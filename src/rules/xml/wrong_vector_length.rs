@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::invalid_number::{bad_words, numeric};
+use super::invalid_number::{Numeric, bad_words, numeric};
 use super::walk;
 
 pub(super) const RULE: Rule = Rule {
@@ -19,10 +19,10 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for (id, name, count, text) in numeric(cx) {
+    for &Numeric { id, name, count, ref text } in numeric(cx) {
         let found = text.words().count();
         // what is no number is reported as such: it may well be two of them
-        if count == 1 || found == count || !bad_words(&text, count).is_empty() {
+        if count == 1 || found == count || !bad_words(text, count).is_empty() {
             continue;
         }
         let plural = if found == 1 { "number" } else { "numbers" };

@@ -59,6 +59,19 @@ impl Pattern {
         (1..=names.len()).any(|count| names.get(..count).is_some_and(|names| self.covers(names)))
     }
 
+    /// The longest path that everything that matches begins with, and whether it is the only one that does.
+    pub fn start(&self) -> (PathBuf, bool) {
+        let mut start = self.folder.clone();
+        let [segments] = self.alternatives.as_slice() else { return (start, false) };
+        for segment in segments {
+            match segment {
+                Segment::Name(name) if name.literal().is_some() => start.extend(name.literal()),
+                _ => return (start, false),
+            }
+        }
+        (start, true)
+    }
+
     /// The files below the folder that match, sorted. Hidden folders and those of build tools are left out.
     pub(super) fn files(&self, vfs: &Vfs) -> Vec<PathBuf> {
         let (mut found, mut folders, mut seen) = (Vec::new(), vec![self.folder.clone()], 0);
@@ -189,6 +202,21 @@ mod tests {
         assert!(!Pattern::new("*", Path::new("/ws")).matches(Path::new("/elsewhere/a.x")));
         let braces = "{a,b}".repeat(100);
         assert!(!Pattern::new(&braces, Path::new("/ws")).matches(Path::new("/ws/a")));
+    }
+
+    #[test]
+    fn starts() {
+        for (pattern, expected) in [
+            ("./a/b.x", ("/ws/a/b.x", true)),
+            ("./a/*.x", ("/ws/a", false)),
+            ("../a/b?/c.x", ("/a", false)),
+            ("./{a,b}/c.x", ("/ws", false)),
+            ("b.x", ("/ws", false)),
+            ("/a/b.x", ("/a/b.x", true)),
+        ] {
+            let (start, is_whole) = Pattern::new(pattern, Path::new("/ws")).start();
+            assert_eq!((start.to_str().unwrap(), is_whole), expected, "{pattern}");
+        }
     }
 
     #[test]

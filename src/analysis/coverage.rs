@@ -1,0 +1,127 @@
+//! What one expansion covers needs no other: which files are expanded at all, and which results are kept.
+
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+
+use super::includes::Included;
+use super::job::Outcome;
+use super::roots::{Job, Reason};
+use super::session::Session;
+use crate::base::FastSet;
+use crate::rules::Finding;
+
+impl Session {
+    /// Jobs in two parts: what has to be expanded whatever the others give, and what a robot may cover that
+    /// includes it.
+    pub(super) fn in_turns(&self, jobs: Vec<Job>) -> (Vec<Job>, Vec<Job>, FastSet<PathBuf>) {
+        let included = self.statically_included(&jobs);
+        let waits = |job: &Job| job.reason == Reason::Walked && included.contains(&job.file);
+        let (later, first) = jobs.into_iter().partition(waits);
+        (first, later, included)
+    }
+
+    /// The jobs that no robot among the outcomes covers.
+    pub(super) fn uncovered(&self, jobs: Vec<Job>, outcomes: &[Outcome]) -> Vec<Job> {
+        let covered = self.covered_by_robots(outcomes.iter());
+        let is_open = |job: &Job| self.vfs.identity(&job.file).is_none_or(|own| !covered.contains(&own));
+        jobs.into_iter().filter(is_open).collect()
+    }
+
+    fn covered_by_robots<'a>(&self, outcomes: impl Iterator<Item = &'a Outcome>) -> FastSet<u128> {
+        let robots = outcomes.filter(|outcome| outcome.is_robot);
+        let reads: FastSet<&PathBuf> = robots.flat_map(|outcome| &outcome.reads).collect();
+        reads.into_iter().filter_map(|path| self.vfs.identity(path)).collect()
+    }
+
+    /// Drop what another expansion covers, and what cannot be judged without the file that includes it.
+    pub(super) fn keep(&self, outcomes: Vec<Outcome>, included: &FastSet<PathBuf>) -> Vec<Outcome> {
+        let mut covered = self.covered_by_robots(outcomes.iter());
+        let (mut kept, mut others): (Vec<Outcome>, Vec<Outcome>) =
+            outcomes.into_iter().partition(|outcome| outcome.job.reason != Reason::Walked);
+        // robots first: what they include needs no look of its own
+        others.sort_by_key(|outcome| !outcome.is_robot);
+        for mut outcome in others {
+            let own = self.vfs.identity(&outcome.job.file).unwrap_or_default();
+            if covered.contains(&own) {
+                continue;
+            }
+            if !outcome.is_robot {
+                covered.extend(outcome.reads.iter().filter_map(|path| self.vfs.identity(path)));
+                if included.contains(&outcome.job.file) {
+                    outcome.findings.retain(|finding| !needs_includer(finding));
+                }
+            }
+            kept.push(outcome);
+        }
+        kept
+    }
+
+    /// The files of the jobs that another one may include, by what its text says.
+    fn statically_included(&self, jobs: &[Job]) -> FastSet<PathBuf> {
+        if jobs.iter().all(|job| job.reason != Reason::Walked) {
+            return FastSet::default();
+        }
+        let files: FastSet<&Path> = jobs.iter().map(|job| job.file.as_path()).collect();
+        let files: Vec<&Path> = files.into_iter().collect();
+        let sources = files.par_iter().filter_map(|file| self.vfs.document(file).ok());
+        let included = Included::of(sources.map(|source| Included::by(&source, &self.packages)).collect());
+        files.into_par_iter().filter(|file| included.has(file)).map(Path::to_path_buf).collect()
+    }
+}
+
+/// Whether a finding may be wrong as long as the file that includes this one is not known.
+fn needs_includer(finding: &Finding) -> bool {
+    ["XAC001", "XAC002", "XAC003", "XAC004", "XAC005", "XAC025", "XAC027"].contains(&finding.rule.code)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+    use std::path::PathBuf;
+
+    use crate::analysis::{CheckOptions, Report, Session, Setup};
+    use crate::vfs::testing::Tree;
+
+    fn check(tree: &Tree) -> (Report, (usize, usize)) {
+        let setup = Setup { about: tree.root().to_owned(), ..Setup::default() };
+        let session = Session::new(&tree.environment(&[]), setup).unwrap();
+        let options = CheckOptions { paths: vec![tree.root().to_owned()], ..CheckOptions::default() };
+        let report = session.check(&options);
+        (report, options.progress.get())
+    }
+
+    #[test]
+    fn parts_of_robots_are_not_expanded_again() {
+        let tree = Tree::new();
+        let robot = "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'>\
+                     <xacro:arg name='kind' default='left'/>\
+                     <xacro:include filename='parts/$(arg kind).xacro'/><link name='base_link'/></robot>";
+        tree.write("r.urdf.xacro", robot);
+        for part in ["left", "right", "alone"] {
+            tree.write(&format!("parts/{part}.xacro"), "<robot/>");
+        }
+        let (report, progress) = check(&tree);
+        let roots: BTreeSet<PathBuf> = report.roots.into_iter().collect();
+        // whoever passes another argument includes the other one
+        let expected = ["r.urdf.xacro", "parts/right.xacro"].map(|file| tree.path(file));
+        assert_eq!(
+            roots,
+            BTreeSet::from(expected).into_iter().chain([tree.path("parts/alone.xacro")]).collect()
+        );
+        assert_eq!((report.robots, progress), (1, (4, 4)));
+    }
+
+    #[test]
+    fn meshes_are_read_whether_they_are_there_or_not() {
+        let tree = Tree::new();
+        let body = |name: &str| format!("<visual><geometry><mesh filename='{name}'/></geometry></visual>");
+        let bodies = body("there.stl") + &body("gone.stl");
+        tree.write("r.urdf", &format!("<robot name='r'><link name='base_link'>{bodies}</link></robot>"));
+        tree.write("there.stl", "solid");
+        let (report, _) = check(&tree);
+        for file in ["r.urdf", "there.stl", "gone.stl"] {
+            assert!(report.reads.contains(&tree.path(file)), "{file}");
+        }
+    }
+}
