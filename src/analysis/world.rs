@@ -11,6 +11,7 @@ use super::context::RootChoice;
 use super::first_look::Settled;
 use super::graph::Graph;
 use super::job::{self, Outcome};
+use super::placing;
 use super::report::Report;
 use super::roots::{Job, Reason};
 use super::session::{Session, Setup};
@@ -407,7 +408,8 @@ impl World {
         for root in &roots {
             outcomes.push(self.analyzed(root, cancel)?.outcome.clone());
         }
-        let report = self.session.conclude(&self.options(paths), outcomes);
+        let mut report = self.session.conclude(&self.options(paths), outcomes);
+        placing::place(&mut report, &self.session.vfs, |path| self.open.contains_key(path));
         for (path, root) in paths.iter().zip(own) {
             self.settle(path, root, &report);
         }

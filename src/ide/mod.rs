@@ -9,11 +9,13 @@ mod code;
 mod colours;
 mod completion;
 mod context;
+mod expand_at;
 mod expressions;
 mod folding;
 mod format;
 mod hints;
 mod hover;
+mod instances;
 mod locate;
 mod names;
 mod on_type;
@@ -40,10 +42,12 @@ pub use completion::{
     signature_help,
 };
 pub use context::Cx;
+pub use expand_at::{ExpandedAt, expand_at};
 pub use folding::{Fold, FoldKind, folds};
 pub use format::{Indent, format, format_range, indentation};
 pub use hints::{Hint, HintKind, HintSettings, hints};
-pub use hover::{Hover, hover, value_of};
+pub use hover::{Hover, declared_argument, hover, value_of};
+pub use instances::{Pin, pin, pinned};
 pub use locate::{At, Part, locate};
 pub use names::{NameUse, Target, definition_of, definitions, occurrences};
 pub use on_type::{Insertion, on_type};

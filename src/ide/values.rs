@@ -3,6 +3,7 @@
 use ecow::EcoString;
 
 use super::context::Cx;
+use super::instances::is_within;
 use crate::base::{FastSet, TextRange};
 use crate::expand::{BindingKind, Evaluation, FrameId};
 use crate::expr::ast::{Expr, ExprKind};
@@ -22,9 +23,26 @@ pub struct Instance {
 /// What stands for a value that is not known.
 pub const UNKNOWN: &str = "?";
 
-/// The values of the `${...}` or `$(...)` at `range` of the file, one for each way that led there.
+/// The values of the `${...}` or `$(...)` at `range` of the file, one for each way that led there; of those in the
+/// macro whose call was picked, only what that call gave.
 pub fn instances(cx: &Cx<'_>, range: TextRange) -> Vec<Instance> {
+    of_picked(cx, all_instances(cx, range))
+}
+
+/// The same, whatever call was picked.
+pub fn all_instances(cx: &Cx<'_>, range: TextRange) -> Vec<Instance> {
     part_instances(cx, range, |_, evaluation| evaluation.value.clone())
+}
+
+/// Of values that came through the call that was picked and others, only the former.
+pub fn of_picked(cx: &Cx<'_>, mut found: Vec<Instance>) -> Vec<Instance> {
+    if let Some(pin) = cx.pinned {
+        let own = |instance: &Instance| is_within(cx.expansion, instance.frame, pin);
+        if found.iter().any(own) {
+            found.retain(own);
+        }
+    }
+    found
 }
 
 /// The same for a part of it: `whole` is all of the expression.
@@ -32,7 +50,7 @@ pub fn part_values(cx: &Cx<'_>, range: TextRange, whole: &Expr, part: &Expr) -> 
     if std::ptr::eq(whole, part) {
         return instances(cx, range);
     }
-    part_instances(cx, range, |cx, evaluation| part_value(cx, evaluation, whole, part))
+    of_picked(cx, part_instances(cx, range, |cx, evaluation| part_value(cx, evaluation, whole, part)))
 }
 
 fn part_instances(

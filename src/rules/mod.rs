@@ -3,6 +3,7 @@
 //! A rule is a file here, a line in the list of its category and a page in `docs/rules/`. Rules that the
 //! expander finds on its way have no file: they are lines of a table and a page.
 
+mod argument;
 mod arms;
 mod catalogue;
 mod context;
@@ -33,7 +34,7 @@ mod xml;
 
 pub use catalogue::{catalogue, catalogue_of};
 pub use context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings};
-pub use finding::{Edit, Finding, Fix, Related};
+pub use finding::{Edit, Finding, Fix, Related, Way};
 pub use geometry::{FileTarget, link_bounds, resolve_file};
 pub use linter::{
     Directive, Malformed, Selector, Suppression, Suppressions, invalid_config, unused_suppression,

@@ -207,6 +207,8 @@ fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Option<Findin
         related: Vec::new(),
         help: problem.help.clone(),
         fix,
+        ways: Vec::new(),
+        partial: false,
     };
     limit_calls(&mut finding, calls);
     Some(finding)

@@ -7,6 +7,7 @@ use tower_lsp::{LanguageServer, async_trait};
 
 use super::engine::Engine;
 use super::exit::Shutdown;
+use super::expand_at::{ExpandAtParams, ExpandedPlace, SetInstanceParams};
 use super::expansion::{ExpandParams, Expanded};
 use super::letterbox::Letterbox;
 use super::mapping::{Instances, Sources, ToExpandedParams, ToSourceParams};
@@ -19,6 +20,14 @@ pub(super) struct Handlers {
 }
 
 impl Handlers {
+    pub async fn expand_at(&self, params: ExpandAtParams) -> Result<Option<ExpandedPlace>> {
+        self.letterbox.ask(params, Engine::expand_at).await
+    }
+
+    pub async fn set_instance(&self, params: SetInstanceParams) -> Result<Value> {
+        self.letterbox.ask(params, Engine::set_instance).await
+    }
+
     pub async fn to_source(&self, params: ToSourceParams) -> Result<Sources> {
         self.letterbox.ask(params, Engine::sources_of).await
     }

@@ -107,7 +107,7 @@ impl Engine {
     }
 
     /// A call in a few words: `unit @ robot.urdf.xacro:7`.
-    fn label(&self, analyzed: &Analyzed, frame: FrameId) -> String {
+    pub fn label(&self, analyzed: &Analyzed, frame: FrameId) -> String {
         let Some(frame) = analyzed.expansion.frames.get(frame.0 as usize) else { return String::new() };
         let Some(place) = analyzed.expansion.place(frame.call) else { return frame.name.to_string() };
         let Some(file) = analyzed.expansion.files.get(place.file.0 as usize) else {

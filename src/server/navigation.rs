@@ -12,6 +12,7 @@ use super::engine::Engine;
 use super::failure::Failure;
 use crate::analysis::{Analyzed, RootChoice};
 use crate::base::{CancelFlag, Span, TextRange};
+use crate::expand::FrameId;
 use crate::ide::{self, Cx, Target};
 use crate::vfs::SourceFile;
 
@@ -21,6 +22,8 @@ pub(super) struct Asked {
     pub analyzed: Arc<Analyzed>,
     /// Bytes from the start of the file.
     pub offset: u32,
+    /// The call that the user picked under this root.
+    pub pinned: Option<FrameId>,
 }
 
 impl Asked {
@@ -31,6 +34,7 @@ impl Asked {
             expansion: &self.analyzed.expansion,
             robot: self.analyzed.robot.as_ref(),
             kinematics: self.analyzed.kinematics.as_ref(),
+            pinned: self.pinned,
         }
     }
 }
@@ -47,7 +51,9 @@ impl Engine {
             // the root reaches the file on paper only: a condition keeps it out
             analyzed = self.world.analyzed(&RootChoice::plain(&path), cancel).ok_or(Failure::Cancelled)?;
         }
-        Ok(Asked { source, analyzed, offset })
+        let pin = self.pins.get(&analyzed.root.file);
+        let pinned = pin.and_then(|pin| ide::pinned(&analyzed.expansion, pin));
+        Ok(Asked { source, analyzed, offset, pinned })
     }
 
     pub fn definition(

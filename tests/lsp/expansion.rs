@@ -106,9 +106,9 @@ fn roots_can_be_listed_and_picked() {
     let params = json!({ "textDocument": { "uri": client.uri(UNIT) } });
     let roots = client.request("xacro/roots", params.clone());
     assert!(roots["active"]["uri"].as_str().unwrap().ends_with("pan_tilt.urdf.xacro"), "{roots}");
-    assert_eq!(roots["args"], json!([{ "name": "mount", "value": "desk" }]));
+    assert_eq!(roots["args"], json!([{ "name": "mount", "value": "desk", "default": "desk" }]));
     let root = json!({ "uri": client.uri(ROBOT), "args": { "mount": "wall" } });
     client.request("xacro/setRoot", json!({ "root": root, "textDocument": { "uri": client.uri(UNIT) } }));
     let roots = client.request("xacro/roots", params);
-    assert_eq!(roots["args"], json!([{ "name": "mount", "value": "wall" }]));
+    assert_eq!(roots["args"], json!([{ "name": "mount", "value": "wall", "default": "desk" }]));
 }

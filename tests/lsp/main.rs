@@ -17,6 +17,7 @@ mod expansion;
 mod format;
 mod hints;
 mod hover;
+mod instances;
 mod lifecycle;
 mod navigation;
 mod rename;

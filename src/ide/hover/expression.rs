@@ -135,6 +135,10 @@ pub fn value_lines(cx: &Cx<'_>, values: &[Instance]) -> Vec<String> {
     match different.as_slice() {
         [] => return vec![format!("{UNKNOWN} – {} does not come by here", root_name(cx))],
         [Value::Unknown] => return vec!["the value cannot be computed".to_owned()],
+        [_] if cx.pinned.is_some() => {
+            let label = values.first().and_then(|instance| call_label(cx, instance.frame));
+            return label.map(|label| format!("in {label}")).into_iter().collect();
+        }
         [_] if values.len() > 1 => return vec![format!("the same in all {}", count(values.len(), "call"))],
         [_] => return Vec::new(),
         _ => {}
