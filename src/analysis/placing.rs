@@ -34,14 +34,12 @@ pub(super) fn place(report: &mut Report, vfs: &Vfs, is_open: impl Fn(&Path) -> b
 
 /// A finding at the call that is to blame.
 fn at_call(finding: &Finding, way: &Way) -> Finding {
-    let body = Related {
-        span: finding.span,
-        message: format!("here in macro `{}`", way.name),
-        is_call: false,
-    };
+    let body =
+        Related { span: finding.span, message: format!("here in macro `{}`", way.name), is_call: false };
     let span = way.argument.unwrap_or(way.call);
     let others = finding.related.iter().filter(|related| related.span != span && related.span != way.call);
-    let own = |related: &&Related| !related.is_call || finding.ways.iter().all(|way| way.call != related.span);
+    let own =
+        |related: &&Related| !related.is_call || finding.ways.iter().all(|way| way.call != related.span);
     let alone = finding.ways.len() == 1;
     Finding {
         span,

@@ -36,12 +36,7 @@ struct Found {
 
 /// What the place at an offset expands to on the way with the number `instance`; without one, on the way that was
 /// picked, else on the first.
-pub fn expand_at(
-    cx: &Cx<'_>,
-    written: &Written,
-    offset: u32,
-    instance: Option<usize>,
-) -> Option<ExpandedAt> {
+pub fn expand_at(cx: &Cx<'_>, written: &Written, offset: u32, instance: Option<usize>) -> Option<ExpandedAt> {
     let at = locate(&cx.source.document, offset);
     let found = expression(cx, &at).or_else(|| element(cx, written, &at))?;
     let picked = || {
@@ -125,15 +120,13 @@ fn condition(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Vec
     let expansion = cx.expansion;
     let Some(content) = cx.source_range(at.shift(node.range())) else { return Vec::new() };
     let holds = |origin: Origin| origin.src == content.src && content.range.contains_range(origin.range);
-    let steps = |origin: Origin| {
-        std::iter::once(origin).chain(expansion.frames_of(origin).map(|frame| frame.call))
-    };
+    let steps =
+        |origin: Origin| std::iter::once(origin).chain(expansion.frames_of(origin).map(|frame| frame.call));
     contexts(cx, at, node)
         .into_iter()
         .map(|frame| {
-            let from_here = |origin: Origin| {
-                is_within(expansion, origin.frame, frame) && steps(origin).any(holds)
-            };
+            let from_here =
+                |origin: Origin| is_within(expansion, origin.frame, frame) && steps(origin).any(holds);
             (frame, made(expansion, written, from_here).join("\n"))
         })
         .collect()
@@ -200,7 +193,8 @@ fn property(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Vec<
 pub(super) fn made_in(expansion: &Expansion, written: &Written, frame: FrameId) -> Vec<String> {
     let inside = numbered(expansion).filter(|(id, _)| is_within(expansion, *id, frame));
     let blocks = inside.filter(|(_, frame)| frame.kind == FrameKind::Block);
-    let given: Vec<Origin> = blocks.filter_map(|(_, block)| element_of(expansion, block.definition?)).collect();
+    let given: Vec<Origin> =
+        blocks.filter_map(|(_, block)| element_of(expansion, block.definition?)).collect();
     let held = |origin: Origin, block: &Origin| {
         block.src == origin.src && block.frame == origin.frame && block.range.contains_range(origin.range)
     };
@@ -213,7 +207,8 @@ pub(super) fn made_in(expansion: &Expansion, written: &Written, frame: FrameId) 
 fn element_of(expansion: &Expansion, tag: Origin) -> Option<Origin> {
     let source = expansion.sources.get(tag.src.0 as usize)?;
     let mut nodes = source.item.all_nodes();
-    let node = nodes.find(|node| node.kind() == NodeKind::Element && node.range().start == tag.range.start)?;
+    let node =
+        nodes.find(|node| node.kind() == NodeKind::Element && node.range().start == tag.range.start)?;
     Some(Origin { range: node.range(), ..tag })
 }
 

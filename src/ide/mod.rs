@@ -17,7 +17,9 @@ mod hints;
 mod hover;
 mod instances;
 mod locate;
+mod moved;
 mod names;
+mod navigate;
 mod on_type;
 mod outline;
 mod paths;
@@ -33,7 +35,8 @@ mod typed;
 mod values;
 
 pub use actions::{
-    Action, ActionKind, MacroFile, ignored_in_config, include_macro, inlinable, quick_fixes, refactorings,
+    Action, ActionKind, MacroFile, NewFile, before_use, ignored_in_config, include_macro, inlinable,
+    move_to_file, other_name, quick_fixes, refactorings,
 };
 pub use calls::{Caller, Calls, caller_target, calls_of, incoming, macro_at, macros_of, outgoing};
 pub use colours::{Colour, colour_text, colours};
@@ -49,7 +52,9 @@ pub use hints::{Hint, HintKind, HintSettings, hints};
 pub use hover::{Hover, declared_argument, hover, value_of};
 pub use instances::{Pin, pin, pinned};
 pub use locate::{At, Part, locate};
+pub use moved::{Move, renamed_files};
 pub use names::{NameUse, Target, definition_of, definitions, occurrences};
+pub use navigate::{FilePlace, declaration, file_definition, implementations, is_text, type_definition};
 pub use on_type::{Insertion, on_type};
 pub use outline::{Outline, OutlineKind, outline};
 pub use paths::{FileKind, FileName, FileTarget, file_names};

@@ -3,7 +3,6 @@
 //! A rule is a file here, a line in the list of its category and a page in `docs/rules/`. Rules that the
 //! expander finds on its way have no file: they are lines of a table and a page.
 
-mod argument;
 mod arms;
 mod catalogue;
 mod context;

@@ -1,10 +1,9 @@
 //! Where rules put what they find.
 
-use super::argument::{argument, is_partial};
 use super::finding::{Edit, Finding, Fix, Related, Way};
 use super::registry::{Rule, Safety, Severity};
 use crate::base::{FastMap, Span, TextRange};
-use crate::expand::{Expansion, FileIdx, Frame, FrameKind, Origin, Place};
+use crate::expand::{Expansion, FileIdx, Frame, FrameKind, Origin, Place, argument, is_partial};
 
 /// Collects findings of one expansion. A place that several expansions of one source text lead to is
 /// reported once, with all the calls that lead there.

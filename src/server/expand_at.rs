@@ -86,12 +86,7 @@ impl Engine {
     }
 
     /// The call that was picked under a root, when it is a call of a macro of the file.
-    pub fn pinned_label(
-        &mut self,
-        path: &Path,
-        root: &RootChoice,
-        cancel: &CancelFlag,
-    ) -> Option<String> {
+    pub fn pinned_label(&mut self, path: &Path, root: &RootChoice, cancel: &CancelFlag) -> Option<String> {
         let pin = self.pins.get(&root.file).filter(|pin| pin.file == path)?.clone();
         let analyzed = self.world.analyzed(root, cancel)?;
         let frame = ide::pinned(&analyzed.expansion, &pin)?;

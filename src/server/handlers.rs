@@ -168,6 +168,40 @@ impl LanguageServer for Handlers {
         self.letterbox.ask(params, Engine::definition).await
     }
 
+    async fn goto_declaration(&self, params: GotoDefinitionParams) -> Result<Option<GotoDefinitionResponse>> {
+        self.letterbox.ask(params, Engine::declaration).await
+    }
+
+    async fn goto_type_definition(
+        &self,
+        params: GotoDefinitionParams,
+    ) -> Result<Option<GotoDefinitionResponse>> {
+        self.letterbox.ask(params, Engine::type_definition).await
+    }
+
+    async fn goto_implementation(
+        &self,
+        params: GotoDefinitionParams,
+    ) -> Result<Option<GotoDefinitionResponse>> {
+        self.letterbox.ask(params, Engine::implementation).await
+    }
+
+    async fn will_rename_files(&self, params: RenameFilesParams) -> Result<Option<WorkspaceEdit>> {
+        self.letterbox.ask(params, Engine::will_rename_files).await
+    }
+
+    async fn did_rename_files(&self, params: RenameFilesParams) {
+        self.letterbox.tell(params, Engine::files_renamed);
+    }
+
+    async fn did_create_files(&self, params: CreateFilesParams) {
+        self.letterbox.tell(params, Engine::files_created);
+    }
+
+    async fn did_delete_files(&self, params: DeleteFilesParams) {
+        self.letterbox.tell(params, Engine::files_deleted);
+    }
+
     async fn prepare_rename(
         &self,
         params: TextDocumentPositionParams,

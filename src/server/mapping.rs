@@ -149,7 +149,7 @@ impl Engine {
     }
 }
 
-fn expanded_range(lines: &Lines<'_>, range: TextRange) -> Range {
+pub(super) fn expanded_range(lines: &Lines<'_>, range: TextRange) -> Range {
     let at = |offset| {
         let [line, column] = lines.position(offset);
         Position::new(line, column)

@@ -17,6 +17,7 @@ mod exit;
 mod expand_at;
 mod expansion;
 mod failure;
+mod files;
 mod formatting;
 mod framing;
 mod handlers;

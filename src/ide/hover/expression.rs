@@ -68,7 +68,7 @@ pub(super) fn whole(cx: &Cx<'_>, at: &At<'_>) -> Option<Page> {
 }
 
 /// The package of the `$(find package)` at an offset of the file, wherever in an expression that stands.
-fn package_at<'t>(text: &'t ExprText<'_>, offset: u32) -> Option<(TextRange, &'t str)> {
+pub fn package_at<'t>(text: &'t ExprText<'_>, offset: u32) -> Option<(TextRange, &'t str)> {
     const LEAD: &str = "$(find ";
     let inside = text.offset(offset);
     text.text.match_indices(LEAD).find_map(|(start, _)| {

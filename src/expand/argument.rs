@@ -1,7 +1,11 @@
 //! Whose fault a text in the body of a macro is: its own, or that of a call.
 
+use super::evaluations::Evaluation;
+use super::machine::Expansion;
+use super::origin::{FrameId, FrameKind, Origin};
+use super::resolve::BindingKind;
+use super::symbols::SourceRange;
 use crate::base::{FastSet, TextRange};
-use crate::expand::{BindingKind, Evaluation, Expansion, FrameId, FrameKind, Origin, SourceRange};
 use crate::expr::{self, Token, is_identifier};
 
 /// Calls that hand a value down, at most.
@@ -9,7 +13,7 @@ const MOST_CALLS: usize = 64;
 
 /// The text that a call passes, when the text at `origin` is a parameter of the macro around it and nothing else;
 /// of a value that is handed down through several calls, the outermost.
-pub(super) fn argument(expansion: &Expansion, origin: Origin) -> Option<Origin> {
+pub fn argument(expansion: &Expansion, origin: Origin) -> Option<Origin> {
     let mut found = None;
     let mut at = origin;
     for _ in 0..MOST_CALLS {
@@ -52,12 +56,13 @@ fn source_text(expansion: &Expansion, origin: Origin) -> Option<&str> {
 
 /// Whether a text that reads differently from call to call is wrong in some calls only; `instances` are those in
 /// which it is.
-pub(super) fn is_partial(expansion: &Expansion, instances: &[Origin]) -> bool {
+pub fn is_partial(expansion: &Expansion, instances: &[Origin]) -> bool {
     let Some(first) = instances.first() else { return false };
     let wrong: FastSet<FrameId> = instances.iter().map(|origin| origin.frame).collect();
     let Some(text) = source_text(expansion, *first).filter(|text| text.contains('$')) else { return false };
     let template = expr::split(text);
-    let tokens = template.tokens.iter().filter(|token| matches!(token, Token::Expr { .. } | Token::Subst { .. }));
+    let tokens =
+        template.tokens.iter().filter(|token| matches!(token, Token::Expr { .. } | Token::Subst { .. }));
     let mut all: FastSet<FrameId> = FastSet::default();
     for token in tokens {
         let range = token.range().shift(first.range.start);
