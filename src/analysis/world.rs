@@ -19,6 +19,7 @@ use super::walk;
 use crate::base::{CancelFlag, FastMap, TextRange};
 use crate::expand::{Expansion, Read, Written, write_mapped};
 use crate::model::{Kinematics, Robot};
+use crate::rules::check_recovered;
 use crate::vfs::{Environment, SourceFile, Vfs};
 use crate::workspace::config::Config;
 
@@ -118,6 +119,7 @@ impl World {
     pub fn set_folders(&mut self, folders: Vec<PathBuf>) {
         self.folders = folders;
         self.scanned = false;
+        self.graph = Graph::default();
         self.reload();
     }
 
@@ -406,7 +408,10 @@ impl World {
         }
         let mut outcomes = Vec::new();
         for root in &roots {
-            outcomes.push(self.analyzed(root, cancel)?.outcome.clone());
+            let analyzed = self.analyzed(root, cancel)?;
+            let mut outcome = analyzed.outcome.clone();
+            outcome.findings.extend(check_recovered(&analyzed.expansion, &self.session.vfs));
+            outcomes.push(outcome);
         }
         let mut report = self.session.conclude(&self.options(paths), outcomes);
         placing::place(&mut report, &self.session.vfs, |path| self.open.contains_key(path));

@@ -42,7 +42,7 @@ pub use registry::{
     Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector,
     unknown_selector,
 };
-pub use run::{check_expansion, check_files, check_part};
+pub use run::{check_expansion, check_files, check_part, check_recovered};
 pub use selection::{Selection, SelectionOptions};
 pub use sink::Sink;
 pub use thresholds::{THRESHOLDS, Threshold};

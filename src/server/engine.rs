@@ -60,6 +60,8 @@ pub(super) struct Engine {
     pub initialized: bool,
     /// The token of the progress that is shown.
     pub progress: Option<String>,
+    /// What the user was told about settings.
+    pub warned: std::collections::BTreeSet<String>,
     /// Whether the user was told of an internal fault.
     fault_shown: bool,
 }
@@ -88,6 +90,7 @@ impl Engine {
             snippets: true,
             initialized: false,
             progress: None,
+            warned: std::collections::BTreeSet::new(),
             fault_shown: false,
         }
     }

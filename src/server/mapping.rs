@@ -10,7 +10,7 @@ use super::expansion::Root;
 use super::failure::Failure;
 use crate::analysis::{Analyzed, RootChoice};
 use crate::base::{CancelFlag, TextRange};
-use crate::expand::{FrameId, FrameKind, Origin};
+use crate::expand::{FrameId, FrameKind, MapKind, Origin};
 use crate::ide::{self, Lines, SourceMap};
 
 #[derive(Clone, Debug, Deserialize)]
@@ -64,9 +64,12 @@ impl Engine {
         let mut locations = Vec::new();
         let expansion = &analyzed.expansion;
         if let Some(entry) = ide::entry_at(written, offset) {
-            let origin = ide::origin_of(expansion, entry);
+            let mut origin = ide::origin_of(expansion, entry);
+            if entry.kind == MapKind::Attribute && origin == entry.origin {
+                origin = ide::whole_attribute(expansion, origin);
+            }
             locations.extend(self.mapped(&analyzed, origin, "origin"));
-            if origin != entry.origin {
+            if origin != entry.origin && entry.kind != MapKind::Attribute {
                 // the value was given by a call: the place in the macro comes second
                 locations.extend(self.mapped(&analyzed, entry.origin, "argument"));
             }

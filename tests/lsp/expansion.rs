@@ -112,3 +112,14 @@ fn roots_can_be_listed_and_picked() {
     let roots = client.request("xacro/roots", params);
     assert_eq!(roots["args"], json!([{ "name": "mount", "value": "wall", "default": "desk" }]));
 }
+
+#[test]
+fn what_a_call_passes_shows_all_that_it_became() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    let answer = client.request("xacro/toExpanded", client.at(ROBOT, "name=\"p|an\""));
+    let labels: Vec<&str> =
+        answer["instances"].as_array().unwrap().iter().map(|i| i["label"].as_str().unwrap()).collect();
+    // the link, the joint, and the child of the joint
+    assert_eq!(labels, ["unit @ pan_tilt.urdf.xacro:7"; 3]);
+}

@@ -7,6 +7,7 @@
     clippy::disallowed_methods
 )] // a test may fail loudly
 
+mod acceptance;
 mod actions;
 mod calls;
 mod client;
