@@ -163,8 +163,10 @@ mod tests {
 
     #[test]
     fn rounded_radians_are_whole_degrees() {
-        for (radians, expected) in [(1.5708, "90"), (0.7854, "45"), (3.14159, "180"), (0.3, "17.18873385")] {
-            assert_eq!(near_whole(f64::to_degrees(radians)), expected);
+        for (radians, expected) in
+            [("1.5708", "90"), ("0.7854", "45"), ("3.14159", "180"), ("0.3", "17.18873385")]
+        {
+            assert_eq!(near_whole(radians.parse::<f64>().unwrap().to_degrees()), expected);
         }
     }
 }
