@@ -14,6 +14,7 @@ mod expressions;
 mod folding;
 mod format;
 mod hints;
+mod host;
 mod hover;
 mod instances;
 mod locate;

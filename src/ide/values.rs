@@ -1,15 +1,12 @@
 //! The values that expressions have in the expansion, and how they are shown.
 
-use ecow::EcoString;
-
 use super::context::Cx;
+use super::host::{self, Names};
 use super::instances::is_within;
 use crate::base::{FastSet, TextRange};
 use crate::expand::{BindingKind, Evaluation, FrameId};
 use crate::expr::ast::{Expr, ExprKind};
-use crate::expr::{
-    self, Budget, ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display, is_global_symbol,
-};
+use crate::expr::{self, Lookup, Value, display, is_global_symbol};
 
 /// A value, and the way that led to it.
 #[derive(Clone, Debug)]
@@ -102,9 +99,8 @@ fn part_value(cx: &Cx<'_>, evaluation: &Evaluation, whole: &Expr, part: &Expr) -
     if changes_something(part) {
         return Value::Unknown;
     }
-    let mut host = Known { cx, reads: cx.expansion.evaluations.reads(evaluation) };
-    let mut budget = Budget::new(10_000, 1 << 20, 200);
-    expr::evaluate(part, &mut host, &mut budget).unwrap_or(Value::Unknown)
+    let mut known = Known { cx, reads: cx.expansion.evaluations.reads(evaluation) };
+    host::evaluate(part, &mut known, 200)
 }
 
 /// Whether a part calls a method that changes its object: the values of the expansion are not to be touched.
@@ -161,34 +157,22 @@ impl Known<'_> {
     }
 }
 
-impl Host for Known<'_> {
-    fn lookup(&mut self, name: &str, _: TextRange) -> Lookup {
+impl Names for Known<'_> {
+    fn name(&mut self, name: &str) -> Lookup {
         self.named(name)
     }
 
-    fn scope_attribute(&mut self, _: ScopeId, name: &str, _: TextRange) -> Lookup {
+    fn member(&mut self, name: &str) -> Lookup {
         self.named(name)
     }
 
-    fn call(
-        &mut self,
-        function: HostFn,
-        args: &[Value],
-        _: &[(EcoString, Value)],
-        _: TextRange,
-    ) -> Result<Value, EvalError> {
-        match (function, args) {
-            (HostFn::Arg, [Value::Str(name)]) => {
-                Ok(self.value(name, |kind| kind == BindingKind::Argument).unwrap_or_default())
-            }
-            (HostFn::Arg | HostFn::LoadYaml | HostFn::AbsFilename, _) => Ok(Value::Unknown),
-            _ => Err(EvalError::new(ErrorKind::Reported, "")),
-        }
+    fn argument_value(&mut self, name: &str) -> Value {
+        self.value(name, |kind| kind == BindingKind::Argument).unwrap_or_default()
     }
 
-    fn deprecated(&mut self, _: &str, _: &str, _: TextRange) {}
-
-    fn undefined(&mut self, _: &str, _: TextRange) {}
+    fn yaml(&mut self, _: &[Value]) -> Value {
+        Value::Unknown
+    }
 }
 
 /// A value in at most `most` characters: numbers with ten digits that count, `?` for what is not known.

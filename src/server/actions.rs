@@ -8,11 +8,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 use lsp_types::{
-    CodeAction, CodeActionKind, CodeActionOptions, CodeActionOrCommand, CodeActionParams, CreateFile,
-    Diagnostic, DocumentChangeOperation, DocumentChanges, NumberOrString, OneOf,
+    CodeAction, CodeActionKind, CodeActionOptions, CodeActionOrCommand, CodeActionParams, Command,
+    CreateFile, Diagnostic, DocumentChangeOperation, DocumentChanges, NumberOrString, OneOf,
     OptionalVersionedTextDocumentIdentifier, Range, RenameFile, ResourceOp, TextDocumentEdit,
     TextDocumentPositionParams, TextEdit, Url, WorkDoneProgressOptions, WorkspaceEdit,
 };
+use serde_json::json;
 
 use super::convert;
 use super::engine::Engine;
@@ -173,12 +174,44 @@ impl Engine {
             let more = ide::quick_fixes(source, rule, range);
             actions.extend(more.into_iter().map(|action| (action, false)));
             actions.extend(self.ignored_in_project(path, rule).map(|action| (action, false)));
+            found.extend(self.mesh_rewritten(params, diagnostic, rule, cancel)?);
             for (action, preferred) in actions {
                 let made = self.action(action, Some(diagnostic));
                 found.extend(made.map(|made| CodeAction { is_preferred: preferred.then_some(true), ..made }));
             }
         }
         Ok(found)
+    }
+
+    /// The mesh that a finding names, written anew by a command: no edit of text can do that.
+    fn mesh_rewritten(
+        &mut self,
+        params: &CodeActionParams,
+        diagnostic: &Diagnostic,
+        rule: &str,
+        cancel: &CancelFlag,
+    ) -> Result<Option<CodeAction>, Failure> {
+        let title = match rule {
+            "ascii-stl" => "write the mesh as binary STL",
+            "binary-stl-solid-header" => "change the header of the mesh",
+            _ => return Ok(None),
+        };
+        let at = TextDocumentPositionParams::new(params.text_document.clone(), diagnostic.range.start);
+        let asked = self.asked(&at, cancel)?;
+        let mesh = self.about_files(&asked, ide::file_definition).map(|(_, place)| place.path);
+        let uri = mesh.filter(|path| self.is_ours(path)).and_then(|path| self.uri(&path));
+        let action = |uri| CodeAction {
+            title: title.to_owned(),
+            kind: Some(CodeActionKind::QUICKFIX),
+            diagnostics: Some(vec![diagnostic.clone()]),
+            command: Some(Command {
+                title: title.to_owned(),
+                command: "xacro.rewriteMesh".to_owned(),
+                arguments: Some(vec![json!({ "uri": uri })]),
+            }),
+            ..CodeAction::default()
+        };
+        Ok(uri.map(action))
     }
 
     /// Fixes that need to know what names mean.

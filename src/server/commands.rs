@@ -12,6 +12,7 @@ pub(super) const NAMES: &[&str] = &[
     "xacro.expand",
     "xacro.expandAt",
     "xacro.restartAnalysis",
+    "xacro.rewriteMesh",
     "xacro.selectInstance",
     "xacro.selectRoot",
     "xacro.setArgs",
@@ -33,6 +34,7 @@ impl Engine {
             "xacro.expandAt" => {
                 self.expand_at(parsed(argument)?, cancel).map(|answer| serde_json::to_value(answer).ok())
             }
+            "xacro.rewriteMesh" => self.rewrite_mesh(&parsed(argument)?).map(|()| None),
             "xacro.selectInstance" => self.set_instance(parsed(argument)?, cancel).map(Some),
             "xacro.setArgs" => {
                 self.set_args(parsed(argument)?, cancel).map(|roots| serde_json::to_value(roots).ok())

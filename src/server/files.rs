@@ -15,6 +15,8 @@ use super::failure::Failure;
 use super::tokens::start_of;
 use crate::base::CancelFlag;
 use crate::ide::{self, Move};
+use crate::model::plain_stl;
+use crate::vfs::write_atomically;
 
 /// The files whose names stand in descriptions.
 const FILES: &str =
@@ -89,6 +91,25 @@ impl Engine {
         // a package is named by its manifest, not by its folder
         let is_folder = |path: &Path| path.extension().is_none();
         moves.iter().any(|each| file.starts_with(&each.old) || holds(&each.old) || is_folder(&each.old))
+    }
+
+    /// Write a mesh of the workspace as binary STL whose header is not taken for text.
+    pub fn rewrite_mesh(&mut self, mesh: &TextDocumentIdentifier) -> Result<(), Failure> {
+        const MOST_BYTES: u64 = 100 << 20;
+        let path = self.path(&mesh.uri);
+        let refuse = |message: String| Failure::Refused(format!("`{}` {message}", path.display()));
+        let is_stl = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("stl"));
+        if !is_stl || !self.is_ours(&path) {
+            return Err(refuse("is no STL file of the workspace".to_owned()));
+        }
+        let bytes = self.world.session().vfs.bytes(&path, MOST_BYTES);
+        let bytes = bytes.map_err(|error| refuse(format!("cannot be read: {}", error.strerror)))?;
+        let Some(new) = plain_stl(&bytes) else { return Err(refuse("needs no change".to_owned())) };
+        write_atomically(&path, &new).map_err(|error| refuse(format!("cannot be written: {error}")))?;
+        self.world.changed_on_disk(&[path]);
+        self.schedule();
+        self.refresh();
+        Ok(())
     }
 
     pub fn files_renamed(&mut self, params: RenameFilesParams) {

@@ -130,7 +130,7 @@ impl Engine {
     }
 
     /// What an answer about files says of a place.
-    fn about_files<T>(
+    pub fn about_files<T>(
         &self,
         asked: &Asked,
         answer: impl Fn(&Cx<'_>, crate::rules::Surroundings<'_>, u32) -> Option<T>,
@@ -212,6 +212,11 @@ impl Engine {
             kind: Some(kind),
         };
         if let Some(tags) = ide::matching_tags(document, asked.offset) {
+            // conditions come in numbers; their ends are found by folding
+            let name = tags.first().map(|tag| document.slice(*tag)).unwrap_or_default();
+            if matches!(name.as_str(), "xacro:if" | "xacro:unless") {
+                return Ok(Some(Vec::new()));
+            }
             let tags = tags.into_iter().map(|tag| highlight(tag, DocumentHighlightKind::TEXT));
             return Ok(Some(tags.collect()));
         }

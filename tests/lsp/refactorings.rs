@@ -226,3 +226,45 @@ fn nothing_is_made_of_broken_text_and_unsaved_includes_count() {
     let found = actions(&mut client, ROBOT, "«<link name=\"$(arg mount)\"/>»", &[], &["refactor"]);
     assert_eq!(titles(&found), Vec::<&str>::new());
 }
+
+/// A text STL of one triangle.
+const MESH: &str = "solid a\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n   vertex 0 1 0\n  \
+                    endloop\n endfacet\nendsolid a\n";
+
+#[test]
+fn a_mesh_of_text_is_written_as_binary_by_a_command() {
+    let mut client = Client::start();
+    write(&client.folder, "src/pan_tilt/meshes/head.stl", MESH);
+    let text = robot(
+        "<link name=\"🤖\"><visual><geometry><mesh filename=\"package://pan_tilt/meshes/head.stl\"/></geometry>\
+         </visual></link>",
+    );
+    show(&mut client, &text);
+    let found = fixes(&mut client, FILE, "ascii-stl");
+    let command = &titled(&found, "binary STL")["command"];
+    let params = json!({ "command": command["command"], "arguments": command["arguments"] });
+    client.request("workspace/executeCommand", params.clone());
+    let bytes = std::fs::read(client.folder.join("src/pan_tilt/meshes/head.stl")).unwrap();
+    assert_eq!((bytes.len(), &bytes[..6]), (84 + 50, b"binary".as_slice()));
+    assert!(client.eventually(|client| {
+        client.request("xacro/roots", client.of(FILE));
+        !client.diagnostics(FILE).iter().any(|found| found["code"] == "ascii-stl")
+    }));
+    // a second time there is nothing to do, and no other file is touched
+    let id = client.post("workspace/executeCommand", params);
+    assert!(client.reply(id)["error"]["message"].as_str().unwrap().contains("needs no change"));
+    let other = json!({ "command": "xacro.rewriteMesh", "arguments": [{ "uri": client.uri(FILE) }] });
+    let id = client.post("workspace/executeCommand", other);
+    assert!(client.reply(id)["error"]["message"].as_str().unwrap().contains("no STL file"));
+}
+
+#[test]
+fn an_argument_that_no_macro_knows_is_removed() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    client.edit(ROBOT, "axis=\"0 1 0\">", "axis=\"0 1 0\" 🤖color=\"red\">");
+    client.edit(ROBOT, "🤖color", "color");
+    let found = fixes(&mut client, ROBOT, "unknown-macro-param");
+    let changed = client.after(ROBOT, &titled(&found, "remove `color`")["edit"]);
+    assert!(changed.contains("axis=\"0 1 0\"><origin"), "{changed}");
+}

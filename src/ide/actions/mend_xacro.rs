@@ -6,6 +6,7 @@ use crate::base::TextRange;
 use crate::expr::is_identifier;
 use crate::ide::{Cx, rename};
 use crate::rules::Edit;
+use crate::vfs::SourceFile;
 use crate::xml::Part;
 
 /// Another name for a property or parameter that hides something of Python, everywhere it is used.
@@ -17,6 +18,17 @@ pub fn other_name(cx: &Cx<'_>, range: TextRange) -> Option<Action> {
         let edits = places.into_iter().map(|span| Edit { span, content: name.clone() }).collect();
         Some(fix(format!("rename `{old}` to `{name}`"), edits))
     })
+}
+
+/// Remove the attribute that a finding names.
+pub(super) fn without_attribute(source: &SourceFile, range: TextRange) -> Option<Action> {
+    let (base, node) = element_at(&source.document, range.start)?;
+    let attr = node.attrs().find(|attr| attr.range().shift(base).contains_range(range))?;
+    let whole = attr.range().shift(base);
+    let before = source.document.slice(TextRange::new(base + node.start_tag_range().start, whole.start));
+    let blanks = (before.len() - before.trim_end().len()) as u32;
+    let gone = TextRange::new(whole.start - blanks, whole.end);
+    Some(fix(format!("remove `{}`", attr.name()), vec![edit(source, gone, "")]))
 }
 
 /// Move a definition, a child of the root, in front of the child of the root that uses it.

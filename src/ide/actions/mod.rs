@@ -56,6 +56,9 @@ pub enum ActionKind {
 pub fn quick_fixes(source: &SourceFile, rule: &str, range: TextRange) -> Vec<Action> {
     let mut found = match rule {
         "xml-syntax-error" => mend::mend_syntax(source, range),
+        "unknown-macro-param" | "unknown-xacro-attribute" | "unknown-attribute" => {
+            mend_xacro::without_attribute(source, range).into_iter().collect()
+        }
         _ => create::missing(source, rule, range),
     };
     if rule != "xml-syntax-error" {
