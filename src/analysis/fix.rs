@@ -298,6 +298,8 @@ mod tests {
             related: Vec::new(),
             help: None,
             fix: Some(Fix { safety: Safety::Safe, message: String::new(), edits }),
+            ways: Vec::new(),
+            partial: false,
         }
     }
 

@@ -105,6 +105,12 @@ impl Merged {
         const MOST_RELATED: usize = 12;
         self.outcomes.push(number);
         self.finding.severity = self.finding.severity.max(finding.severity);
+        self.finding.partial |= finding.partial;
+        for way in finding.ways {
+            if !self.finding.ways.iter().any(|known| known.call == way.call) {
+                self.finding.ways.push(way);
+            }
+        }
         for related in finding.related {
             if !self.finding.related.contains(&related) && self.finding.related.len() < MOST_RELATED {
                 self.finding.related.push(related);

@@ -13,6 +13,7 @@ mod graph;
 mod includes;
 mod job;
 mod merge;
+mod placing;
 mod progress;
 mod report;
 mod roots;

@@ -11,6 +11,7 @@ use super::context::RootChoice;
 use super::first_look::Settled;
 use super::graph::Graph;
 use super::job::{self, Outcome};
+use super::placing;
 use super::report::Report;
 use super::roots::{Job, Reason};
 use super::session::{Session, Setup};
@@ -18,6 +19,7 @@ use super::walk;
 use crate::base::{CancelFlag, FastMap, TextRange};
 use crate::expand::{Expansion, Read, Written, write_mapped};
 use crate::model::{Kinematics, Robot};
+use crate::rules::check_recovered;
 use crate::vfs::{Environment, SourceFile, Vfs};
 use crate::workspace::config::Config;
 
@@ -117,6 +119,7 @@ impl World {
     pub fn set_folders(&mut self, folders: Vec<PathBuf>) {
         self.folders = folders;
         self.scanned = false;
+        self.graph = Graph::default();
         self.reload();
     }
 
@@ -405,9 +408,13 @@ impl World {
         }
         let mut outcomes = Vec::new();
         for root in &roots {
-            outcomes.push(self.analyzed(root, cancel)?.outcome.clone());
+            let analyzed = self.analyzed(root, cancel)?;
+            let mut outcome = analyzed.outcome.clone();
+            outcome.findings.extend(check_recovered(&analyzed.expansion, &self.session.vfs));
+            outcomes.push(outcome);
         }
-        let report = self.session.conclude(&self.options(paths), outcomes);
+        let mut report = self.session.conclude(&self.options(paths), outcomes);
+        placing::place(&mut report, &self.session.vfs, |path| self.open.contains_key(path));
         for (path, root) in paths.iter().zip(own) {
             self.settle(path, root, &report);
         }

@@ -115,6 +115,8 @@ pub struct Expansion {
     pub symbols: Symbols,
     /// All problems in the order they were met.
     pub problems: Vec<Problem>,
+    /// What the recovered trees of files that are not well-formed seem to say.
+    pub doubtful: Vec<Problem>,
     /// Lines for the user, in order: what `xacro.message` and its kin print.
     pub messages: Vec<String>,
     /// What the result depends on.
@@ -285,8 +287,10 @@ impl<'w> Expander<'w> {
         self.result.arguments = self.argument_values();
         let broken = std::mem::take(&mut self.broken);
         // what the recovered tree of a broken file seems to say is not trusted
-        self.problems.list.retain(|p| p.code.starts_with("XML") || !broken.contains(&p.place.file));
-        self.result.problems = std::mem::take(&mut self.problems.list);
+        let trusted = |p: &Problem| p.code.starts_with("XML") || !broken.contains(&p.place.file);
+        let (kept, doubtful) = std::mem::take(&mut self.problems.list).into_iter().partition(trusted);
+        self.result.problems = kept;
+        self.result.doubtful = doubtful;
         self.result.whole = !(self.content_lost || self.include_missing || self.stopped);
         self.result.complete &= !self.result.has_errors();
         self.result.shrink();

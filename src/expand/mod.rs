@@ -4,6 +4,7 @@
 //! an error: what cannot be computed becomes an unknown value that flows on quietly, so one run
 //! reports every cause once.
 
+mod argument;
 mod attributes;
 mod comments;
 mod control;
@@ -32,6 +33,7 @@ mod tree;
 mod write;
 mod yaml_value;
 
+pub use argument::{argument, is_partial};
 pub use evaluations::{Evaluation, Evaluations};
 pub use focus::Focus;
 pub use machine::{Expansion, FileUse, Limits, Request, World, expand};

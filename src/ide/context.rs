@@ -1,7 +1,7 @@
 //! A file in the expansion of its active root.
 
 use crate::base::{FastMap, FileId, Span, TextRange};
-use crate::expand::{DefinitionId, Expansion, FileIdx, Source, SourceRange, SrcId, Use};
+use crate::expand::{DefinitionId, Expansion, FileIdx, FrameId, Source, SourceRange, SrcId, Use};
 use crate::model::{Kinematics, Robot};
 use crate::vfs::SourceFile;
 
@@ -16,6 +16,8 @@ pub struct Cx<'a> {
     pub robot: Option<&'a Robot>,
     /// How its links hang together.
     pub kinematics: Option<&'a Kinematics>,
+    /// The macro call that the user looks at: of values that differ by call, its own are shown.
+    pub pinned: Option<FrameId>,
 }
 
 impl<'a> Cx<'a> {

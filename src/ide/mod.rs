@@ -9,13 +9,18 @@ mod code;
 mod colours;
 mod completion;
 mod context;
+mod expand_at;
 mod expressions;
 mod folding;
 mod format;
 mod hints;
+mod host;
 mod hover;
+mod instances;
 mod locate;
+mod moved;
 mod names;
+mod navigate;
 mod on_type;
 mod outline;
 mod paths;
@@ -31,7 +36,8 @@ mod typed;
 mod values;
 
 pub use actions::{
-    Action, ActionKind, MacroFile, ignored_in_config, include_macro, inlinable, quick_fixes, refactorings,
+    Action, ActionKind, MacroFile, NewFile, before_use, ignored_in_config, include_macro, inlinable,
+    move_to_file, other_name, quick_fixes, refactorings,
 };
 pub use calls::{Caller, Calls, caller_target, calls_of, incoming, macro_at, macros_of, outgoing};
 pub use colours::{Colour, colour_text, colours};
@@ -40,18 +46,22 @@ pub use completion::{
     signature_help,
 };
 pub use context::Cx;
+pub use expand_at::{ExpandedAt, expand_at};
 pub use folding::{Fold, FoldKind, folds};
 pub use format::{Indent, format, format_range, indentation};
 pub use hints::{Hint, HintKind, HintSettings, hints};
-pub use hover::{Hover, hover, value_of};
+pub use hover::{Hover, declared_argument, hover, value_of};
+pub use instances::{Pin, pin, pinned};
 pub use locate::{At, Part, locate};
+pub use moved::{Move, renamed_files};
 pub use names::{NameUse, Target, definition_of, definitions, occurrences};
+pub use navigate::{FilePlace, declaration, file_definition, implementations, is_text, type_definition};
 pub use on_type::{Insertion, on_type};
 pub use outline::{Outline, OutlineKind, outline};
 pub use paths::{FileKind, FileName, FileTarget, file_names};
 pub use rename::{definition_at, places, rename, renameable};
 pub use search::{Hit, fit, search};
 pub use selection::selection;
-pub use source_map::{Lines, SourceMap, entry_at, instances, origin_of, source_map, steps};
+pub use source_map::{Lines, SourceMap, entry_at, instances, origin_of, source_map, steps, whole_attribute};
 pub use tags::{matching_tags, same_tag_names};
 pub use tokens::{Modifiers, Token, TokenKind, tokens};

@@ -6,7 +6,7 @@
 use serde::Serialize;
 
 use crate::base::{Encoding, FastMap, TextRange};
-use crate::expand::{BindingKind, Expansion, FrameId, FrameKind, MapEntry, Origin, Written};
+use crate::expand::{BindingKind, Expansion, FrameId, FrameKind, MapEntry, MapKind, Origin, Written};
 use crate::xml::Document;
 
 /// The map as it is written: `files` are named by the caller.
@@ -68,6 +68,18 @@ pub fn origin_of(expansion: &Expansion, entry: &MapEntry) -> Origin {
     origin
 }
 
+/// The origin of an attribute with its name, not of its value alone.
+pub fn whole_attribute(expansion: &Expansion, origin: Origin) -> Origin {
+    let start = || {
+        let source = expansion.sources.get(origin.src.0 as usize)?;
+        let before = source.item.text().get(..origin.range.start as usize)?;
+        let before = before.strip_suffix(['"', '\''])?.trim_end().strip_suffix('=')?.trim_end();
+        let name = before.rfind(|c: char| c.is_whitespace())? + 1;
+        Some(TextRange::new(name as u32, origin.range.end))
+    };
+    Origin { range: start().unwrap_or(origin.range), ..origin }
+}
+
 /// Whether the text at an origin is `${name}` and nothing else.
 fn whole_name(expansion: &Expansion, origin: Origin) -> bool {
     let Some(source) = expansion.sources.get(origin.src.0 as usize) else { return false };
@@ -90,27 +102,55 @@ pub fn instances(
     file: crate::expand::FileIdx,
     offset: u32,
 ) -> Vec<(TextRange, FrameId)> {
-    let place = |entry: &MapEntry| {
-        let source = expansion.sources.get(entry.origin.src.0 as usize)?;
-        let range = entry.origin.range.shift(source.base);
-        (source.file == file && range.start <= offset && offset <= range.end).then_some(range)
+    let range_here = |origin: Origin| {
+        let source = expansion.sources.get(origin.src.0 as usize).filter(|source| source.file == file)?;
+        let range = origin.range.shift(source.base);
+        (range.start <= offset && offset <= range.end).then_some(range)
+    };
+    let place = |entry: &MapEntry| match entry.kind {
+        MapKind::Attribute => range_here(whole_attribute(expansion, entry.origin)),
+        _ => range_here(entry.origin),
     };
     let found = written.map.iter().filter_map(|entry| Some((entry, place(entry)?)));
-    let mut smallest: FastMap<FrameId, (u32, TextRange)> = FastMap::default();
+    let mut smallest: FastMap<FrameId, ((bool, u32), TextRange)> = FastMap::default();
     for (entry, range) in found {
-        let kept = smallest.entry(entry.origin.frame).or_insert((range.len(), entry.out));
-        if range.len() < kept.0 {
-            *kept = (range.len(), entry.out);
+        // where two meet, the one behind counts
+        let size = (range.end == offset, range.len());
+        let kept = smallest.entry(entry.origin.frame).or_insert((size, entry.out));
+        if size < kept.0 {
+            *kept = (size, entry.out);
         }
     }
-    let least = smallest.values().map(|(length, _)| *length).min().unwrap_or(0);
+    let least = smallest.values().map(|(size, _)| *size).min().unwrap_or_default();
+    let mut passed = passed_on(expansion, written, range_here);
+    if let Some((size, _, _)) = passed.first().copied()
+        && (smallest.is_empty() || (size.end == offset, size.len()) < least)
+    {
+        passed.retain(|(range, _, _)| *range == size);
+        return passed.into_iter().map(|(_, out, frame)| (out, frame)).collect();
+    }
     let mut found: Vec<(TextRange, FrameId)> = smallest
         .into_iter()
-        .filter(|(_, (length, _))| *length == least)
+        .filter(|(_, (size, _))| *size == least)
         .map(|(frame, (_, out))| (out, frame))
         .collect();
     found.sort_by_key(|(out, _)| out.start);
     found
+}
+
+/// The parts of values that a call passed on as they are: its text, what it made, and the frame of that.
+fn passed_on(
+    expansion: &Expansion,
+    written: &Written,
+    range_here: impl Fn(Origin) -> Option<TextRange>,
+) -> Vec<(TextRange, TextRange, FrameId)> {
+    let pieces = written.map.iter().filter(|entry| entry.kind == MapKind::Piece && !entry.reads.is_empty());
+    let given = pieces.filter_map(|entry| {
+        let origin = origin_of(expansion, entry);
+        let range = range_here(origin).filter(|_| origin != entry.origin)?;
+        Some((range, entry.out, entry.origin.frame))
+    });
+    given.collect()
 }
 
 /// The steps that led to an origin, innermost first, without the root.

@@ -1,14 +1,12 @@
 //! The values that expressions have in the expansion, and how they are shown.
 
-use ecow::EcoString;
-
 use super::context::Cx;
+use super::host::{self, Names};
+use super::instances::is_within;
 use crate::base::{FastSet, TextRange};
 use crate::expand::{BindingKind, Evaluation, FrameId};
 use crate::expr::ast::{Expr, ExprKind};
-use crate::expr::{
-    self, Budget, ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display, is_global_symbol,
-};
+use crate::expr::{self, Lookup, Value, display, is_global_symbol};
 
 /// A value, and the way that led to it.
 #[derive(Clone, Debug)]
@@ -22,9 +20,26 @@ pub struct Instance {
 /// What stands for a value that is not known.
 pub const UNKNOWN: &str = "?";
 
-/// The values of the `${...}` or `$(...)` at `range` of the file, one for each way that led there.
+/// The values of the `${...}` or `$(...)` at `range` of the file, one for each way that led there; of those in the
+/// macro whose call was picked, only what that call gave.
 pub fn instances(cx: &Cx<'_>, range: TextRange) -> Vec<Instance> {
+    of_picked(cx, all_instances(cx, range))
+}
+
+/// The same, whatever call was picked.
+pub fn all_instances(cx: &Cx<'_>, range: TextRange) -> Vec<Instance> {
     part_instances(cx, range, |_, evaluation| evaluation.value.clone())
+}
+
+/// Of values that came through the call that was picked and others, only the former.
+pub fn of_picked(cx: &Cx<'_>, mut found: Vec<Instance>) -> Vec<Instance> {
+    if let Some(pin) = cx.pinned {
+        let own = |instance: &Instance| is_within(cx.expansion, instance.frame, pin);
+        if found.iter().any(own) {
+            found.retain(own);
+        }
+    }
+    found
 }
 
 /// The same for a part of it: `whole` is all of the expression.
@@ -32,7 +47,7 @@ pub fn part_values(cx: &Cx<'_>, range: TextRange, whole: &Expr, part: &Expr) -> 
     if std::ptr::eq(whole, part) {
         return instances(cx, range);
     }
-    part_instances(cx, range, |cx, evaluation| part_value(cx, evaluation, whole, part))
+    of_picked(cx, part_instances(cx, range, |cx, evaluation| part_value(cx, evaluation, whole, part)))
 }
 
 fn part_instances(
@@ -84,9 +99,8 @@ fn part_value(cx: &Cx<'_>, evaluation: &Evaluation, whole: &Expr, part: &Expr) -
     if changes_something(part) {
         return Value::Unknown;
     }
-    let mut host = Known { cx, reads: cx.expansion.evaluations.reads(evaluation) };
-    let mut budget = Budget::new(10_000, 1 << 20, 200);
-    expr::evaluate(part, &mut host, &mut budget).unwrap_or(Value::Unknown)
+    let mut known = Known { cx, reads: cx.expansion.evaluations.reads(evaluation) };
+    host::evaluate(part, &mut known, 200)
 }
 
 /// Whether a part calls a method that changes its object: the values of the expansion are not to be touched.
@@ -143,34 +157,22 @@ impl Known<'_> {
     }
 }
 
-impl Host for Known<'_> {
-    fn lookup(&mut self, name: &str, _: TextRange) -> Lookup {
+impl Names for Known<'_> {
+    fn name(&mut self, name: &str) -> Lookup {
         self.named(name)
     }
 
-    fn scope_attribute(&mut self, _: ScopeId, name: &str, _: TextRange) -> Lookup {
+    fn member(&mut self, name: &str) -> Lookup {
         self.named(name)
     }
 
-    fn call(
-        &mut self,
-        function: HostFn,
-        args: &[Value],
-        _: &[(EcoString, Value)],
-        _: TextRange,
-    ) -> Result<Value, EvalError> {
-        match (function, args) {
-            (HostFn::Arg, [Value::Str(name)]) => {
-                Ok(self.value(name, |kind| kind == BindingKind::Argument).unwrap_or_default())
-            }
-            (HostFn::Arg | HostFn::LoadYaml | HostFn::AbsFilename, _) => Ok(Value::Unknown),
-            _ => Err(EvalError::new(ErrorKind::Reported, "")),
-        }
+    fn argument_value(&mut self, name: &str) -> Value {
+        self.value(name, |kind| kind == BindingKind::Argument).unwrap_or_default()
     }
 
-    fn deprecated(&mut self, _: &str, _: &str, _: TextRange) {}
-
-    fn undefined(&mut self, _: &str, _: TextRange) {}
+    fn yaml(&mut self, _: &[Value]) -> Value {
+        Value::Unknown
+    }
 }
 
 /// A value in at most `most` characters: numbers with ten digits that count, `?` for what is not known.

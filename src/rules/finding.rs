@@ -1,5 +1,7 @@
 //! What a rule has to say.
 
+use ecow::EcoString;
+
 use super::registry::{Rule, Safety, Severity};
 use crate::base::Span;
 
@@ -20,6 +22,25 @@ pub struct Finding {
     pub help: Option<String>,
     /// Edits that mend it.
     pub fix: Option<Fix>,
+    /// The macro calls in which it holds, when the text that is wrong stands in the body of a macro.
+    pub ways: Vec<Way>,
+    /// Whether it holds in some calls of that macro only, because the text reads differently in others.
+    pub partial: bool,
+}
+
+/// A macro call in which a finding holds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Way {
+    /// The tag of the call.
+    pub call: Span,
+    /// The macro.
+    pub name: EcoString,
+    /// What the call passes, when the text that is wrong is a parameter and nothing else.
+    pub argument: Option<Span>,
+    /// What there is to say about this call.
+    pub message: String,
+    /// What to do here.
+    pub help: Option<String>,
 }
 
 /// A further place of a finding.

@@ -33,7 +33,7 @@ mod xml;
 
 pub use catalogue::{catalogue, catalogue_of};
 pub use context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings};
-pub use finding::{Edit, Finding, Fix, Related};
+pub use finding::{Edit, Finding, Fix, Related, Way};
 pub use geometry::{FileTarget, link_bounds, resolve_file};
 pub use linter::{
     Directive, Malformed, Selector, Suppression, Suppressions, invalid_config, unused_suppression,
@@ -43,7 +43,7 @@ pub use registry::{
     Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector,
     unknown_selector,
 };
-pub use run::{Chosen, check_expansion, check_files, check_part};
+pub use run::{Chosen, check_expansion, check_files, check_part, check_recovered};
 pub use selection::{Selection, SelectionOptions};
 pub use sink::Sink;
 pub use thresholds::{THRESHOLDS, Threshold};

@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 use std::cell::OnceCell;
 
+use ecow::EcoString;
+
 use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings};
 use super::finding::{Edit, Finding, Fix, Related};
 use super::mend;
@@ -11,7 +13,7 @@ use super::place;
 use super::registry::{Category, Check, Rule, Safety, Severity, all, by_code};
 use super::sink::{Sink, limit_calls, span};
 use super::xacro::is_unprefixed;
-use crate::base::{CancelFlag, FastSet, FileId, Span};
+use crate::base::{CancelFlag, FastSet, FileId, Span, TextRange};
 use crate::expand::{Expansion, FileIdx, FileUse, Problem, Step};
 use crate::model::{Kinematics, Robot};
 use crate::vfs::Vfs;
@@ -102,6 +104,36 @@ pub fn check_part(expansion: &Expansion, world: Surroundings<'_>) -> Vec<Finding
     }
     findings.extend(sink.finish());
     findings
+}
+
+/// What can be said of undefined names in files that are not well-formed, while somebody types in them: those
+/// that no text of the expansion gives, in items that are whole themselves.
+pub fn check_recovered(expansion: &Expansion, vfs: &Vfs) -> Vec<Finding> {
+    if expansion.doubtful.is_empty() {
+        return Vec::new();
+    }
+    let documents = expansion.files.iter().map(|file| &file.source.document);
+    let given: FastSet<EcoString> = documents
+        .flat_map(|document| document.parts().flat_map(|(_, item)| item.all_nodes()))
+        .flat_map(|node| {
+            let name = node.attr("name").map(|name| name.raw().to_owned());
+            let params = node.attr("params").map(|params| params.raw().to_owned()).unwrap_or_default();
+            let params: Vec<EcoString> =
+                params.split(|c: char| !c.is_alphanumeric() && c != '_').map(EcoString::from).collect();
+            name.map(EcoString::from).into_iter().chain(params)
+        })
+        .collect();
+    let sure = |problem: &&Problem| {
+        let Some(file) = expansion.files.get(problem.place.file.0 as usize) else { return false };
+        let document = &file.source.document;
+        let place = document.item_at(problem.place.range.start);
+        let own = TextRange::new(place.start, place.start + place.item.len());
+        matches!(problem.code, "XAC001" | "XAC003")
+            && !given.contains(document.slice(problem.place.range).as_str())
+            && !document.errors().iter().any(|error| own.touches(error.range.start))
+    };
+    let sure = expansion.doubtful.iter().filter(sure);
+    sure.filter_map(|problem| finding(expansion, problem, vfs)).collect()
 }
 
 /// What rules say about the source files of an expansion. Of a file that is not well-formed, only that
@@ -220,6 +252,8 @@ fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Option<Findin
         related: Vec::new(),
         help: problem.help.clone(),
         fix,
+        ways: Vec::new(),
+        partial: false,
     };
     limit_calls(&mut finding, calls);
     Some(finding)

@@ -1,9 +1,9 @@
 //! Where rules put what they find.
 
-use super::finding::{Edit, Finding, Fix, Related};
+use super::finding::{Edit, Finding, Fix, Related, Way};
 use super::registry::{Rule, Safety, Severity};
 use crate::base::{FastMap, Span, TextRange};
-use crate::expand::{Expansion, FileIdx, Frame, FrameKind, Origin, Place};
+use crate::expand::{Expansion, FileIdx, Frame, FrameKind, Origin, Place, argument, is_partial};
 
 /// Collects findings of one expansion. A place that several expansions of one source text lead to is
 /// reported once, with all the calls that lead there.
@@ -18,6 +18,8 @@ pub struct Sink<'a> {
 pub(super) struct Draft {
     finding: Finding,
     calls: Vec<Related>,
+    /// The text in the body of a macro that is wrong, each time.
+    instances: Vec<Origin>,
 }
 
 /// Adds to a finding.
@@ -39,7 +41,8 @@ impl<'a> Sink<'a> {
     /// The findings, with their calls behind the other related places.
     pub(super) fn finish(self) -> Vec<Finding> {
         let finish = |draft: Draft| {
-            let Draft { mut finding, calls } = draft;
+            let Draft { mut finding, calls, instances } = draft;
+            finding.partial = is_partial(self.expansion, &instances);
             limit_calls(&mut finding, calls);
             finding
         };
@@ -50,7 +53,14 @@ impl<'a> Sink<'a> {
     pub fn report(&mut self, origin: Origin, message: impl Into<String>) -> Reported<'_, 'a> {
         let span = self.span_of(origin);
         let calls = self.calls(origin);
-        self.draft(span.unwrap_or_else(|| self.nowhere()), calls, message.into())
+        let mut report = self.draft(span.unwrap_or_else(|| self.nowhere()), calls, message.into());
+        report.draft.instances.push(origin);
+        report
+    }
+
+    /// What the call of the macro around `origin` passes, when the text there is a parameter and nothing else.
+    pub fn argument(&self, origin: Origin) -> Option<Span> {
+        self.span_of(argument(self.expansion, origin)?)
     }
 
     /// Report a defect at an absolute range of a file.
@@ -79,17 +89,41 @@ impl<'a> Sink<'a> {
             related: Vec::new(),
             help: None,
             fix: None,
+            ways: Vec::new(),
+            partial: false,
         };
-        Reported { draft: Draft { finding, calls }, sink: self }
+        Reported { draft: Draft { finding, calls, instances: Vec::new() }, sink: self }
     }
 
-    fn push(&mut self, draft: Draft) {
+    /// The call of the macro whose text stands at `origin`.
+    fn way(&self, origin: Origin, finding: &Finding) -> Option<Way> {
+        let mut frames = self.expansion.frames_of(origin).filter(|frame| frame.kind != FrameKind::Include);
+        let frame = frames.next().filter(|frame| frame.kind == FrameKind::Macro)?;
+        Some(Way {
+            call: self.span_of(frame.call)?,
+            name: frame.name.clone(),
+            argument: self.argument(origin),
+            message: finding.message.clone(),
+            help: finding.help.clone(),
+        })
+    }
+
+    fn push(&mut self, mut draft: Draft) {
+        let ways: Vec<Way> =
+            draft.instances.iter().filter_map(|&origin| self.way(origin, &draft.finding)).collect();
+        draft.finding.ways = ways;
         let key = (draft.finding.rule.code, draft.finding.span);
         match self.by_place.get(&key).and_then(|&i| self.drafts.get_mut(i)) {
             Some(old) => {
                 let new =
                     draft.calls.into_iter().filter(|call| !old.calls.contains(call)).collect::<Vec<_>>();
                 old.calls.extend(new);
+                old.instances.extend(draft.instances);
+                for way in draft.finding.ways {
+                    if !old.finding.ways.iter().any(|known| known.call == way.call) {
+                        old.finding.ways.push(way);
+                    }
+                }
             }
             None => {
                 self.by_place.insert(key, self.drafts.len());
@@ -134,6 +168,7 @@ impl Reported<'_, '_> {
             let calls = self.sink.calls(origin);
             let new: Vec<_> = calls.into_iter().filter(|call| !self.draft.calls.contains(call)).collect();
             self.draft.calls.extend(new);
+            self.draft.instances.push(origin);
         } else {
             let message = message.into();
             self.draft.finding.related.push(Related { span, message, is_call: false });

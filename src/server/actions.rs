@@ -8,9 +8,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 use lsp_types::{
-    CodeAction, CodeActionKind, CodeActionOptions, CodeActionOrCommand, CodeActionParams, Diagnostic,
-    NumberOrString, TextDocumentPositionParams, TextEdit, Url, WorkDoneProgressOptions, WorkspaceEdit,
+    CodeAction, CodeActionKind, CodeActionOptions, CodeActionOrCommand, CodeActionParams, Command,
+    CreateFile, Diagnostic, DocumentChangeOperation, DocumentChanges, NumberOrString, OneOf,
+    OptionalVersionedTextDocumentIdentifier, Range, RenameFile, ResourceOp, TextDocumentEdit,
+    TextDocumentPositionParams, TextEdit, Url, WorkDoneProgressOptions, WorkspaceEdit,
 };
+use serde_json::json;
 
 use super::convert;
 use super::engine::Engine;
@@ -64,12 +67,72 @@ impl Engine {
             let actions = self.refactorings(&at, selection, cancel)?;
             let actions = actions.into_iter().filter(|action| wants(only, &kind(action.kind)));
             found.extend(actions.filter_map(|action| self.action(action, None)).collect::<Vec<_>>());
+            found.extend(
+                self.moved_to_file(&path, &source, selection).filter(|_| wants(only, &refactor("extract"))),
+            );
+        }
+        if self.client.renames_files && wants(only, &CodeActionKind::QUICKFIX) {
+            found.extend(self.renamed_to_xacro(&params, &path));
         }
         // asked for by name only: it needs the findings of the whole file
         if only.is_some() && wants(only, &FIX_ALL) {
             found.extend(self.fix_all(&path, &source, cancel)?);
         }
         Ok(Some(found.into_iter().map(CodeActionOrCommand::CodeAction).collect()))
+    }
+
+    /// Elements moved to a file of their own, for clients that make files.
+    fn moved_to_file(&self, path: &Path, source: &SourceFile, selection: TextRange) -> Option<CodeAction> {
+        if !self.client.creates_files || !self.is_ours(path) {
+            return None;
+        }
+        let folder = path.parent()?;
+        let vfs = &self.world.session().vfs;
+        let (action, file) = ide::move_to_file(source, selection, |name| vfs.exists(&folder.join(name)))?;
+        let uri = Url::from_file_path(folder.join(&file.name)).ok()?;
+        let mut operations = vec![
+            DocumentChangeOperation::Op(ResourceOp::Create(CreateFile {
+                uri: uri.clone(),
+                options: None,
+                annotation_id: None,
+            })),
+            DocumentChangeOperation::Edit(TextDocumentEdit {
+                text_document: OptionalVersionedTextDocumentIdentifier { uri, version: None },
+                edits: vec![OneOf::Left(TextEdit::new(Range::default(), file.text))],
+            }),
+        ];
+        let made = self.action(action, None)?;
+        if let Some(DocumentChanges::Edits(edits)) = made.edit.as_ref()?.document_changes.clone() {
+            operations.extend(edits.into_iter().map(DocumentChangeOperation::Edit));
+        }
+        let changes = Some(DocumentChanges::Operations(operations));
+        let edit = WorkspaceEdit { document_changes: changes, ..WorkspaceEdit::default() };
+        Some(CodeAction { edit: Some(edit), ..made })
+    }
+
+    /// A file with tags of xacro gets a name that says so.
+    fn renamed_to_xacro(&self, params: &CodeActionParams, path: &Path) -> Option<CodeAction> {
+        let shown =
+            params.context.diagnostics.iter().find(|shown| rule(shown) == Some("xacro-tags-in-urdf"))?;
+        let name = path.file_name()?.to_str()?.strip_suffix(".urdf")?;
+        let new = path.with_file_name(format!("{name}.urdf.xacro"));
+        if !self.is_ours(path) || self.world.session().vfs.exists(&new) {
+            return None;
+        }
+        let rename = ResourceOp::Rename(RenameFile {
+            old_uri: params.text_document.uri.clone(),
+            new_uri: Url::from_file_path(&new).ok()?,
+            options: None,
+            annotation_id: None,
+        });
+        let changes = Some(DocumentChanges::Operations(vec![DocumentChangeOperation::Op(rename)]));
+        Some(CodeAction {
+            title: format!("rename the file to `{name}.urdf.xacro`"),
+            kind: Some(CodeActionKind::QUICKFIX),
+            diagnostics: Some(vec![shown.clone()]),
+            edit: Some(WorkspaceEdit { document_changes: changes, ..WorkspaceEdit::default() }),
+            ..CodeAction::default()
+        })
     }
 
     /// The fixes of the diagnostics that the client shows.
@@ -107,15 +170,67 @@ impl Engine {
                 let more = ide::include_macro(source, range, |name| self.files_with_macro(path, name));
                 actions.extend(more.into_iter().map(|action| (action, false)));
             }
+            actions.extend(self.with_meaning(params, finding, cancel)?.map(|action| (action, false)));
             let more = ide::quick_fixes(source, rule, range);
             actions.extend(more.into_iter().map(|action| (action, false)));
             actions.extend(self.ignored_in_project(path, rule).map(|action| (action, false)));
+            found.extend(self.mesh_rewritten(params, diagnostic, rule, cancel)?);
             for (action, preferred) in actions {
                 let made = self.action(action, Some(diagnostic));
                 found.extend(made.map(|made| CodeAction { is_preferred: preferred.then_some(true), ..made }));
             }
         }
         Ok(found)
+    }
+
+    /// The mesh that a finding names, written anew by a command: no edit of text can do that.
+    fn mesh_rewritten(
+        &mut self,
+        params: &CodeActionParams,
+        diagnostic: &Diagnostic,
+        rule: &str,
+        cancel: &CancelFlag,
+    ) -> Result<Option<CodeAction>, Failure> {
+        let title = match rule {
+            "ascii-stl" => "write the mesh as binary STL",
+            "binary-stl-solid-header" => "change the header of the mesh",
+            _ => return Ok(None),
+        };
+        let at = TextDocumentPositionParams::new(params.text_document.clone(), diagnostic.range.start);
+        let asked = self.asked(&at, cancel)?;
+        let mesh = self.about_files(&asked, ide::file_definition).map(|(_, place)| place.path);
+        let uri = mesh.filter(|path| self.is_ours(path)).and_then(|path| self.uri(&path));
+        let action = |uri| CodeAction {
+            title: title.to_owned(),
+            kind: Some(CodeActionKind::QUICKFIX),
+            diagnostics: Some(vec![diagnostic.clone()]),
+            command: Some(Command {
+                title: title.to_owned(),
+                command: "xacro.rewriteMesh".to_owned(),
+                arguments: Some(vec![json!({ "uri": uri })]),
+            }),
+            ..CodeAction::default()
+        };
+        Ok(uri.map(action))
+    }
+
+    /// Fixes that need to know what names mean.
+    fn with_meaning(
+        &mut self,
+        params: &CodeActionParams,
+        finding: &Finding,
+        cancel: &CancelFlag,
+    ) -> Result<Option<Action>, Failure> {
+        if !matches!(finding.rule.name, "shadowed-builtin" | "use-before-definition") {
+            return Ok(None);
+        }
+        let at = TextDocumentPositionParams::new(params.text_document.clone(), params.range.start);
+        let asked = self.asked(&at, cancel)?;
+        if finding.rule.name == "shadowed-builtin" {
+            return Ok(ide::other_name(&asked.cx(), finding.span.range));
+        }
+        let given = finding.related.iter().find(|related| related.span.file == finding.span.file);
+        Ok(given.and_then(|given| ide::before_use(&asked.cx(), finding.span.range, given.span.range)))
     }
 
     /// A rule switched off in the configuration file that holds for a file; none where there is no such file.
@@ -163,7 +278,10 @@ impl Engine {
         cancel: &CancelFlag,
     ) -> Result<Vec<Action>, Failure> {
         let asked = self.asked(at, cancel)?;
-        let mut actions = ide::refactorings(&asked.cx(), selection);
+        let session = self.world.session();
+        let settings = session.settings(&asked.source.path);
+        let world = session.surroundings(&settings.config);
+        let mut actions = ide::refactorings(&asked.cx(), world, selection);
         if let Some((_, name)) = ide::inlinable(&asked.cx(), selection.start) {
             // files of other robots may read the property
             self.world.scan(|| cancel.is_cancelled());

@@ -1,6 +1,6 @@
 //! What the client can do.
 
-use lsp_types::ClientCapabilities;
+use lsp_types::{ClientCapabilities, ResourceOperationKind};
 
 /// What the client can do.
 #[derive(Clone, Copy, Debug, Default)]
@@ -22,6 +22,10 @@ pub(super) struct ClientFacts {
     pub progress: bool,
     /// It takes edits with versions.
     pub document_changes: bool,
+    /// It makes files that an edit asks for.
+    pub creates_files: bool,
+    /// It renames files that an edit asks for.
+    pub renames_files: bool,
     /// It takes links with the range they start from.
     pub links: bool,
     /// It fills in the places of snippets.
@@ -43,6 +47,10 @@ impl ClientFacts {
         let signature = text.signature_help.as_ref().and_then(|help| help.signature_information.clone());
         let parameter = signature.and_then(|signature| signature.parameter_information);
         let yes = |flag: Option<Option<bool>>| flag.flatten().unwrap_or(false);
+        let edit = workspace.workspace_edit.clone().unwrap_or_default();
+        let operations = edit.resource_operations.unwrap_or_default();
+        let versions = edit.document_changes.unwrap_or(false);
+        let operation = |kind| versions && operations.contains(&kind);
         Self {
             pulls_diagnostics: text.diagnostic.is_some(),
             refreshes_diagnostics: yes(workspace.diagnostic.as_ref().map(|d| d.refresh_support)),
@@ -57,6 +65,8 @@ impl ClientFacts {
                 .map(|w| w.dynamic_registration)),
             progress: capabilities.window.as_ref().and_then(|w| w.work_done_progress).unwrap_or(false),
             document_changes: yes(workspace.workspace_edit.as_ref().map(|e| e.document_changes)),
+            creates_files: operation(ResourceOperationKind::Create),
+            renames_files: operation(ResourceOperationKind::Rename),
             links: text.definition.as_ref().and_then(|d| d.link_support).unwrap_or(false),
             snippets: item.snippet_support.unwrap_or(false),
             insert_replace: item.insert_replace_support.unwrap_or(false),

@@ -8,8 +8,17 @@ use super::failure::Failure;
 use crate::base::CancelFlag;
 
 /// The commands.
-pub(super) const NAMES: &[&str] =
-    &["xacro.expand", "xacro.restartAnalysis", "xacro.selectRoot", "xacro.showReferences", "xacro.tree"];
+pub(super) const NAMES: &[&str] = &[
+    "xacro.expand",
+    "xacro.expandAt",
+    "xacro.restartAnalysis",
+    "xacro.rewriteMesh",
+    "xacro.selectInstance",
+    "xacro.selectRoot",
+    "xacro.setArgs",
+    "xacro.showReferences",
+    "xacro.tree",
+];
 
 impl Engine {
     pub fn command(
@@ -21,6 +30,14 @@ impl Engine {
         match params.command.as_str() {
             "xacro.expand" => {
                 self.expand(parsed(argument)?, cancel).map(|answer| serde_json::to_value(answer).ok())
+            }
+            "xacro.expandAt" => {
+                self.expand_at(parsed(argument)?, cancel).map(|answer| serde_json::to_value(answer).ok())
+            }
+            "xacro.rewriteMesh" => self.rewrite_mesh(&parsed(argument)?).map(|()| None),
+            "xacro.selectInstance" => self.set_instance(parsed(argument)?, cancel).map(Some),
+            "xacro.setArgs" => {
+                self.set_args(parsed(argument)?, cancel).map(|roots| serde_json::to_value(roots).ok())
             }
             "xacro.showReferences" => {
                 self.calls_of(&parsed(argument)?, cancel).map(|(_, places)| serde_json::to_value(places).ok())

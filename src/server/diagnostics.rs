@@ -29,6 +29,8 @@ impl Engine {
     pub fn make_diagnostics(&mut self) {
         if self.client.pulls_diagnostics {
             self.due = None;
+            let cancel = self.pressure.background();
+            self.tell_contexts(&cancel);
             return;
         }
         let touched = std::mem::take(&mut self.touched);
@@ -46,6 +48,7 @@ impl Engine {
             (self.due, self.wants_check) = (None, false);
             self.publish(found);
         }
+        self.tell_contexts(&cancel);
     }
 
     /// Say at once what can be said of an edit; whether that is all.

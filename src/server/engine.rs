@@ -40,6 +40,10 @@ pub(super) struct Engine {
     pub published: BTreeMap<PathBuf, u64>,
     /// The semantic tokens that were sent last, by path.
     pub sent_tokens: BTreeMap<PathBuf, super::tokens::Sent>,
+    /// Macro calls that the user picked, by root.
+    pub pins: BTreeMap<PathBuf, crate::ide::Pin>,
+    /// Under which root the client was told that each open file is shown.
+    pub told: BTreeMap<PathBuf, serde_json::Value>,
     /// Which hints are shown.
     pub hint_settings: crate::ide::HintSettings,
     /// Files that were edited since diagnostics were made the last time, even in haste.
@@ -56,6 +60,8 @@ pub(super) struct Engine {
     pub initialized: bool,
     /// The token of the progress that is shown.
     pub progress: Option<String>,
+    /// What the user was told about settings.
+    pub warned: std::collections::BTreeSet<String>,
     /// Whether the user was told of an internal fault.
     fault_shown: bool,
 }
@@ -74,6 +80,8 @@ impl Engine {
             documents: BTreeMap::new(),
             published: BTreeMap::new(),
             sent_tokens: BTreeMap::new(),
+            pins: BTreeMap::new(),
+            told: BTreeMap::new(),
             hint_settings: crate::ide::HintSettings::default(),
             touched: BTreeSet::new(),
             wants_check: true,
@@ -82,6 +90,7 @@ impl Engine {
             snippets: true,
             initialized: false,
             progress: None,
+            warned: std::collections::BTreeSet::new(),
             fault_shown: false,
         }
     }

@@ -7,6 +7,7 @@ use tower_lsp::{LanguageServer, async_trait};
 
 use super::engine::Engine;
 use super::exit::Shutdown;
+use super::expand_at::{ExpandAtParams, ExpandedPlace, SetInstanceParams};
 use super::expansion::{ExpandParams, Expanded};
 use super::letterbox::Letterbox;
 use super::mapping::{Instances, Sources, ToExpandedParams, ToSourceParams};
@@ -19,6 +20,14 @@ pub(super) struct Handlers {
 }
 
 impl Handlers {
+    pub async fn expand_at(&self, params: ExpandAtParams) -> Result<Option<ExpandedPlace>> {
+        self.letterbox.ask(params, Engine::expand_at).await
+    }
+
+    pub async fn set_instance(&self, params: SetInstanceParams) -> Result<Value> {
+        self.letterbox.ask(params, Engine::set_instance).await
+    }
+
     pub async fn to_source(&self, params: ToSourceParams) -> Result<Sources> {
         self.letterbox.ask(params, Engine::sources_of).await
     }
@@ -157,6 +166,40 @@ impl LanguageServer for Handlers {
 
     async fn goto_definition(&self, params: GotoDefinitionParams) -> Result<Option<GotoDefinitionResponse>> {
         self.letterbox.ask(params, Engine::definition).await
+    }
+
+    async fn goto_declaration(&self, params: GotoDefinitionParams) -> Result<Option<GotoDefinitionResponse>> {
+        self.letterbox.ask(params, Engine::declaration).await
+    }
+
+    async fn goto_type_definition(
+        &self,
+        params: GotoDefinitionParams,
+    ) -> Result<Option<GotoDefinitionResponse>> {
+        self.letterbox.ask(params, Engine::type_definition).await
+    }
+
+    async fn goto_implementation(
+        &self,
+        params: GotoDefinitionParams,
+    ) -> Result<Option<GotoDefinitionResponse>> {
+        self.letterbox.ask(params, Engine::implementation).await
+    }
+
+    async fn will_rename_files(&self, params: RenameFilesParams) -> Result<Option<WorkspaceEdit>> {
+        self.letterbox.ask(params, Engine::will_rename_files).await
+    }
+
+    async fn did_rename_files(&self, params: RenameFilesParams) {
+        self.letterbox.tell(params, Engine::files_renamed);
+    }
+
+    async fn did_create_files(&self, params: CreateFilesParams) {
+        self.letterbox.tell(params, Engine::files_created);
+    }
+
+    async fn did_delete_files(&self, params: DeleteFilesParams) {
+        self.letterbox.tell(params, Engine::files_deleted);
     }
 
     async fn prepare_rename(

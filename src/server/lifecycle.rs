@@ -4,8 +4,8 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use lsp_types::{
-    DidChangeConfigurationParams, InitializeParams, InitializeResult, PositionEncodingKind, Registration,
-    ServerInfo, Url,
+    DidChangeConfigurationParams, InitializeParams, InitializeResult, MessageType, PositionEncodingKind,
+    Registration, ServerInfo, Url,
 };
 use serde_json::{Value, json};
 
@@ -16,6 +16,7 @@ use super::exit::{Shutdown, watch_process};
 use super::failure::Failure;
 use super::outbox::Message;
 use crate::base::{CancelFlag, Encoding};
+use crate::workspace::config::unknown_settings;
 
 impl Engine {
     pub fn initialize(
@@ -102,9 +103,10 @@ impl Engine {
         if let Some(delay) = settings.pointer("/diagnostics/delay") {
             match delay.as_u64() {
                 Some(delay) => self.delay = Duration::from_millis(delay.min(60_000)),
-                None => self
-                    .outbox
-                    .log("`xacro.diagnostics.delay` is no number of milliseconds; the default holds"),
+                None => {
+                    let message = "`xacro.diagnostics.delay` is no number of milliseconds; the default holds";
+                    self.warn_once(message.to_owned());
+                }
             }
         }
         super::hints::settings(settings, &mut self.hint_settings);
@@ -113,7 +115,17 @@ impl Engine {
         }
         let warnings = self.world.set_editor_settings(settings.clone());
         for warning in warnings {
-            self.outbox.log(warning);
+            self.warn_once(format!("settings: {warning}"));
+        }
+        for unknown in unknown_settings(settings) {
+            self.outbox.log(format!("settings: {unknown}"));
+        }
+    }
+
+    /// Tell the user something about settings, once as long as the server lives.
+    fn warn_once(&mut self, message: String) {
+        if self.warned.insert(message.clone()) {
+            self.outbox.send(Message::Show(MessageType::WARNING, message));
         }
     }
 

@@ -10,7 +10,7 @@ use super::expansion::Root;
 use super::failure::Failure;
 use crate::analysis::{Analyzed, RootChoice};
 use crate::base::{CancelFlag, TextRange};
-use crate::expand::{FrameId, FrameKind, Origin};
+use crate::expand::{FrameId, FrameKind, MapKind, Origin};
 use crate::ide::{self, Lines, SourceMap};
 
 #[derive(Clone, Debug, Deserialize)]
@@ -64,9 +64,12 @@ impl Engine {
         let mut locations = Vec::new();
         let expansion = &analyzed.expansion;
         if let Some(entry) = ide::entry_at(written, offset) {
-            let origin = ide::origin_of(expansion, entry);
+            let mut origin = ide::origin_of(expansion, entry);
+            if entry.kind == MapKind::Attribute && origin == entry.origin {
+                origin = ide::whole_attribute(expansion, origin);
+            }
             locations.extend(self.mapped(&analyzed, origin, "origin"));
-            if origin != entry.origin {
+            if origin != entry.origin && entry.kind != MapKind::Attribute {
                 // the value was given by a call: the place in the macro comes second
                 locations.extend(self.mapped(&analyzed, entry.origin, "argument"));
             }
@@ -107,7 +110,7 @@ impl Engine {
     }
 
     /// A call in a few words: `unit @ robot.urdf.xacro:7`.
-    fn label(&self, analyzed: &Analyzed, frame: FrameId) -> String {
+    pub fn label(&self, analyzed: &Analyzed, frame: FrameId) -> String {
         let Some(frame) = analyzed.expansion.frames.get(frame.0 as usize) else { return String::new() };
         let Some(place) = analyzed.expansion.place(frame.call) else { return frame.name.to_string() };
         let Some(file) = analyzed.expansion.files.get(place.file.0 as usize) else {
@@ -149,7 +152,7 @@ impl Engine {
     }
 }
 
-fn expanded_range(lines: &Lines<'_>, range: TextRange) -> Range {
+pub(super) fn expanded_range(lines: &Lines<'_>, range: TextRange) -> Range {
     let at = |offset| {
         let [line, column] = lines.position(offset);
         Position::new(line, column)

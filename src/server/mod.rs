@@ -14,8 +14,10 @@ mod convert;
 mod diagnostics;
 mod engine;
 mod exit;
+mod expand_at;
 mod expansion;
 mod failure;
+mod files;
 mod formatting;
 mod framing;
 mod handlers;
@@ -71,6 +73,8 @@ async fn serve(env: Environment) -> u8 {
         Handlers { letterbox: post, shutdown: exit }
     })
     .custom_method("xacro/expand", Handlers::expand)
+    .custom_method("xacro/expandAt", Handlers::expand_at)
+    .custom_method("xacro/setInstance", Handlers::set_instance)
     .custom_method("xacro/toSource", Handlers::to_source)
     .custom_method("xacro/toExpanded", Handlers::to_expanded)
     .custom_method("xacro/roots", Handlers::roots)

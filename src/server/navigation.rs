@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use lsp_types::{
     DocumentHighlight, DocumentHighlightKind, DocumentHighlightParams, GotoDefinitionParams,
-    GotoDefinitionResponse, Location, LocationLink, Range, ReferenceParams, TextDocumentPositionParams,
+    GotoDefinitionResponse, Location, LocationLink, Range, ReferenceParams, TextDocumentPositionParams, Url,
 };
 
 use super::convert;
@@ -12,7 +12,8 @@ use super::engine::Engine;
 use super::failure::Failure;
 use crate::analysis::{Analyzed, RootChoice};
 use crate::base::{CancelFlag, Span, TextRange};
-use crate::ide::{self, Cx, Target};
+use crate::expand::FrameId;
+use crate::ide::{self, Cx, FilePlace, Target};
 use crate::vfs::SourceFile;
 
 /// A place in a file under its active root.
@@ -21,6 +22,8 @@ pub(super) struct Asked {
     pub analyzed: Arc<Analyzed>,
     /// Bytes from the start of the file.
     pub offset: u32,
+    /// The call that the user picked under this root.
+    pub pinned: Option<FrameId>,
 }
 
 impl Asked {
@@ -31,6 +34,7 @@ impl Asked {
             expansion: &self.analyzed.expansion,
             robot: self.analyzed.robot.as_ref(),
             kinematics: self.analyzed.kinematics.as_ref(),
+            pinned: self.pinned,
         }
     }
 }
@@ -47,7 +51,9 @@ impl Engine {
             // the root reaches the file on paper only: a condition keeps it out
             analyzed = self.world.analyzed(&RootChoice::plain(&path), cancel).ok_or(Failure::Cancelled)?;
         }
-        Ok(Asked { source, analyzed, offset })
+        let pin = self.pins.get(&analyzed.root.file);
+        let pinned = pin.and_then(|pin| ide::pinned(&analyzed.expansion, pin));
+        Ok(Asked { source, analyzed, offset, pinned })
     }
 
     pub fn definition(
@@ -56,15 +62,112 @@ impl Engine {
         cancel: &CancelFlag,
     ) -> Result<Option<GotoDefinitionResponse>, Failure> {
         let asked = self.asked(&params.text_document_position_params, cancel)?;
+        // a name of xacro comes first, then a file, then the link or joint that the whole text names
+        let is_symbol = asked.cx().symbol_at(asked.offset).is_some();
+        let file = if is_symbol { None } else { self.about_files(&asked, ide::file_definition) };
+        if let Some((origin, place)) = file {
+            return Ok(self.file_target(&asked, origin, &place));
+        }
         let Some((origin, targets)) = ide::definitions(&asked.cx(), asked.offset) else { return Ok(None) };
         let origin = convert::range(&asked.source.document, origin, self.encoding);
         Ok(self.targets(origin, &targets))
+    }
+
+    pub fn declaration(
+        &mut self,
+        params: GotoDefinitionParams,
+        cancel: &CancelFlag,
+    ) -> Result<Option<GotoDefinitionResponse>, Failure> {
+        let asked = self.asked(&params.text_document_position_params, cancel)?;
+        let Some((origin, target)) = ide::declaration(&asked.cx(), asked.offset) else { return Ok(None) };
+        let origin = convert::range(&asked.source.document, origin, self.encoding);
+        Ok(self.targets(origin, &[target]))
+    }
+
+    pub fn type_definition(
+        &mut self,
+        params: GotoDefinitionParams,
+        cancel: &CancelFlag,
+    ) -> Result<Option<GotoDefinitionResponse>, Failure> {
+        let asked = self.asked(&params.text_document_position_params, cancel)?;
+        let found = self.about_files(&asked, ide::type_definition);
+        Ok(found.and_then(|(origin, place)| self.file_target(&asked, origin, &place)))
+    }
+
+    /// What a macro makes, in the expanded text.
+    pub fn implementation(
+        &mut self,
+        params: GotoDefinitionParams,
+        cancel: &CancelFlag,
+    ) -> Result<Option<GotoDefinitionResponse>, Failure> {
+        let asked = self.asked(&params.text_document_position_params, cancel)?;
+        let written = asked.analyzed.written();
+        let Some((origin, found)) = ide::implementations(&asked.cx(), written, asked.offset) else {
+            return Ok(None);
+        };
+        let Some(uri) = self.expanded_uri(&asked.analyzed.root) else { return Ok(None) };
+        let origin = convert::range(&asked.source.document, origin, self.encoding);
+        let lines = ide::Lines::of(&written.text, self.encoding);
+        let links = found.into_iter().map(|range| {
+            let range = super::mapping::expanded_range(&lines, range);
+            LocationLink {
+                origin_selection_range: Some(origin),
+                target_uri: uri.clone(),
+                target_range: range,
+                target_selection_range: range,
+            }
+        });
+        Ok(self.links_or_places(links.collect()))
+    }
+
+    /// The name of the expanded text of a root.
+    fn expanded_uri(&self, root: &RootChoice) -> Option<Url> {
+        let stem = root.file.file_name()?.to_string_lossy().into_owned();
+        let stem = stem.split('.').next().unwrap_or("").to_owned();
+        let mut uri = Url::parse(&format!("xacro-expanded:/{stem}.urdf")).ok()?;
+        uri.query_pairs_mut().append_pair("root", self.uri(&root.file)?.as_str());
+        Some(uri)
+    }
+
+    /// What an answer about files says of a place.
+    pub fn about_files<T>(
+        &self,
+        asked: &Asked,
+        answer: impl Fn(&Cx<'_>, crate::rules::Surroundings<'_>, u32) -> Option<T>,
+    ) -> Option<T> {
+        let session = self.world.session();
+        let settings = session.settings(&asked.source.path);
+        answer(&asked.cx(), session.surroundings(&settings.config), asked.offset)
+    }
+
+    fn file_target(
+        &self,
+        asked: &Asked,
+        origin: TextRange,
+        place: &FilePlace,
+    ) -> Option<GotoDefinitionResponse> {
+        let origin = convert::range(&asked.source.document, origin, self.encoding);
+        let file = self.world.session().vfs.file_id(&place.path);
+        let range = match place.range == TextRange::default() || !ide::is_text(&place.path) {
+            true => Range::default(),
+            false => self.location(Span { file, range: place.range })?.range,
+        };
+        self.links_or_places(vec![LocationLink {
+            origin_selection_range: Some(origin),
+            target_uri: self.uri(&place.path)?,
+            target_range: range,
+            target_selection_range: range,
+        }])
     }
 
     /// Targets as links, or as plain places for clients that know no links.
     fn targets(&self, origin: Range, targets: &[Target]) -> Option<GotoDefinitionResponse> {
         let links: Vec<LocationLink> =
             targets.iter().filter_map(|target| self.link(origin, target)).collect();
+        self.links_or_places(links)
+    }
+
+    fn links_or_places(&self, links: Vec<LocationLink>) -> Option<GotoDefinitionResponse> {
         if links.is_empty() {
             return None;
         }
@@ -109,6 +212,11 @@ impl Engine {
             kind: Some(kind),
         };
         if let Some(tags) = ide::matching_tags(document, asked.offset) {
+            // conditions come in numbers; their ends are found by folding
+            let name = tags.first().map(|tag| document.slice(*tag)).unwrap_or_default();
+            if matches!(name.as_str(), "xacro:if" | "xacro:unless") {
+                return Ok(Some(Vec::new()));
+            }
             let tags = tags.into_iter().map(|tag| highlight(tag, DocumentHighlightKind::TEXT));
             return Ok(Some(tags.collect()));
         }

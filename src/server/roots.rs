@@ -1,5 +1,7 @@
 //! `xacro/roots`, `xacro/setRoot` and `xacro/tree`: contexts and the kinematic tree.
 
+use std::collections::BTreeMap;
+
 use lsp_types::{Location, TextDocumentIdentifier};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -11,6 +13,7 @@ use super::outbox::Message;
 use crate::analysis::{Analyzed, RootChoice};
 use crate::base::CancelFlag;
 use crate::expand::Origin;
+use crate::ide;
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
@@ -38,6 +41,12 @@ pub(super) struct Candidate {
 pub(super) struct Argument {
     pub name: String,
     pub value: String,
+    /// The text of its `default`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub default: Option<String>,
+    /// The comment above its declaration.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub doc: Option<String>,
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -45,6 +54,14 @@ pub(super) struct Argument {
 pub(super) struct SetRootParams {
     pub root: Option<Root>,
     pub text_document: Option<TextDocumentIdentifier>,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct SetArgsParams {
+    pub text_document: TextDocumentIdentifier,
+    /// Values by name, over those that hold; an empty table takes back what was set.
+    pub args: Option<BTreeMap<String, String>>,
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -82,9 +99,11 @@ impl Engine {
         if let Some(root) = &context.root {
             let analyzed = self.world.analyzed(root, cancel).ok_or(Failure::Cancelled)?;
             let known = analyzed.expansion.arguments.iter();
-            args.extend(
-                known.map(|(name, value)| Argument { name: name.to_string(), value: value.to_string() }),
-            );
+            args.extend(known.map(|(name, value)| {
+                let declared = ide::declared_argument(&analyzed.expansion, name);
+                let (default, doc) = declared.unwrap_or_default();
+                Argument { name: name.to_string(), value: value.to_string(), default, doc }
+            }));
         }
         let candidates = context.candidates.iter().filter_map(|(root, distance)| {
             Some(Candidate { root: self.named(root).ok()?, distance: *distance })
@@ -97,7 +116,7 @@ impl Engine {
         })
     }
 
-    pub fn set_root(&mut self, params: SetRootParams, _: &CancelFlag) -> Result<Value, Failure> {
+    pub fn set_root(&mut self, params: SetRootParams, cancel: &CancelFlag) -> Result<Value, Failure> {
         let root = params.root.map(|root| self.chosen(root)).transpose()?;
         match &params.text_document {
             Some(document) => {
@@ -106,22 +125,59 @@ impl Engine {
             }
             None => self.world.pick_all(root),
         }
-        let open: Vec<_> = self.documents.keys().cloned().collect();
-        for path in open {
-            self.tell_context(&path);
-        }
-        self.schedule();
-        self.refresh();
+        self.context_changed(cancel);
         Ok(Value::Null)
     }
 
+    /// Run the active root of a file with other values of some arguments for as long as the server lives; none:
+    /// back to those of the configuration. Answers with what holds then.
+    pub fn set_args(&mut self, params: SetArgsParams, cancel: &CancelFlag) -> Result<Roots, Failure> {
+        let (path, _) = self.source(&params.text_document.uri)?;
+        if let Some(args) = params.args {
+            let mut root = self.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path));
+            let file = root.file.clone();
+            root.args.retain(|(known, _)| !args.contains_key(known));
+            let taken_back = args.is_empty();
+            root.args.extend(args);
+            // all files of the robot are seen with these values
+            for open in self.documents.keys().chain([&path]) {
+                if self.world.context(open).root.is_some_and(|other| other.file == file) {
+                    self.world.pick(open, (!taken_back).then(|| root.clone()));
+                }
+            }
+            self.context_changed(cancel);
+        }
+        let text_document = TextDocumentIdentifier { uri: params.text_document.uri };
+        self.roots(RootsParams { text_document }, cancel)
+    }
+
+    /// The user sees files in another way now.
+    pub fn context_changed(&mut self, cancel: &CancelFlag) {
+        self.tell_contexts(cancel);
+        self.schedule();
+        self.refresh();
+    }
+
+    /// Tell the client under which root each open file is shown, where that is news.
+    pub fn tell_contexts(&mut self, cancel: &CancelFlag) {
+        let open: Vec<_> = self.documents.keys().cloned().collect();
+        for path in open {
+            self.tell_context(&path, cancel);
+        }
+    }
+
     /// Tell the client under which root a file is shown now.
-    fn tell_context(&mut self, path: &std::path::Path) {
+    fn tell_context(&mut self, path: &std::path::Path, cancel: &CancelFlag) {
         let context = self.world.context(path);
         let Some(uri) = self.uri(path) else { return };
         let active = context.root.as_ref().and_then(|root| self.named(root).ok());
+        let pinned = context.root.as_ref().and_then(|root| self.pinned_label(path, root, cancel));
         let text = context.root.as_ref().map_or_else(|| context.reason.text().to_owned(), label);
+        let text = pinned.unwrap_or(text);
         let params = json!({ "textDocument": { "uri": uri }, "active": active, "text": text });
+        if self.told.insert(path.to_path_buf(), params.clone()).as_ref() == Some(&params) {
+            return;
+        }
         self.outbox.send(Message::Custom("xacro/contextChanged", params));
     }
 

@@ -48,6 +48,7 @@ impl Engine {
 
     pub fn closed(&mut self, params: DidCloseTextDocumentParams) {
         let path = self.path(&params.text_document.uri);
+        self.told.remove(&path);
         if let Some(open) = self.documents.remove(&path) {
             self.world.close(&path);
             if self.published.remove(&path).is_some() {

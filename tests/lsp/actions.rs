@@ -5,11 +5,11 @@ use serde_json::{Value, json};
 use super::client::{Client, Options, position};
 use super::workspace::{ROBOT, ROBOT_TEXT, UNIT, pan_tilt, write};
 
-const FILE: &str = "src/pan_tilt/urdf/more.urdf.xacro";
+pub const FILE: &str = "src/pan_tilt/urdf/more.urdf.xacro";
 
 /// The actions for a marked text of an open file: `«` and `»` around it, or `|` for the cursor.
 #[track_caller]
-fn actions(
+pub fn actions(
     client: &mut Client,
     file: &str,
     marked: &str,
@@ -38,7 +38,7 @@ fn actions(
 
 /// The quick fixes of the only finding of a rule.
 #[track_caller]
-fn fixes(client: &mut Client, file: &str, rule: &str) -> Vec<Value> {
+pub fn fixes(client: &mut Client, file: &str, rule: &str) -> Vec<Value> {
     let found = client.diagnostics(file);
     let of_rule: Vec<Value> = found.iter().filter(|d| d["code"] == rule).cloned().collect();
     assert!(!of_rule.is_empty(), "{rule} in {found:?}");
@@ -50,14 +50,14 @@ fn fixes(client: &mut Client, file: &str, rule: &str) -> Vec<Value> {
 }
 
 #[track_caller]
-fn titled<'a>(actions: &'a [Value], title: &str) -> &'a Value {
+pub fn titled<'a>(actions: &'a [Value], title: &str) -> &'a Value {
     let titles: Vec<&Value> = actions.iter().map(|action| &action["title"]).collect();
     let found = actions.iter().find(|action| action["title"].as_str().unwrap().contains(title));
     found.unwrap_or_else(|| panic!("`{title}` in {titles:?}"))
 }
 
 /// Open the file, or give it another text.
-fn show(client: &mut Client, text: &str) {
+pub fn show(client: &mut Client, text: &str) {
     match client.is_open(FILE) {
         true => {
             let old = client.text(FILE).to_owned();
@@ -68,7 +68,7 @@ fn show(client: &mut Client, text: &str) {
 }
 
 /// A robot with the xacro namespace around some elements.
-fn robot(content: &str) -> String {
+pub fn robot(content: &str) -> String {
     format!("<robot name=\"🤖\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n{content}\n</robot>\n")
 }
 

@@ -106,9 +106,20 @@ fn roots_can_be_listed_and_picked() {
     let params = json!({ "textDocument": { "uri": client.uri(UNIT) } });
     let roots = client.request("xacro/roots", params.clone());
     assert!(roots["active"]["uri"].as_str().unwrap().ends_with("pan_tilt.urdf.xacro"), "{roots}");
-    assert_eq!(roots["args"], json!([{ "name": "mount", "value": "desk" }]));
+    assert_eq!(roots["args"], json!([{ "name": "mount", "value": "desk", "default": "desk" }]));
     let root = json!({ "uri": client.uri(ROBOT), "args": { "mount": "wall" } });
     client.request("xacro/setRoot", json!({ "root": root, "textDocument": { "uri": client.uri(UNIT) } }));
     let roots = client.request("xacro/roots", params);
-    assert_eq!(roots["args"], json!([{ "name": "mount", "value": "wall" }]));
+    assert_eq!(roots["args"], json!([{ "name": "mount", "value": "wall", "default": "desk" }]));
+}
+
+#[test]
+fn what_a_call_passes_shows_all_that_it_became() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    let answer = client.request("xacro/toExpanded", client.at(ROBOT, "name=\"p|an\""));
+    let labels: Vec<&str> =
+        answer["instances"].as_array().unwrap().iter().map(|i| i["label"].as_str().unwrap()).collect();
+    // the link, the joint, and the child of the joint
+    assert_eq!(labels, ["unit @ pan_tilt.urdf.xacro:7"; 3]);
 }

@@ -7,6 +7,7 @@
     clippy::disallowed_methods
 )] // a test may fail loudly
 
+mod acceptance;
 mod actions;
 mod calls;
 mod client;
@@ -14,11 +15,14 @@ mod completion;
 mod context;
 mod diagnostics;
 mod expansion;
+mod files;
 mod format;
 mod hints;
 mod hover;
+mod instances;
 mod lifecycle;
 mod navigation;
+mod refactorings;
 mod rename;
 mod structure;
 mod tokens;

@@ -3,8 +3,10 @@
 use super::place::{element_at, indented, line_end};
 use super::{Action, ActionKind, edit};
 use crate::base::TextRange;
-use crate::expand::{FrameId, FrameKind, MapEntry, Origin, SourceRange, XKind, write_mapped};
+use crate::expand::{FrameId, FrameKind, Origin, write_mapped};
 use crate::ide::Cx;
+use crate::ide::expand_at::made_in;
+use crate::ide::instances::{frames_of_tag, is_within, numbered};
 use crate::xml::{Document, Node, NodeKind};
 
 /// Write what the call at an offset makes in its place, fully evaluated. Only for a call that is made once, whose
@@ -35,29 +37,17 @@ pub(super) fn call(cx: &Cx<'_>, offset: u32) -> Option<Action> {
 
 /// The only expansion of the call whose tag stands at a range.
 fn only_frame(cx: &Cx<'_>, tag: TextRange) -> Option<FrameId> {
-    let is_here = |origin: Origin| {
-        let span = cx.span(SourceRange::from(origin));
-        span.is_some_and(|span| span.file == cx.source.id && tag.contains_range(span.range))
+    let is_macro = |id: &FrameId| {
+        cx.expansion.frames.get(id.0 as usize).is_some_and(|frame| frame.kind == FrameKind::Macro)
     };
-    let frames = (0..).map(FrameId).zip(&cx.expansion.frames);
-    let mut made = frames.filter(|(_, frame)| frame.kind == FrameKind::Macro && is_here(frame.call));
-    let (only, _) = made.next()?;
+    let mut made = frames_of_tag(cx, tag).into_iter().filter(is_macro);
+    let only = made.next()?;
     made.next().is_none().then_some(only)
-}
-
-/// Whether a frame lies in another one, or is that one.
-fn is_within(cx: &Cx<'_>, frame: FrameId, outer: FrameId) -> bool {
-    let frames = &cx.expansion.frames;
-    let next = |inner: &FrameId| {
-        let call = frames.get(inner.0 as usize)?.call.frame;
-        (call != *inner && *inner != FrameId::ROOT).then_some(call)
-    };
-    std::iter::successors(Some(frame), next).any(|frame| frame == outer)
 }
 
 /// Whether a macro on the way defines something for those around it.
 fn leaves_something(cx: &Cx<'_>, outer: FrameId) -> bool {
-    let frames = (0..).map(FrameId).zip(&cx.expansion.frames).filter(|(id, _)| is_within(cx, *id, outer));
+    let frames = numbered(cx.expansion).filter(|(id, _)| is_within(cx.expansion, *id, outer));
     let mut definitions = frames.filter_map(|(_, frame)| Some((frame.kind, frame.definition?)));
     definitions.any(|(kind, definition)| match (kind, source_node(cx, definition)) {
         (FrameKind::Macro, Some(node)) => below(node).any(defines),
@@ -91,19 +81,8 @@ fn defines(node: Node<'_>) -> bool {
 
 /// The texts of the outermost elements and comments that came through a frame.
 fn parts(cx: &Cx<'_>, frame: FrameId) -> Vec<String> {
-    let tree = &cx.expansion.tree;
-    let written = write_mapped(tree, "");
-    let made = |entry: &MapEntry| is_within(cx, tree.get(entry.node).origin.frame, frame);
-    let mut end = 0;
-    let mut found = Vec::new();
-    for entry in &written.map {
-        let whole = matches!(tree.get(entry.node).kind, XKind::Element | XKind::Comment);
-        if entry.out.start < end || !whole || !made(entry) {
-            continue;
-        }
-        end = entry.out.end;
-        found.push(entry.out.slice(&written.text).trim_end().to_owned());
-    }
+    let written = write_mapped(&cx.expansion.tree, "");
+    let mut found = made_in(cx.expansion, &written, frame);
     // indentation starts anew
     found.retain(|text| Document::parse(&format!("<a>{text}</a>")).errors().is_empty());
     found

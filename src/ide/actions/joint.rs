@@ -31,6 +31,29 @@ pub(super) fn additions(source: &SourceFile, offset: u32) -> Vec<Action> {
     found
 }
 
+/// An inertial for the link at an offset, of a body of 1 kg to be replaced by the true one.
+pub(super) fn inertial(source: &SourceFile, offset: u32) -> Option<Action> {
+    let (base, link) = enclosing(&source.document, offset, "link")?;
+    let brings_one = |node: Node<'_>| node.name() == "inertial" || node.name().starts_with("xacro:");
+    let whole = link.start_tag_range().shift(base).touches(offset);
+    if !whole
+        || link.parent().is_some_and(|parent| parent.name() == "joint")
+        || link.child_elements().any(brings_one)
+    {
+        return None;
+    }
+    let (end, unit) = (line_end(&source.document), indentation(&source.document).unit);
+    let inner = format!("{end}{}{unit}{unit}", margin(&source.document, base + link.range().start));
+    let text = format!(
+        "<inertial>{inner}<mass value=\"1\"/>{inner}\
+         <inertia ixx=\"0.01\" ixy=\"0\" ixz=\"0\" iyy=\"0.01\" iyz=\"0\" izz=\"0.01\"/>{}</inertial>",
+        inner.strip_suffix(unit.as_str()).unwrap_or(&inner)
+    );
+    let (range, text) = last_child(source, base, link, &text);
+    let edits = vec![edit(source, range, text)];
+    Some(Action { title: "add an inertial to fill in".to_owned(), kind: ActionKind::Rewrite, edits })
+}
+
 /// A collision of the shape of the visual at an offset.
 pub(super) fn collision(source: &SourceFile, offset: u32) -> Option<Action> {
     let document = &source.document;

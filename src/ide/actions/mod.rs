@@ -2,24 +2,30 @@
 //!
 //! Every action is a list of edits; nothing is offered that was not worked out.
 
+mod convert;
 mod create;
 mod expand;
 mod extract;
+mod extract_macro;
 mod inertia;
 mod inline;
 mod joint;
 mod mend;
+mod mend_xacro;
 mod place;
+mod prefix;
 mod suppress;
 mod wrap;
 
 pub use create::{MacroFile, include_macro};
+pub use extract_macro::{NewFile, move_to_file};
 pub use inline::inlinable;
+pub use mend_xacro::{before_use, other_name};
 pub use suppress::ignored_in_config;
 
 use super::context::Cx;
 use crate::base::{Span, TextRange};
-use crate::rules::Edit;
+use crate::rules::{Edit, Surroundings};
 use crate::vfs::SourceFile;
 
 /// Something that can be done.
@@ -50,6 +56,9 @@ pub enum ActionKind {
 pub fn quick_fixes(source: &SourceFile, rule: &str, range: TextRange) -> Vec<Action> {
     let mut found = match rule {
         "xml-syntax-error" => mend::mend_syntax(source, range),
+        "unknown-macro-param" | "unknown-xacro-attribute" | "unknown-attribute" => {
+            mend_xacro::without_attribute(source, range).into_iter().collect()
+        }
         _ => create::missing(source, rule, range),
     };
     if rule != "xml-syntax-error" {
@@ -59,7 +68,7 @@ pub fn quick_fixes(source: &SourceFile, rule: &str, range: TextRange) -> Vec<Act
 }
 
 /// Changes offered for a selection, or for the place of the cursor when it is empty.
-pub fn refactorings(cx: &Cx<'_>, selection: TextRange) -> Vec<Action> {
+pub fn refactorings(cx: &Cx<'_>, world: Surroundings<'_>, selection: TextRange) -> Vec<Action> {
     if !cx.source.document.errors().is_empty() {
         return Vec::new();
     }
@@ -70,6 +79,13 @@ pub fn refactorings(cx: &Cx<'_>, selection: TextRange) -> Vec<Action> {
     found.extend(wrap::in_condition(cx.source, selection));
     found.extend(joint::additions(cx.source, selection.start));
     found.extend(joint::collision(cx.source, selection.start));
+    found.extend(joint::inertial(cx.source, selection.start));
+    found.extend(extract_macro::extract_macro(cx, selection));
+    found.extend(prefix::names(cx.source, selection));
+    found.extend(convert::angle(cx.source, selection.start));
+    found.extend(convert::package_path(cx, world, selection.start));
+    found.extend(convert::sort_attributes(cx.source, selection.start));
+    found.extend(convert::to_xacro(cx.source, selection.start));
     found
 }
 

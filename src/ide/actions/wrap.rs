@@ -20,7 +20,7 @@ pub(super) fn in_condition(source: &SourceFile, selection: TextRange) -> Option<
 }
 
 /// The whole elements that a selection covers.
-fn elements(document: &Document, selection: TextRange) -> Option<TextRange> {
+pub(super) fn elements(document: &Document, selection: TextRange) -> Option<TextRange> {
     let text = document.slice(selection);
     let blanks = (text.len() - text.trim_start().len()) as u32;
     let range = TextRange::new(selection.start + blanks, selection.start + text.trim_end().len() as u32);

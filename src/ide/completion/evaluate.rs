@@ -9,12 +9,10 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::scope::Scope;
-use crate::base::{FastMap, TextRange};
+use crate::base::FastMap;
 use crate::expand::yaml_value;
-use crate::expr::{
-    self, Budget, Code, ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Subst, SubstError, Template,
-    Token, Value, display, literal,
-};
+use crate::expr::{self, Code, Lookup, Subst, SubstError, Template, Token, Value, display, literal};
+use crate::ide::host::{self, Names};
 
 /// Where a property's value stands.
 struct Given {
@@ -40,8 +38,6 @@ pub(super) struct Evaluator<'a> {
 
 impl<'a> Evaluator<'a> {
     const MOST_EVALUATIONS: u32 = 1000;
-    const STEPS: u64 = 10_000;
-    const BYTES: u64 = 1 << 20;
     const DEPTH: u32 = 120;
     const LEAST_DEPTH: u32 = 16;
     const MOST_OPEN: usize = 12;
@@ -117,8 +113,7 @@ impl<'a> Evaluator<'a> {
         self.evaluations = left;
         // a property may be read inside of another one's evaluation: all of them share the stack
         let depth = (Self::DEPTH >> self.open.len().min(8)).max(Self::LEAST_DEPTH);
-        let value = expr::evaluate(&parsed.expr, self, &mut Budget::new(Self::STEPS, Self::BYTES, depth));
-        value.unwrap_or(Value::Unknown)
+        host::evaluate(&parsed.expr, self, depth)
     }
 
     /// The text of a template, as far as all of it is known.
@@ -192,21 +187,10 @@ impl<'a> Evaluator<'a> {
         let folder = self.file.parent().unwrap_or(&self.file);
         super::scope::tidy(&folder.join(name))
     }
-
-    fn load_yaml(&mut self, args: &[Value]) -> Value {
-        let [Value::Str(name)] = args else { return Value::Unknown };
-        let path = self.path(name);
-        if !self.scope.may_list(path.parent().unwrap_or(&path)) {
-            return Value::Unknown;
-        }
-        let Ok(file) = self.scope.sources.vfs.yaml(&path, name) else { return Value::Unknown };
-        let Ok(node) = &file.value else { return Value::Unknown };
-        yaml_value(node, &mut Budget::new(Self::STEPS, Self::BYTES, Self::DEPTH)).unwrap_or(Value::Unknown)
-    }
 }
 
-impl Host for Evaluator<'_> {
-    fn lookup(&mut self, name: &str, _: TextRange) -> Lookup {
+impl Names for Evaluator<'_> {
+    fn name(&mut self, name: &str) -> Lookup {
         match self.given.contains_key(name) {
             true => Lookup::Found(self.property(name)),
             false if expr::is_global_symbol(name) => Lookup::Missing,
@@ -217,27 +201,24 @@ impl Host for Evaluator<'_> {
         }
     }
 
-    fn scope_attribute(&mut self, _: ScopeId, _: &str, _: TextRange) -> Lookup {
+    fn member(&mut self, _: &str) -> Lookup {
         Lookup::Missing
     }
 
-    fn call(
-        &mut self,
-        function: HostFn,
-        args: &[Value],
-        _: &[(EcoString, Value)],
-        _: TextRange,
-    ) -> Result<Value, EvalError> {
-        match (function, args) {
-            (HostFn::LoadYaml, _) => Ok(self.load_yaml(args)),
-            (HostFn::Arg, [Value::Str(name)]) => Ok(self.argument(name).map_or(Value::Unknown, Value::Str)),
-            _ => Err(EvalError::new(ErrorKind::Reported, "")),
-        }
+    fn argument_value(&mut self, name: &str) -> Value {
+        self.argument(name).map_or(Value::Unknown, Value::Str)
     }
 
-    fn deprecated(&mut self, _: &str, _: &str, _: TextRange) {}
-
-    fn undefined(&mut self, _: &str, _: TextRange) {}
+    fn yaml(&mut self, args: &[Value]) -> Value {
+        let [Value::Str(name)] = args else { return Value::Unknown };
+        let path = self.path(name);
+        if !self.scope.may_list(path.parent().unwrap_or(&path)) {
+            return Value::Unknown;
+        }
+        let Ok(file) = self.scope.sources.vfs.yaml(&path, name) else { return Value::Unknown };
+        let Ok(node) = &file.value else { return Value::Unknown };
+        yaml_value(node, &mut host::budget(Self::DEPTH)).unwrap_or(Value::Unknown)
+    }
 }
 
 /// A value in a few characters; none when it is not known.

@@ -21,6 +21,7 @@ mod tags;
 
 pub use docs::documentation;
 pub use item::{Completion, Completions, ItemKind, Topic};
+pub(super) use scope::comment_above;
 pub use scope::{Scope, Sources};
 pub use signature::{Signature, signature_help};
 

@@ -257,7 +257,7 @@ fn macro_at(item: &Item, inside: u32) -> Option<u32> {
 }
 
 /// The text of the comment that stands directly above an element.
-fn comment_above(node: Node<'_>) -> String {
+pub fn comment_above(node: Node<'_>) -> String {
     let before: Vec<Node<'_>> = match node.parent() {
         Some(parent) => parent.children().take_while(|other| *other != node).collect(),
         None => node.item().nodes().take_while(|other| *other != node).collect(),

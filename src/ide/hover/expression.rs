@@ -68,7 +68,7 @@ pub(super) fn whole(cx: &Cx<'_>, at: &At<'_>) -> Option<Page> {
 }
 
 /// The package of the `$(find package)` at an offset of the file, wherever in an expression that stands.
-fn package_at<'t>(text: &'t ExprText<'_>, offset: u32) -> Option<(TextRange, &'t str)> {
+pub fn package_at<'t>(text: &'t ExprText<'_>, offset: u32) -> Option<(TextRange, &'t str)> {
     const LEAD: &str = "$(find ";
     let inside = text.offset(offset);
     text.text.match_indices(LEAD).find_map(|(start, _)| {
@@ -135,6 +135,10 @@ pub fn value_lines(cx: &Cx<'_>, values: &[Instance]) -> Vec<String> {
     match different.as_slice() {
         [] => return vec![format!("{UNKNOWN} – {} does not come by here", root_name(cx))],
         [Value::Unknown] => return vec!["the value cannot be computed".to_owned()],
+        [_] if cx.pinned.is_some() => {
+            let label = values.first().and_then(|instance| call_label(cx, instance.frame));
+            return label.map(|label| format!("in {label}")).into_iter().collect();
+        }
         [_] if values.len() > 1 => return vec![format!("the same in all {}", count(values.len(), "call"))],
         [_] => return Vec::new(),
         _ => {}

@@ -9,6 +9,8 @@ mod robot;
 mod symbols;
 
 pub(super) use elements::condition;
+pub(super) use expression::{call_label, package_at};
+pub use symbols::declared_argument;
 
 use super::context::Cx;
 use super::locate::{Part, locate};

@@ -7,7 +7,7 @@ use super::super::values::{Instance, distinct, part_values};
 use super::expression::{place_name, root_name, shown, value_lines};
 use super::page::{Page, code, count, plain};
 use crate::base::{FastSet, TextRange};
-use crate::expand::{Definition, DefinitionId, FrameKind, SymbolKind, Use, UseKind};
+use crate::expand::{Definition, DefinitionId, Expansion, FrameKind, SymbolKind, Use, UseKind};
 use crate::expr::Value;
 use crate::xml::{Node, NodeKind};
 
@@ -126,7 +126,7 @@ fn origin_line(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> String
 /// The text of the default of a parameter or argument.
 fn default_of(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Option<String> {
     match definition.kind {
-        SymbolKind::Argument => Some(element(cx, id)?.attr("default")?.raw().to_owned()),
+        SymbolKind::Argument => Some(element(cx.expansion, id)?.attr("default")?.raw().to_owned()),
         SymbolKind::Parameter => {
             let spec = parameter_spec(cx, id, definition)?;
             Some(spec.split_once(":=").or_else(|| spec.split_once('='))?.1.to_owned())
@@ -135,9 +135,19 @@ fn default_of(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Option<
     }
 }
 
+/// The default of an argument, and the comment above its declaration, where it is declared.
+pub fn declared_argument(expansion: &Expansion, name: &str) -> Option<(Option<String>, Option<String>)> {
+    let own = |given: &Definition| given.kind == SymbolKind::Argument && given.name == name;
+    let (id, _) = expansion.symbols.iter().find(|(_, given)| own(given))?;
+    let element = element(expansion, id)?;
+    let default = element.attr("default").map(|default| default.raw().to_owned());
+    let comment = crate::ide::completion::comment_above(element);
+    Some((default, Some(comment).filter(|comment| !comment.is_empty())))
+}
+
 /// The text that declares a parameter, with its default.
 fn parameter_spec(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Option<String> {
-    let element = element(cx, id)?;
+    let element = element(cx.expansion, id)?;
     let attr = element.attr("params")?;
     let start = definition.place.range.start.checked_sub(attr.value_range().start)?;
     let text = attr.raw();
@@ -153,9 +163,9 @@ fn parameter_spec(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Opt
 }
 
 /// The element that gives a definition.
-fn element<'a>(cx: &Cx<'a>, id: DefinitionId) -> Option<Node<'a>> {
-    let place = cx.expansion.symbols.get(id)?.place;
-    let item = &cx.expansion.sources.get(place.src.0 as usize)?.item;
+fn element(expansion: &Expansion, id: DefinitionId) -> Option<Node<'_>> {
+    let place = expansion.symbols.get(id)?.place;
+    let item = &expansion.sources.get(place.src.0 as usize)?.item;
     let holds = |node: &Node<'_>| {
         node.kind() == NodeKind::Element && node.start_tag_range().contains_range(place.range)
     };
@@ -165,7 +175,7 @@ fn element<'a>(cx: &Cx<'a>, id: DefinitionId) -> Option<Node<'a>> {
 /// The comment in front of what gives a definition.
 pub fn comment_above(cx: &Cx<'_>, id: DefinitionId) -> Option<String> {
     const MOST_LINES: usize = 6;
-    let element = element(cx, id)?;
+    let element = element(cx.expansion, id)?;
     let siblings: Vec<Node<'_>> = match element.parent() {
         Some(parent) => parent.children().collect(),
         None => element.item().nodes().collect(),

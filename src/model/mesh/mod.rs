@@ -14,6 +14,7 @@ mod gltf_mesh;
 mod library;
 mod obj;
 mod placed;
+mod rewrite;
 mod soup;
 mod stl;
 #[cfg(test)]
@@ -24,6 +25,7 @@ pub use bounds::Bounds;
 pub use defect::{Defect, DefectKind};
 pub use draft::{Dependency, MeshFormat, UpAxis};
 pub use library::{Meshes, Missing};
+pub use rewrite::plain_stl;
 pub use topology::Edges;
 
 use draft::Draft;

@@ -27,5 +27,7 @@ pub fn invalid_config(file: FileId, warning: &ConfigWarning) -> Finding {
         related: Vec::new(),
         help: warning.nearest.as_ref().map(|near| format!("did you mean `{near}`?")),
         fix: None,
+        ways: Vec::new(),
+        partial: false,
     }
 }

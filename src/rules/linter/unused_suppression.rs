@@ -53,6 +53,8 @@ pub fn unused_suppression(
         related: Vec::new(),
         help: None,
         fix: Some(Fix { safety: Safety::Safe, message: message_of_fix, edits: vec![edit] }),
+        ways: Vec::new(),
+        partial: false,
     }
 }
 

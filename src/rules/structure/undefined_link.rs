@@ -1,6 +1,7 @@
 //! A joint that names a link which does not exist.
 
 use super::super::context::RobotCx;
+use super::super::finding::Edit;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::missing_links::missing_links;
@@ -26,6 +27,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let (first, others) = (&missing.uses.first, &missing.uses.others);
         let message =
             format!("joint `{}` names {} link `{name}`, which does not exist", first.joint, first.end);
+        let argument = out.argument(first.at).filter(|_| others.is_empty());
         let mut report = out.report(first.at, message);
         for other in others {
             report = report.also(other.at, format!("joint `{}` names it as {} link", other.joint, other.end));
@@ -35,7 +37,13 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                 let rename = format!("rename it to `{near}`");
                 report = report.help(rename.clone()).replace_with(Safety::Unsafe, rename, near.as_str());
             }
-            Some(near) => report = report.help(format!("a link with a similar name exists: `{near}`")),
+            Some(near) => {
+                report = report.help(format!("a link with a similar name exists: `{near}`"));
+                if let Some(span) = argument {
+                    let edits = vec![Edit { span, content: near.to_string() }];
+                    report = report.edits(Safety::Unsafe, format!("pass `{near}`"), edits);
+                }
+            }
             None => report = report.help(format!("add <link name=\"{name}\"/>, or name an existing link")),
         }
         report.done();

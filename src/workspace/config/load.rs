@@ -64,6 +64,22 @@ impl Config {
     }
 }
 
+/// Settings that only editors have.
+const EDITOR_ONLY: [&str; 7] =
+    ["completion", "diagnostics", "inlay-hints", "preview", "server", "trace", "use-environment"];
+
+/// What nobody knows among the settings of an editor.
+pub fn unknown_settings(settings: &serde_json::Value) -> Vec<String> {
+    let mut entries = from_settings(settings, &["roots", "severity", "per-file-ignores", "diagnostics"]);
+    rename(&mut entries);
+    let group = |key: &str| key.split('.').next().unwrap_or("").to_owned();
+    entries.retain(|entry| !EDITOR_ONLY.contains(&group(&entry.key).as_str()));
+    let mut applier = Applier::new(PathBuf::new(), String::new(), PathBuf::new());
+    applier.config(&mut Config::default(), &entries);
+    let unknown = applier.warnings.iter().filter(|warning| warning.message.starts_with("unknown key"));
+    unknown.map(ToString::to_string).collect()
+}
+
 /// The two keys that have another name in editors.
 fn rename(entries: &mut Vec<Entry>) {
     let mut rules = Vec::new();

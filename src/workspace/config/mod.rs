@@ -19,7 +19,7 @@ use std::fmt;
 use std::path::PathBuf;
 
 pub use effective::Setting;
-pub use load::{CONFIG_NAMES, Loaded, find_config};
+pub use load::{CONFIG_NAMES, Loaded, find_config, unknown_settings};
 pub use pattern::Pattern;
 pub use roots::{Args, Root, Variant};
 pub use schema::schema;

@@ -1,0 +1,73 @@
+//! Whose fault a text in the body of a macro is: its own, or that of a call.
+
+use super::evaluations::Evaluation;
+use super::machine::Expansion;
+use super::origin::{FrameId, FrameKind, Origin};
+use super::resolve::BindingKind;
+use super::symbols::SourceRange;
+use crate::base::{FastSet, TextRange};
+use crate::expr::{self, Token, is_identifier};
+
+/// Calls that hand a value down, at most.
+const MOST_CALLS: usize = 64;
+
+/// The text that a call passes, when the text at `origin` is a parameter of the macro around it and nothing else;
+/// of a value that is handed down through several calls, the outermost.
+pub fn argument(expansion: &Expansion, origin: Origin) -> Option<Origin> {
+    let mut found = None;
+    let mut at = origin;
+    for _ in 0..MOST_CALLS {
+        let Some(given) = passed(expansion, at) else { break };
+        found = Some(given);
+        at = given;
+    }
+    found
+}
+
+/// What the innermost call passes for the text at an origin.
+fn passed(expansion: &Expansion, origin: Origin) -> Option<Origin> {
+    let token = the_name(expansion, origin)?;
+    let evaluations = &expansion.evaluations;
+    let own = |evaluation: &&Evaluation| evaluation.at.frame == origin.frame;
+    let evaluation = evaluations.at(SourceRange { src: origin.src, range: token }).find(own)?;
+    let [read] = evaluations.reads(evaluation) else { return None };
+    let binding = expansion.bindings.get(*read as usize)?;
+    let given = binding.origin.filter(|_| binding.kind == BindingKind::Parameter)?;
+    // a default belongs to the macro, not to the call
+    let calls = expansion.frames_of(origin).filter(|frame| frame.kind == FrameKind::Macro);
+    let mut calls = calls.map(|frame| frame.call);
+    calls.any(|call| call.frame == given.frame && call.src == given.src).then_some(given)
+}
+
+/// The range of the `${name}` that the text at an origin consists of.
+fn the_name(expansion: &Expansion, origin: Origin) -> Option<TextRange> {
+    let text = source_text(expansion, origin)?;
+    let name = text.trim().strip_prefix("${")?.strip_suffix('}')?;
+    is_identifier(name.trim()).then(|| {
+        let start = origin.range.start + (text.len() - text.trim_start().len()) as u32;
+        TextRange::new(start, start + text.trim().len() as u32)
+    })
+}
+
+fn source_text(expansion: &Expansion, origin: Origin) -> Option<&str> {
+    let source = expansion.sources.get(origin.src.0 as usize)?;
+    Some(origin.range.slice(source.item.text()))
+}
+
+/// Whether a text that reads differently from call to call is wrong in some calls only; `instances` are those in
+/// which it is.
+pub fn is_partial(expansion: &Expansion, instances: &[Origin]) -> bool {
+    let Some(first) = instances.first() else { return false };
+    let wrong: FastSet<FrameId> = instances.iter().map(|origin| origin.frame).collect();
+    let Some(text) = source_text(expansion, *first).filter(|text| text.contains('$')) else { return false };
+    let template = expr::split(text);
+    let tokens =
+        template.tokens.iter().filter(|token| matches!(token, Token::Expr { .. } | Token::Subst { .. }));
+    let mut all: FastSet<FrameId> = FastSet::default();
+    for token in tokens {
+        let range = token.range().shift(first.range.start);
+        let place = SourceRange { src: first.src, range };
+        all.extend(expansion.evaluations.at(place).map(|evaluation| evaluation.at.frame));
+    }
+    wrong.len() < all.len()
+}

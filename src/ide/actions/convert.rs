@@ -1,0 +1,172 @@
+//! The same thing written in another way: angles, paths, attributes in their usual order, URDF as xacro.
+
+use super::place::element_at;
+use super::{Action, ActionKind, edit};
+use crate::base::TextRange;
+use crate::ide::moved::slashed;
+use crate::ide::paths::{FileKind, FileTarget, file_name_at};
+use crate::ide::{At, Cx, Part, locate, schema};
+use crate::rules::Surroundings;
+use crate::vfs::SourceFile;
+
+fn rewrite(title: impl Into<String>, edits: Vec<crate::rules::Edit>) -> Action {
+    Action { title: title.into(), kind: ActionKind::Rewrite, edits }
+}
+
+/// A number in radians as `${radians(...)}`, and the other way round.
+pub(super) fn angle(source: &SourceFile, offset: u32) -> Option<Action> {
+    let document = &source.document;
+    let at: At<'_> = locate(document, offset);
+    let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else { return None };
+    let speaks_xacro = document.root()?.attr("xmlns:xacro").is_some();
+    if !speaks_xacro || !is_angle(node, attr.name()) {
+        return None;
+    }
+    let whole = at.shift(attr.value_range());
+    let raw = attr.raw();
+    let inside = (offset - whole.start) as usize;
+    let word =
+        |start: usize, end: usize| TextRange::new(whole.start + start as u32, whole.start + end as u32);
+    for (start, part) in words(raw) {
+        let end = start + part.len();
+        if inside < start || inside > end {
+            continue;
+        }
+        let degrees = part.strip_prefix("${radians(").and_then(|rest| rest.strip_suffix(")}"));
+        if let Some(degrees) = degrees.and_then(|text| text.trim().parse::<f64>().ok()) {
+            let radians = shown(degrees.to_radians(), 15);
+            let edits = vec![edit(source, word(start, end), radians.clone())];
+            return Some(rewrite(format!("write the angle as `{radians}` rad"), edits));
+        }
+        let number = part.parse::<f64>().ok().filter(|number| number.is_finite() && *number != 0.0)?;
+        let text = format!("${{radians({})}}", near_whole(number.to_degrees()));
+        let edits = vec![edit(source, word(start, end), text.clone())];
+        return Some(rewrite(format!("write the angle as `{text}`"), edits));
+    }
+    None
+}
+
+/// Words of a value; an expression is one word.
+fn words(raw: &str) -> Vec<(usize, &str)> {
+    let mut found = Vec::new();
+    let (mut start, mut depth) = (None, 0u32);
+    for (at, c) in raw.char_indices() {
+        match c {
+            '{' | '(' => depth += 1,
+            '}' | ')' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        if c.is_whitespace() && depth == 0 {
+            if let Some(begin) = start.take() {
+                found.push((begin, raw.get(begin..at).unwrap_or("")));
+            }
+        } else if start.is_none() {
+            start = Some(at);
+        }
+    }
+    found.extend(start.map(|begin| (begin, raw.get(begin..).unwrap_or(""))));
+    found
+}
+
+/// Whether an attribute holds angles in radians.
+fn is_angle(node: crate::xml::Node<'_>, name: &str) -> bool {
+    let joint = |node: crate::xml::Node<'_>| {
+        let kind = node.parent().and_then(|joint| joint.attr("type")).map(|kind| kind.raw().to_owned());
+        !matches!(kind.as_deref(), Some("prismatic" | "fixed" | "floating"))
+    };
+    if matches!(node.name(), "limit" | "safety_controller" | "calibration") && !joint(node) {
+        return false;
+    }
+    let specs = schema::element(node);
+    let own = specs.iter().flat_map(|spec| spec.attributes).filter(|attribute| attribute.name == name);
+    own.into_iter().any(|attribute| matches!(attribute.unit, Some("rad" | "rad or m")))
+}
+
+/// Degrees that are a whole number but for what rounding the radians made of them.
+fn near_whole(degrees: f64) -> String {
+    let rounded = (degrees * 10.0).round() / 10.0;
+    let close = (rounded - degrees).abs() < 1e-3 * degrees.abs().max(1.0) && rounded != 0.0;
+    shown(if close { rounded } else { degrees }, 10)
+}
+
+fn shown(number: f64, digits: usize) -> String {
+    let rounded: f64 = format!("{number:.*e}", digits - 1).parse().unwrap_or(number);
+    format!("{rounded}")
+}
+
+/// A path that counts from the file, as one that counts from its package.
+pub(super) fn package_path(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Option<Action> {
+    let at = locate(&cx.source.document, offset);
+    let name = file_name_at(cx, world, &at)?;
+    let text = cx.source.document.slice(name.range);
+    let FileTarget::Found(path) = &name.target else { return None };
+    if text.contains("$(") || text.contains("${") || text.starts_with("package://") {
+        return None;
+    }
+    let package = world.packages.containing(path)?;
+    let rest = slashed(path.strip_prefix(&package.folder).ok()?);
+    let new = match name.kind {
+        FileKind::Include => format!("$(find {})/{rest}", package.name),
+        FileKind::Yaml => return None,
+        FileKind::Mesh | FileKind::Other => format!("package://{}/{rest}", package.name),
+    };
+    Some(rewrite(format!("write the path as `{new}`"), vec![edit(cx.source, name.range, new.clone())]))
+}
+
+/// The attributes of an element in the order in which its specification lists them.
+pub(super) fn sort_attributes(source: &SourceFile, offset: u32) -> Option<Action> {
+    let (base, node) = element_at(&source.document, offset)?;
+    if !node.start_tag_range().shift(base).touches(offset) {
+        return None;
+    }
+    let specs = schema::element(node);
+    let [spec] = specs.as_slice() else { return None };
+    let rank = |name: &str| spec.attributes.iter().position(|known| known.name == name).unwrap_or(usize::MAX);
+    let written: Vec<TextRange> = node.attrs().map(|attr| attr.range().shift(base)).collect();
+    let mut sorted: Vec<(usize, TextRange)> =
+        node.attrs().map(|attr| (rank(attr.name()), attr.range().shift(base))).collect();
+    sorted.sort_by_key(|(rank, _)| *rank);
+    let pairs = written.iter().zip(&sorted).filter(|(old, (_, new))| *old != new);
+    let edits: Vec<_> =
+        pairs.map(|(old, (_, new))| edit(source, *old, source.document.slice(*new))).collect();
+    (!edits.is_empty()).then(|| rewrite("sort the attributes", edits))
+}
+
+/// A plain description as one that xacro reads to the same effect.
+pub(super) fn to_xacro(source: &SourceFile, offset: u32) -> Option<Action> {
+    let document = &source.document;
+    let root = document.root().filter(|root| root.name() == "robot" && root.attr("xmlns:xacro").is_none())?;
+    root.start_tag_range().touches(offset).then_some(())?;
+    let at = root.attrs().last().map_or(root.name_range().end, |attr| attr.range().end);
+    let mut edits =
+        vec![edit(source, TextRange::empty(at), " xmlns:xacro=\"http://www.ros.org/wiki/xacro\"")];
+    // what looks like an expression is none
+    for (base, item) in document.items() {
+        for lead in ["${", "$("] {
+            let places = item.text().match_indices(lead).map(|(at, _)| TextRange::empty(base + at as u32));
+            edits.extend(places.map(|place| edit(source, place, "$")));
+        }
+    }
+    edits.sort_by_key(|edit| edit.span.range.start);
+    Some(rewrite("make it a xacro file", edits))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{near_whole, words};
+
+    #[test]
+    fn expressions_are_words() {
+        let found: Vec<&str> = words("0 ${radians(2 * 3)} 1e-3").into_iter().map(|(_, word)| word).collect();
+        assert_eq!(found, ["0", "${radians(2 * 3)}", "1e-3"]);
+    }
+
+    #[test]
+    fn rounded_radians_are_whole_degrees() {
+        for (radians, expected) in
+            [("1.5708", "90"), ("0.7854", "45"), ("3.14159", "180"), ("0.3", "17.18873385")]
+        {
+            assert_eq!(near_whole(radians.parse::<f64>().unwrap().to_degrees()), expected);
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! Fixes of xacro that touch more than the text of the finding.
+
+use super::place::{before, element_at, line_end, margin, top_level};
+use super::{Action, edit, fix};
+use crate::base::TextRange;
+use crate::expr::is_identifier;
+use crate::ide::{Cx, rename};
+use crate::rules::Edit;
+use crate::vfs::SourceFile;
+use crate::xml::Part;
+
+/// Another name for a property or parameter that hides something of Python, everywhere it is used.
+pub fn other_name(cx: &Cx<'_>, range: TextRange) -> Option<Action> {
+    let old = cx.source.document.slice(range);
+    let names = [format!("{old}_"), format!("{old}_value"), format!("my_{old}")];
+    names.iter().filter(|name| is_identifier(name)).find_map(|name| {
+        let places = rename(cx, range.start, name).ok()?;
+        let edits = places.into_iter().map(|span| Edit { span, content: name.clone() }).collect();
+        Some(fix(format!("rename `{old}` to `{name}`"), edits))
+    })
+}
+
+/// Remove the attribute that a finding names.
+pub(super) fn without_attribute(source: &SourceFile, range: TextRange) -> Option<Action> {
+    let (base, node) = element_at(&source.document, range.start)?;
+    let attr = node.attrs().find(|attr| attr.range().shift(base).contains_range(range))?;
+    let whole = attr.range().shift(base);
+    let before = source.document.slice(TextRange::new(base + node.start_tag_range().start, whole.start));
+    let blanks = (before.len() - before.trim_end().len()) as u32;
+    let gone = TextRange::new(whole.start - blanks, whole.end);
+    Some(fix(format!("remove `{}`", attr.name()), vec![edit(source, gone, "")]))
+}
+
+/// Move a definition, a child of the root, in front of the child of the root that uses it.
+pub fn before_use(cx: &Cx<'_>, used: TextRange, given: TextRange) -> Option<Action> {
+    let (source, document) = (cx.source, &cx.source.document);
+    let place = document.item_at(given.start);
+    let (_, name) = element_at(document, given.start)?;
+    let element = place.item.element().filter(|_| matches!(place.part, Part::Item(_)))?;
+    if element.range() != name.range() || used.start >= place.start {
+        return None;
+    }
+    let whole = element.range().shift(place.start);
+    let at = before(document, used.start)?;
+    let text = document.slice(whole);
+    let text = top_level(document, at, &text);
+    // with the line it has for itself
+    let lead = format!("{}{}", line_end(document), margin(document, whole.start));
+    let start = whole.start.checked_sub(lead.len() as u32).unwrap_or(whole.start);
+    let alone = document.slice(TextRange::new(start, whole.start)) == lead;
+    let gone = TextRange::new(if alone { start } else { whole.start }, whole.end);
+    let edits = vec![edit(source, TextRange::empty(at), text), edit(source, gone, "")];
+    Some(fix("move the definition in front of its use".to_owned(), edits))
+}

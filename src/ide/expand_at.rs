@@ -1,0 +1,249 @@
+//! What a single place expands to: a call, an expression, a property, an include, a condition or a block.
+
+use super::context::Cx;
+use super::expressions::ExprText;
+use super::hover::call_label;
+use super::instances::{frames_of_macro, frames_of_tag, is_within, macro_of, numbered};
+use super::locate::{At, locate};
+use super::values::{self, UNKNOWN};
+use crate::base::TextRange;
+use crate::expand::{BindingInfo, Expansion, Frame, FrameId, FrameKind, MapEntry, Origin, Written, XKind};
+use crate::expr::{Value, display};
+use crate::xml::{Node, NodeKind};
+
+/// A place and what it expands to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ExpandedAt {
+    /// `macro`, `expression`, `property`, `include`, `condition` or `block`.
+    pub kind: &'static str,
+    /// What it is, for people.
+    pub title: String,
+    /// The text that the result stands for.
+    pub range: TextRange,
+    /// The result.
+    pub expanded: String,
+    /// How many ways lead here, each with a result of its own.
+    pub instances: usize,
+}
+
+/// What stands at an offset, and each of its results.
+struct Found {
+    kind: &'static str,
+    title: String,
+    range: TextRange,
+    results: Vec<(FrameId, String)>,
+}
+
+/// What the place at an offset expands to on the way with the number `instance`; without one, on the way that was
+/// picked, else on the first.
+pub fn expand_at(cx: &Cx<'_>, written: &Written, offset: u32, instance: Option<usize>) -> Option<ExpandedAt> {
+    let at = locate(&cx.source.document, offset);
+    let found = expression(cx, &at).or_else(|| element(cx, written, &at))?;
+    let picked = || {
+        let pin = cx.pinned?;
+        found.results.iter().position(|(frame, _)| is_within(cx.expansion, *frame, pin))
+    };
+    let index = instance.or_else(picked).unwrap_or(0);
+    let result = found.results.get(index);
+    let mut title = found.title;
+    if found.results.len() > 1
+        && let Some(label) = result.and_then(|(frame, _)| call_label(cx, *frame))
+    {
+        title.push_str(&format!(" in {label}"));
+    }
+    Some(ExpandedAt {
+        kind: found.kind,
+        title,
+        range: found.range,
+        expanded: result.map(|(_, text)| text.clone()).unwrap_or_default(),
+        instances: found.results.len(),
+    })
+}
+
+/// The text of a value, whole.
+fn text(value: &Value) -> String {
+    display::to_str(value).map_or_else(|| UNKNOWN.to_owned(), |text| text.to_string())
+}
+
+fn expression(cx: &Cx<'_>, at: &At<'_>) -> Option<Found> {
+    let text_here = ExprText::at(&cx.source.document, at)?;
+    let token = text_here.token_at(at.offset)?;
+    let range = text_here.range(token.range());
+    let all = values::all_instances(cx, range);
+    let results = all.iter().map(|instance| (instance.frame, text(&instance.value))).collect();
+    let title = format!("`{}`", cx.source.document.slice(range));
+    Some(Found { kind: "expression", title, range, results })
+}
+
+/// The element around a place that expands to something.
+fn element(cx: &Cx<'_>, written: &Written, at: &At<'_>) -> Option<Found> {
+    let mut next = at.node;
+    while let Some(node) = next {
+        let found = (node.kind() == NodeKind::Element).then(|| of_element(cx, written, at, node));
+        if let Some(found) = found.flatten() {
+            return Some(found);
+        }
+        next = node.parent();
+    }
+    None
+}
+
+fn of_element(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Option<Found> {
+    let tag = node.name().strip_prefix("xacro:")?;
+    let range = at.shift(node.range());
+    let named = |attr: &str| node.attr(attr).map_or("", |attr| attr.raw());
+    let all = |frames: Vec<FrameId>| {
+        let result = |frame: FrameId| (frame, made_in(cx.expansion, written, frame).join("\n"));
+        frames.into_iter().map(result).collect()
+    };
+    let of_tag = || all(frames_of_tag(cx, at.shift(node.start_tag_range())));
+    let (kind, title, results) = match tag {
+        "property" => ("property", format!("property `{}`", named("name")), property(cx, written, at, node)),
+        "include" => ("include", format!("include `{}`", named("filename")), of_tag()),
+        "insert_block" => ("block", format!("block `{}`", named("name")), of_tag()),
+        "macro" => {
+            let frames = macro_of(cx, at.base, node).map(|id| frames_of_macro(cx.expansion, id));
+            ("macro", format!("macro `{}`", named("name")), all(frames.unwrap_or_default()))
+        }
+        "if" | "unless" => {
+            let title = format!("`xacro:{tag}` of `{}`", named("value"));
+            ("condition", title, condition(cx, written, at, node))
+        }
+        "arg" | "element" | "attribute" => return None,
+        _ => ("macro", format!("call of `{}`", if tag == "call" { named("macro") } else { tag }), of_tag()),
+    };
+    Some(Found { kind, title, range, results })
+}
+
+/// What the content of a condition gave, for each way that led there.
+fn condition(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Vec<(FrameId, String)> {
+    let expansion = cx.expansion;
+    let Some(content) = cx.source_range(at.shift(node.range())) else { return Vec::new() };
+    let holds = |origin: Origin| origin.src == content.src && content.range.contains_range(origin.range);
+    let steps =
+        |origin: Origin| std::iter::once(origin).chain(expansion.frames_of(origin).map(|frame| frame.call));
+    contexts(cx, at, node)
+        .into_iter()
+        .map(|frame| {
+            let from_here =
+                |origin: Origin| is_within(expansion, origin.frame, frame) && steps(origin).any(holds);
+            (frame, made(expansion, written, from_here).join("\n"))
+        })
+        .collect()
+}
+
+/// The frames in which an element was looked at: those of the macro around it, or of its file.
+fn contexts(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>) -> Vec<FrameId> {
+    let mut outer = node.parent();
+    while let Some(around) = outer {
+        if around.name() == "xacro:macro" {
+            let id = macro_of(cx, at.base, around);
+            return id.map(|id| frames_of_macro(cx.expansion, id)).unwrap_or_default();
+        }
+        outer = around.parent();
+    }
+    let mut frames: Vec<FrameId> = Vec::new();
+    for attr in node.attrs().filter(|attr| attr.has_dollar()) {
+        let text = ExprText::of_attr(&cx.source.document, at.base, attr);
+        for token in &text.template.tokens {
+            let all = values::all_instances(cx, text.range(token.range()));
+            frames.extend(all.iter().map(|instance| instance.frame));
+        }
+    }
+    if frames.is_empty() {
+        frames.push(FrameId::ROOT);
+    }
+    frames.dedup();
+    frames
+}
+
+/// The values that a property had, or what its block gave where it was put in.
+fn property(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Vec<(FrameId, String)> {
+    let expansion = cx.expansion;
+    let name = node.attr("name").and_then(|name| cx.source_range(at.shift(name.value_range())));
+    let given = expansion.symbols.iter().find(|(_, given)| Some(given.place) == name);
+    let Some((id, _)) = given else { return Vec::new() };
+    let bindings = expansion.bindings.iter().filter(|info| info.definition == Some(id));
+    let frame = |info: &BindingInfo| info.origin.map_or(FrameId::ROOT, |origin| origin.frame);
+    let mut results: Vec<(FrameId, String)> = Vec::new();
+    for info in bindings {
+        let result = info.value.as_ref().map(|value| (frame(info), text(value)));
+        results.extend(result.filter(|result| !results.contains(result)));
+    }
+    if results.is_empty()
+        && let Some(whole) = cx.source_range(at.shift(node.range())).filter(|_| node.attr("value").is_none())
+    {
+        let own = |frame: &Frame| {
+            let holds = |at: Origin| at.src == whole.src && whole.range.contains_range(at.range);
+            frame.kind == FrameKind::Block && frame.definition.is_some_and(holds)
+        };
+        let blocks = numbered(expansion).filter(|(_, frame)| own(frame));
+        results.extend(blocks.map(|(frame, _)| (frame, made_in(expansion, written, frame).join("\n"))));
+    }
+    if results.is_empty()
+        && let Some(value) = node.attr("value").filter(|value| !value.has_dollar())
+    {
+        results.push((FrameId::ROOT, value.raw().to_owned()));
+    }
+    results
+}
+
+/// What a call, an include or a block gave. Blocks that a call holds are made where the call stands, and only put in
+/// by the macro.
+pub(super) fn made_in(expansion: &Expansion, written: &Written, frame: FrameId) -> Vec<String> {
+    let inside = numbered(expansion).filter(|(id, _)| is_within(expansion, *id, frame));
+    let blocks = inside.filter(|(_, frame)| frame.kind == FrameKind::Block);
+    let given: Vec<Origin> =
+        blocks.filter_map(|(_, block)| element_of(expansion, block.definition?)).collect();
+    let held = |origin: Origin, block: &Origin| {
+        block.src == origin.src && block.frame == origin.frame && block.range.contains_range(origin.range)
+    };
+    made(expansion, written, |origin| {
+        is_within(expansion, origin.frame, frame) || given.iter().any(|block| held(origin, block))
+    })
+}
+
+/// The whole element whose tag begins at an origin.
+fn element_of(expansion: &Expansion, tag: Origin) -> Option<Origin> {
+    let source = expansion.sources.get(tag.src.0 as usize)?;
+    let mut nodes = source.item.all_nodes();
+    let node =
+        nodes.find(|node| node.kind() == NodeKind::Element && node.range().start == tag.range.start)?;
+    Some(Origin { range: node.range(), ..tag })
+}
+
+/// The texts of the outermost elements, comments and words whose origin fits, each indented from its own start.
+pub(super) fn made(expansion: &Expansion, written: &Written, fits: impl Fn(Origin) -> bool) -> Vec<String> {
+    let tree = &expansion.tree;
+    let whole = |entry: &MapEntry| {
+        matches!(tree.get(entry.node).kind, XKind::Element | XKind::Comment | XKind::Text | XKind::CData)
+    };
+    let mut end = 0;
+    let mut found = Vec::new();
+    for entry in &written.map {
+        if entry.out.start < end || !whole(entry) || !fits(tree.get(entry.node).origin) {
+            continue;
+        }
+        end = entry.out.end;
+        let text = entry.out.slice(&written.text).trim_end();
+        if !text.trim().is_empty() {
+            found.push(dedented(&written.text, entry.out.start, text));
+        }
+    }
+    found
+}
+
+/// A text whose lines are indented as its first one is, without that.
+fn dedented(all: &str, start: u32, text: &str) -> String {
+    let before = all.get(..start as usize).unwrap_or("");
+    let line = before.rsplit('\n').next().unwrap_or("");
+    let margin = line.len() - line.trim_start_matches(' ').len();
+    let strip = |line: &str| {
+        let blanks = line.len() - line.trim_start_matches(' ').len();
+        line.get(blanks.min(margin)..).unwrap_or("").to_owned()
+    };
+    let mut lines = text.split('\n');
+    let first = lines.next().map(str::to_owned);
+    let rest: Vec<String> = first.into_iter().chain(lines.map(strip)).collect();
+    rest.join("\n")
+}

@@ -1,0 +1,145 @@
+//! The calls that a macro was expanded from, and the one of them that the user looks at.
+
+use std::path::PathBuf;
+
+use ecow::EcoString;
+
+use super::calls::macro_at;
+use super::context::Cx;
+use super::locate::locate;
+use crate::base::TextRange;
+use crate::expand::{DefinitionId, Expansion, Frame, FrameId, FrameKind, Origin, SourceRange, SymbolKind};
+use crate::xml::{Node, NodeKind};
+
+/// A call that was picked, in terms that hold after an edit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pin {
+    /// The macro.
+    pub name: EcoString,
+    /// The file that defines it.
+    pub file: PathBuf,
+    /// Its place among the calls.
+    index: usize,
+    /// The start tags that led there, the call's own first.
+    tags: Vec<String>,
+}
+
+/// The frames with their numbers.
+pub(super) fn numbered(expansion: &Expansion) -> impl Iterator<Item = (FrameId, &Frame)> {
+    (0..).map(FrameId).zip(&expansion.frames)
+}
+
+/// Whether a frame lies in another one, or is that one.
+pub(super) fn is_within(expansion: &Expansion, frame: FrameId, outer: FrameId) -> bool {
+    let next = |inner: &FrameId| {
+        let call = expansion.frames.get(inner.0 as usize)?.call.frame;
+        (call != *inner && *inner != FrameId::ROOT).then_some(call)
+    };
+    std::iter::successors(Some(frame), next).any(|frame| frame == outer)
+}
+
+/// The frames that a definition of a macro was expanded in.
+pub(super) fn frames_of_macro(expansion: &Expansion, id: DefinitionId) -> Vec<FrameId> {
+    let Some(definition) = expansion.symbols.get(id) else { return Vec::new() };
+    let own = |frame: &Frame| {
+        frame.kind == FrameKind::Macro
+            && frame.definition.is_some_and(|at| SourceRange::from(at) == definition.place)
+    };
+    numbered(expansion).filter(|(_, frame)| own(frame)).map(|(id, _)| id).collect()
+}
+
+/// The frames that were made by the tag at a range of the file.
+pub(super) fn frames_of_tag(cx: &Cx<'_>, tag: TextRange) -> Vec<FrameId> {
+    let is_here = |origin: Origin| {
+        let span = cx.span(SourceRange::from(origin));
+        span.is_some_and(|span| span.file == cx.source.id && tag.contains_range(span.range))
+    };
+    let made = numbered(cx.expansion).filter(|(_, frame)| is_here(frame.call));
+    made.map(|(id, _)| id).collect()
+}
+
+/// The definition of the macro whose element `node` is; `base` is the offset of its item.
+pub(super) fn macro_of(cx: &Cx<'_>, base: u32, node: Node<'_>) -> Option<DefinitionId> {
+    let name = cx.source_range(node.attr("name")?.value_range().shift(base))?;
+    let given = |kind| kind == SymbolKind::Macro;
+    let mut known = cx.expansion.symbols.iter();
+    known.find(|(_, known)| given(known.kind) && known.place == name).map(|(id, _)| id)
+}
+
+/// The calls to choose from at an offset: those of the macro around it, or what the call at it made.
+fn choices(cx: &Cx<'_>, offset: u32) -> Vec<FrameId> {
+    let at = locate(&cx.source.document, offset);
+    let mut next = at.node;
+    while let Some(node) = next {
+        if node.kind() == NodeKind::Element {
+            if node.name() == "xacro:macro"
+                && let Some(id) = macro_of(cx, at.base, node)
+            {
+                return frames_of_macro(cx.expansion, id);
+            }
+            let tag = node.start_tag_range().shift(at.base);
+            if macro_at(cx, tag.start + 1 + "xacro:".len() as u32).is_some() {
+                return frames_of_tag(cx, tag);
+            }
+        }
+        next = node.parent();
+    }
+    Vec::new()
+}
+
+/// Pick one of the calls at an offset.
+///
+/// # Errors
+/// How many there are to choose from.
+pub fn pin(cx: &Cx<'_>, offset: u32, index: usize) -> Result<Pin, usize> {
+    let choices = choices(cx, offset);
+    let Some(&chosen) = choices.get(index) else { return Err(choices.len()) };
+    let made = || {
+        let frame = cx.expansion.frames.get(chosen.0 as usize)?;
+        let place = cx.expansion.place(frame.definition?)?;
+        let file = cx.expansion.files.get(place.file.0 as usize)?.source.path.to_path_buf();
+        let id = definition_of(cx.expansion, frame)?;
+        let index = frames_of_macro(cx.expansion, id).iter().position(|known| *known == chosen)?;
+        Some(Pin { name: frame.name.clone(), file, index, tags: tags(cx.expansion, chosen) })
+    };
+    made().ok_or(choices.len())
+}
+
+fn definition_of(expansion: &Expansion, frame: &Frame) -> Option<DefinitionId> {
+    let place = SourceRange::from(frame.definition?);
+    let mut known = expansion.symbols.iter();
+    known.find(|(_, known)| known.kind == SymbolKind::Macro && known.place == place).map(|(id, _)| id)
+}
+
+/// The texts of the tags that led to a frame, its own first.
+fn tags(expansion: &Expansion, frame: FrameId) -> Vec<String> {
+    let at = Origin { frame, ..Origin::NOWHERE };
+    let text = |frame: &Frame| {
+        let source = expansion.sources.get(frame.call.src.0 as usize)?;
+        let mut nodes = source.item.all_nodes().filter(|node| node.kind() == NodeKind::Element);
+        let node = nodes.find(|node| node.start_tag_range().contains_range(frame.call.range))?;
+        Some(node.start_tag_range().slice(source.item.text()).to_owned())
+    };
+    expansion.frames_of(at).map(|frame| text(frame).unwrap_or_default()).collect()
+}
+
+/// The frame of the call that was picked; none when it is gone.
+pub fn pinned(expansion: &Expansion, pin: &Pin) -> Option<FrameId> {
+    let own = |place: SourceRange| {
+        let source = expansion.sources.get(place.src.0 as usize)?;
+        let file = expansion.files.get(source.file.0 as usize)?;
+        (*file.source.path == *pin.file).then_some(())
+    };
+    let mut known = expansion.symbols.iter();
+    let is_it = |known: &crate::expand::Definition| {
+        known.kind == SymbolKind::Macro && known.name == pin.name && own(known.place).is_some()
+    };
+    let (id, _) = known.find(|(_, known)| is_it(known))?;
+    let frames = frames_of_macro(expansion, id);
+    let same = |frame: &&FrameId| tags(expansion, **frame) == pin.tags;
+    // calls that read alike are told apart by their order
+    match frames.get(pin.index) {
+        Some(frame) if same(&frame) => Some(*frame),
+        other => frames.iter().find(same).or(other).copied(),
+    }
+}

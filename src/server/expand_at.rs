@@ -1,0 +1,95 @@
+//! F34: what one place expands to, and which call of a macro is looked at.
+
+use std::path::Path;
+
+use lsp_types::{Range, TextDocumentPositionParams};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use super::convert;
+use super::engine::Engine;
+use super::expansion::Root;
+use super::failure::Failure;
+use super::navigation::Asked;
+use crate::analysis::RootChoice;
+use crate::base::CancelFlag;
+use crate::ide;
+
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct ExpandAtParams {
+    #[serde(flatten)]
+    pub at: TextDocumentPositionParams,
+    pub root: Option<Root>,
+    /// Which of the ways that lead there, from 0.
+    pub instance: Option<usize>,
+}
+
+/// What a place expands to.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct ExpandedPlace {
+    pub kind: &'static str,
+    pub title: String,
+    pub range: Range,
+    pub expanded: String,
+    pub instances: usize,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct SetInstanceParams {
+    #[serde(flatten)]
+    pub at: TextDocumentPositionParams,
+    /// Which call of the macro, from 0; none: all of them again.
+    pub instance: Option<usize>,
+}
+
+impl Engine {
+    pub fn expand_at(
+        &mut self,
+        params: ExpandAtParams,
+        cancel: &CancelFlag,
+    ) -> Result<Option<ExpandedPlace>, Failure> {
+        let mut asked = self.asked(&params.at, cancel)?;
+        if let Some(root) = params.root {
+            let root = self.chosen(root)?;
+            let analyzed = self.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+            asked = Asked { analyzed, pinned: None, ..asked };
+        }
+        let found = ide::expand_at(&asked.cx(), asked.analyzed.written(), asked.offset, params.instance);
+        Ok(found.map(|found| ExpandedPlace {
+            kind: found.kind,
+            title: found.title,
+            range: convert::range(&asked.source.document, found.range, self.encoding),
+            expanded: found.expanded,
+            instances: found.instances,
+        }))
+    }
+
+    pub fn set_instance(&mut self, params: SetInstanceParams, cancel: &CancelFlag) -> Result<Value, Failure> {
+        let asked = self.asked(&params.at, cancel)?;
+        let root = asked.analyzed.root.file.clone();
+        match params.instance {
+            None => {
+                self.pins.remove(&root);
+            }
+            Some(index) => {
+                let pin = ide::pin(&asked.cx(), asked.offset, index).map_err(|count| {
+                    Failure::Invalid(match count {
+                        0 => "no macro that is called stands here".to_owned(),
+                        _ => format!("there is no instance {index}: the macro is called {count} times"),
+                    })
+                })?;
+                self.pins.insert(root, pin);
+            }
+        }
+        self.context_changed(cancel);
+        Ok(Value::Null)
+    }
+
+    /// The call that was picked under a root, when it is a call of a macro of the file.
+    pub fn pinned_label(&mut self, path: &Path, root: &RootChoice, cancel: &CancelFlag) -> Option<String> {
+        let pin = self.pins.get(&root.file).filter(|pin| pin.file == path)?.clone();
+        let analyzed = self.world.analyzed(root, cancel)?;
+        let frame = ide::pinned(&analyzed.expansion, &pin)?;
+        Some(self.label(&analyzed, frame))
+    }
+}

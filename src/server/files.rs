@@ -1,0 +1,135 @@
+//! F29: files that are made, renamed and deleted in the editor.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use lsp_types::{
+    CreateFilesParams, DeleteFilesParams, FileOperationFilter, FileOperationPattern,
+    FileOperationPatternKind, FileOperationRegistrationOptions, RenameFilesParams, TextDocumentIdentifier,
+    TextEdit, Url, WorkspaceEdit, WorkspaceFileOperationsServerCapabilities,
+};
+
+use super::convert;
+use super::engine::Engine;
+use super::failure::Failure;
+use super::tokens::start_of;
+use crate::base::CancelFlag;
+use crate::ide::{self, Move};
+use crate::model::plain_stl;
+use crate::vfs::write_atomically;
+
+/// The files whose names stand in descriptions.
+const FILES: &str =
+    "**/*.{xacro,urdf,srdf,sdf,yaml,yml,stl,STL,dae,DAE,obj,OBJ,glb,GLB,gltf,ply,png,jpg,jpeg}";
+
+/// What the editor has to tell.
+pub(super) fn offered() -> WorkspaceFileOperationsServerCapabilities {
+    let filter = |glob: &str, matches| FileOperationFilter {
+        scheme: Some("file".to_owned()),
+        pattern: FileOperationPattern { glob: glob.to_owned(), matches: Some(matches), options: None },
+    };
+    let filters =
+        vec![filter(FILES, FileOperationPatternKind::File), filter("**", FileOperationPatternKind::Folder)];
+    let options = || Some(FileOperationRegistrationOptions { filters: filters.clone() });
+    WorkspaceFileOperationsServerCapabilities {
+        did_create: options(),
+        will_create: None,
+        did_rename: options(),
+        will_rename: options(),
+        did_delete: options(),
+        will_delete: None,
+    }
+}
+
+impl Engine {
+    /// The edits that keep all names of files right.
+    pub fn will_rename_files(
+        &mut self,
+        params: RenameFilesParams,
+        cancel: &CancelFlag,
+    ) -> Result<Option<WorkspaceEdit>, Failure> {
+        let path = |uri: &str| Url::parse(uri).ok()?.to_file_path().ok();
+        let moves: Vec<Move> = params
+            .files
+            .iter()
+            .filter_map(|file| Some(Move { old: path(&file.old_uri)?, new: path(&file.new_uri)? }))
+            .collect();
+        self.world.scan(|| cancel.is_cancelled());
+        if !self.world.is_scanned() && !self.world.folders().is_empty() {
+            return Err(Failure::Cancelled);
+        }
+        let mut files: Vec<PathBuf> = self.world.known_files();
+        files.extend(self.documents.keys().cloned());
+        files.sort();
+        files.dedup();
+        let mut edits: BTreeMap<Url, Vec<TextEdit>> = BTreeMap::new();
+        files.retain(|file| self.is_ours(file) && self.may_name(file, &moves));
+        for file in files {
+            let Some(uri) = self.uri(&file) else { continue };
+            let asked = self.asked(&start_of(TextDocumentIdentifier { uri: uri.clone() }), cancel)?;
+            let session = self.world.session();
+            let settings = session.settings(&file);
+            let found = ide::renamed_files(&asked.cx(), session.surroundings(&settings.config), &moves);
+            let edit = |(range, text)| {
+                TextEdit::new(convert::range(&asked.source.document, range, self.encoding), text)
+            };
+            if !found.is_empty() {
+                edits.insert(uri, found.into_iter().map(edit).collect());
+            }
+        }
+        Ok((!edits.is_empty()).then(|| self.workspace_edit(edits)))
+    }
+
+    /// Whether a file moves itself, or its text holds the name of something that does.
+    fn may_name(&self, file: &Path, moves: &[Move]) -> bool {
+        let Some(source) = self.world.document(file) else { return false };
+        let text = source.document.text();
+        let holds = |path: &Path| {
+            let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
+            name.is_some_and(|name| text.contains(&name))
+        };
+        // a package is named by its manifest, not by its folder
+        let is_folder = |path: &Path| path.extension().is_none();
+        moves.iter().any(|each| file.starts_with(&each.old) || holds(&each.old) || is_folder(&each.old))
+    }
+
+    /// Write a mesh of the workspace as binary STL whose header is not taken for text.
+    pub fn rewrite_mesh(&mut self, mesh: &TextDocumentIdentifier) -> Result<(), Failure> {
+        const MOST_BYTES: u64 = 100 << 20;
+        let path = self.path(&mesh.uri);
+        let refuse = |message: String| Failure::Refused(format!("`{}` {message}", path.display()));
+        let is_stl = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("stl"));
+        if !is_stl || !self.is_ours(&path) {
+            return Err(refuse("is no STL file of the workspace".to_owned()));
+        }
+        let bytes = self.world.session().vfs.bytes(&path, MOST_BYTES);
+        let bytes = bytes.map_err(|error| refuse(format!("cannot be read: {}", error.strerror)))?;
+        let Some(new) = plain_stl(&bytes) else { return Err(refuse("needs no change".to_owned())) };
+        write_atomically(&path, &new).map_err(|error| refuse(format!("cannot be written: {error}")))?;
+        self.world.changed_on_disk(&[path]);
+        self.schedule();
+        self.refresh();
+        Ok(())
+    }
+
+    pub fn files_renamed(&mut self, params: RenameFilesParams) {
+        let both = params.files.into_iter().flat_map(|file| [file.old_uri, file.new_uri]);
+        self.files_changed(both.collect());
+    }
+
+    pub fn files_created(&mut self, params: CreateFilesParams) {
+        self.files_changed(params.files.into_iter().map(|file| file.uri).collect());
+    }
+
+    pub fn files_deleted(&mut self, params: DeleteFilesParams) {
+        self.files_changed(params.files.into_iter().map(|file| file.uri).collect());
+    }
+
+    fn files_changed(&mut self, uris: Vec<String>) {
+        let paths: Vec<PathBuf> =
+            uris.iter().filter_map(|uri| Url::parse(uri).ok()?.to_file_path().ok()).collect();
+        self.world.changed_on_disk(&paths);
+        self.schedule();
+        self.refresh();
+    }
+}
