@@ -29,8 +29,15 @@ impl Engine {
     pub fn make_diagnostics(&mut self) {
         if self.client.pulls_diagnostics {
             self.due = None;
-            return;
+        } else {
+            self.push_diagnostics();
         }
+        if self.due.is_none() && self.documents.len() > 1 {
+            self.refresh_others();
+        }
+    }
+
+    fn push_diagnostics(&mut self) {
         let touched = std::mem::take(&mut self.touched);
         let mut complete = !touched.is_empty();
         for path in touched {

@@ -89,6 +89,7 @@ fn checked(body: &[u8]) -> Vec<u8> {
         (Some("shutdown"), Some(id)) => {
             json!({ "jsonrpc": "2.0", "id": id, "method": "shutdown" }).to_string().into_bytes()
         }
+        (Some("initialize"), Some(_)) => with_our_name_of_diagnostics(mended),
         (Some("exit"), _) => json!({ "jsonrpc": "2.0", "method": "exit" }).to_string().into_bytes(),
         // requests with `$/` that are not known must be answered all the same
         (Some(method), Some(id)) if method.starts_with("$/") => {
@@ -97,6 +98,19 @@ fn checked(body: &[u8]) -> Vec<u8> {
                 .into_bytes()
         }
         _ => mended.into_owned(),
+    }
+}
+
+/// The protocol says `workspace.diagnostics`; the types that read it say `diagnostic`.
+fn with_our_name_of_diagnostics(body: Cow<'_, [u8]>) -> Vec<u8> {
+    let Ok(mut message) = serde_json::from_slice::<Value>(&body) else { return body.into_owned() };
+    let workspace = message.pointer_mut("/params/capabilities/workspace").and_then(Value::as_object_mut);
+    match workspace.and_then(|workspace| Some((workspace.remove("diagnostics")?, workspace))) {
+        Some((diagnostics, workspace)) => {
+            workspace.insert("diagnostic".to_owned(), diagnostics);
+            message.to_string().into_bytes()
+        }
+        None => body.into_owned(),
     }
 }
 

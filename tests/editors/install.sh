@@ -47,9 +47,9 @@ unpack() { # SUITE PACKAGE FOLDER
 }
 
 # A starter that runs a program of FOLDER/root with the libraries there.
-starter() { # FOLDER NAME PROGRAM SETTING...
-    local folder=$1 name=$2 program=$3
-    shift 3
+starter() { # FOLDER NAME PROGRAM OPTIONS SETTING...
+    local folder=$1 name=$2 program=$3 options=$4
+    shift 4
     local libraries
     libraries=$(dirname "$(find "$folder/root/usr/lib" "$folder/root/lib" -name 'ld-linux-*' -path '*-linux-*' 2>/dev/null | head -1)")
     libraries=${libraries#"$folder/root/"}
@@ -58,7 +58,7 @@ starter() { # FOLDER NAME PROGRAM SETTING...
         echo 'root=$(dirname "$(readlink -f "$0")")/root'
         printf 'export %s\n' "$@"
         echo "libraries=\$root/$libraries"
-        echo "exec \"\$libraries\"/ld-linux-*.so.* --argv0 $name --library-path \"\$libraries\" \"\$root/$program\" \"\$@\""
+        echo "exec \"\$libraries\"/ld-linux-*.so.* --argv0 $name --library-path \"\$libraries\" \"\$root/$program\" $options \"\$@\""
     } > "$folder/$name"
     chmod +x "$folder/$name"
     "$folder/$name" --version | head -1
@@ -78,14 +78,14 @@ case ${1:-} in
         folder=$(whole "$3")
         ready "$folder/nvim" && exit
         unpack "$2" neovim "$folder"
-        starter "$folder" nvim usr/bin/nvim 'VIMRUNTIME="$root/usr/share/nvim/runtime"' \
+        starter "$folder" nvim usr/bin/nvim '--cmd "set runtimepath+=$root/usr/lib/nvim"' 'VIMRUNTIME="$root/usr/share/nvim/runtime"' \
             "LUA_CPATH=\"\$(echo \"\$root\"/usr/lib/*/lua/5.1)/?.so;;\""
         ;;
     helix)
         folder=$(whole "$2")
         ready "$folder/hx" && exit
         unpack trixie hx "$folder"
-        starter "$folder" hx usr/lib/hx/hx 'HELIX_RUNTIME="$root/usr/lib/hx/runtime"'
+        starter "$folder" hx usr/lib/hx/hx '' 'HELIX_RUNTIME="$root/usr/lib/hx/runtime"'
         ;;
     emacs)
         version() { emacs --version 2>/dev/null | sed -n '1s/[^0-9]*\([0-9]*\).*/\1/p'; }

@@ -97,3 +97,21 @@ fn clients_that_pull_are_not_pushed_at() {
     params["previousResultId"] = report["resultId"].clone();
     assert_eq!(client.request("textDocument/diagnostic", params)["kind"], "unchanged");
 }
+
+#[test]
+fn clients_that_pull_are_told_when_another_file_changed() {
+    let capabilities = json!({
+        "textDocument": { "diagnostic": {} },
+        "workspace": { "diagnostics": { "refreshSupport": true } },
+    });
+    let mut client = Client::with(pan_tilt(), Options { capabilities, ..Options::default() });
+    client.open(ROBOT);
+    client.open(UNIT);
+    client.edit(UNIT, "name=\"unit\"", "name=\"unitt\"");
+    let told = |client: &mut Client| {
+        client.asked.iter().find(|asked| asked["method"] == "workspace/diagnostic/refresh").map(|_| ())
+    };
+    client.wait(told, || "no refresh".to_owned());
+    let report = client.request("textDocument/diagnostic", client.of(ROBOT));
+    assert_eq!(report["items"].as_array().unwrap().len(), 2, "{report}");
+}
