@@ -4,7 +4,8 @@
 #   install.sh neovim SUITE FOLDER   Neovim of a Debian suite (trixie: 0.10, sid: newer), unpacked beside the system
 #   install.sh helix FOLDER          Helix of Debian trixie, unpacked likewise
 #   install.sh emacs                 Emacs with eglot (29 or newer), from bookworm-backports when the system's is older
-#   install.sh tmux | luacheck | stylua FOLDER
+#   install.sh packages FOLDER NAME...   Debian packages of scripts, unpacked into FOLDER
+#   install.sh tmux | vim | luacheck | stylua FOLDER
 #
 # Unpacked programs bring their own C library along, so that the system stays as it is.
 set -euo pipefail
@@ -104,11 +105,21 @@ case ${1:-} in
         fi
         emacs --version | head -1
         ;;
+    packages)
+        folder=$(whole "$2")
+        [ -e "$folder/ready" ] && exit
+        cd "$folder"
+        shift 2
+        apt-get download -q "$@" > /dev/null 2>&1 || { apt-get update -q > /dev/null && apt-get download -q "$@" > /dev/null; }
+        for package in *.deb; do dpkg-deb -x "$package" .; done
+        touch ready
+        ;;
+    vim) command -v vim > /dev/null || system vim ;;
     tmux) command -v tmux > /dev/null || system tmux ;;
     luacheck) command -v luacheck > /dev/null || system lua-check ;;
     stylua)
         [ -x "$2/node_modules/.bin/stylua" ] && exit
         mkdir -p "$2" && npm install --silent --no-audit --no-fund --prefix "$2" @johnnymorganz/stylua-bin@2.5.2
         ;;
-    *) sed -n '2,10p' "$0" >&2; exit 2 ;;
+    *) sed -n '2,11p' "$0" >&2; exit 2 ;;
 esac

@@ -91,17 +91,6 @@ function M.add_folder(client, folder)
   table.insert(client.workspace_folders, added)
 end
 
---- A Neovim that asks for findings but cannot be told to ask again would miss what an edit in one
---- file does to another; it is sent them instead.
----@return lsp.ClientCapabilities
-function M.capabilities()
-  local found = vim.lsp.protocol.make_client_capabilities()
-  if not vim.tbl_get(found, 'workspace', 'diagnostics', 'refreshSupport') then
-    found.textDocument.diagnostic = nil
-  end
-  return found
-end
-
 --- What both ways of starting have in common.
 ---@return vim.lsp.ClientConfig
 local function common()
@@ -110,7 +99,6 @@ local function common()
     name = M.name,
     cmd = user.cmd,
     settings = { xacro = user.settings },
-    capabilities = M.capabilities(),
     handlers = require('xacro.handlers').of_server(),
     commands = require('xacro.handlers').of_lenses(),
   }
