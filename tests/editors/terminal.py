@@ -36,6 +36,16 @@ class Terminal:
     def text(self, text: str) -> None:
         self.tmux("send-keys", "-l", text)
 
+    def type(self, text: str) -> None:
+        """Text letter by letter, each when the one before is on the screen.
+
+        Helix 25.01 mixes up the order of changes that come within a millisecond.
+        """
+        for letter in text:
+            before = self.screen()
+            self.text(letter)
+            self.wait(f"the letter `{letter}`", lambda screen, before=before: screen != before)
+
     def wait(self, what: str, test) -> str:
         """The screen once it passes a test (a text it holds, or a function)."""
         end = time.monotonic() + PATIENCE

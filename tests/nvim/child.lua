@@ -17,7 +17,10 @@ function Child.start(options)
   local self = setmetatable({ base = base, folder = base .. '/ws', options = options }, Child)
   fixture.make(self.folder)
   local server = options.server or vim.env.XACRO_LSP
-  local config = ('vim.g.xacro = vim.tbl_extend("force", { cmd = { %q } }, %s)\n'):format(server, options.config or '{}')
+  local config = ('vim.g.xacro = vim.tbl_extend("force", { cmd = { %q } }, %s)\n'):format(
+    server,
+    options.config or '{}'
+  )
   fixture.write(base .. '/config/nvim/init.lua', options.init and options.init(server) or config)
   if options.plugin ~= false then
     local start = base .. '/data/nvim/site/pack/tests/start'

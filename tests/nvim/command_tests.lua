@@ -52,7 +52,10 @@ return function(test, skip)
     assert(child:value('vim.api.nvim_buf_get_name(0)'):find('pan_tilt.urdf.xacro', 1, true), 'the cursor moved away')
     child:at('value="0.1|5"')
     child:type('r7')
-    child:wait([[table.concat(vim.api.nvim_buf_get_lines(..., 0, -1, false)):find('<mass value="0.34"/>', 1, true)]], bufnr)
+    child:wait(
+      [[table.concat(vim.api.nvim_buf_get_lines(..., 0, -1, false)):find('<mass value="0.34"/>', 1, true)]],
+      bufnr
+    )
     child:type(':XacroExpand!<CR>')
     child:wait('not ' .. VIEW)
     assert(child:value('#vim.api.nvim_list_wins()') == 1)
@@ -192,7 +195,11 @@ return function(test, skip)
     child:edit(fixture.robot)
     local bufnr = expand(child)
     local function text_with(word)
-      child:wait([[table.concat(vim.api.nvim_buf_get_lines(..., 0, -1, false)):find(select(2, ...), 1, true)]], bufnr, word)
+      child:wait(
+        [[table.concat(vim.api.nvim_buf_get_lines(..., 0, -1, false)):find(select(2, ...), 1, true)]],
+        bufnr,
+        word
+      )
     end
     child:type(':XacroArgs mount:=wall<CR>')
     text_with('<link name="wall"/>')
@@ -212,7 +219,10 @@ return function(test, skip)
     child:edit(fixture.robot)
     local bufnr = expand(child)
     child:type(':XacroArgs mount:=a_much_longer_name<CR>')
-    child:wait([[table.concat(vim.api.nvim_buf_get_lines(..., 0, -1, false)):find('a_much_longer_name', 1, true)]], bufnr)
+    child:wait(
+      [[table.concat(vim.api.nvim_buf_get_lines(..., 0, -1, false)):find('a_much_longer_name', 1, true)]],
+      bufnr
+    )
     child:at('<xacro:unit name="ti|lt"')
     child:wait(line_in('xacro-expanded:') .. [[:find('tilt', 1, true)]])
     child:type('<C-w>w')
@@ -260,9 +270,12 @@ return function(test, skip)
       end)
       socket:write(('GET / HTTP/1.1\r\nHost: %s:%s\r\nConnection: close\r\n\r\n'):format(host, port))
     end)
-    assert(vim.wait(10000, function()
-      return answer:find('^HTTP/1%.%d 200') ~= nil
-    end), answer)
+    assert(
+      vim.wait(10000, function()
+        return answer:find('^HTTP/1%.%d 200') ~= nil
+      end),
+      answer
+    )
     socket:close()
   end)
 
@@ -278,7 +291,9 @@ return function(test, skip)
     child:lua([[vim.cmd.edit(...)]], child.folder .. '/' .. fixture.robot)
     child:change('axis="0 1 0"><origin', 'axis="0 1 0" ><origin')
     child:change('name="tilt"', 'name="nod"')
-    child:wait([[table.concat(vim.api.nvim_buf_get_lines(vim.fn.bufnr('xacro-tree:'), 0, -1, false)):find('nod_body', 1, true)]])
+    child:wait(
+      [[table.concat(vim.api.nvim_buf_get_lines(vim.fn.bufnr('xacro-tree:'), 0, -1, false)):find('nod_body', 1, true)]]
+    )
   end)
 
   test('the server shows a document beside made text', function(child)

@@ -57,8 +57,7 @@ local function manifest(name, depends)
 end
 
 files['src/pan_tilt/package.xml'] = manifest('pan_tilt', '<exec_depend>xacro</exec_depend>')
-files['src/desk/package.xml'] =
-  manifest('desk', '<exec_depend>xacro</exec_depend><exec_depend>pan_tilt</exec_depend>')
+files['src/desk/package.xml'] = manifest('desk', '<exec_depend>xacro</exec_depend><exec_depend>pan_tilt</exec_depend>')
 
 ---@param path string
 ---@param text string

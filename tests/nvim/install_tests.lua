@@ -13,7 +13,9 @@ return function(test)
     child:edit(fixture.robot)
     child:wait([[require('xacro').status() ~= '']])
     child:lua([[vim.cmd('checkhealth xacro')]])
-    local text = child:wait([[vim.bo.filetype == 'checkhealth' and table.concat(vim.api.nvim_buf_get_lines(0, 0, -1, false), '\n')]])
+    local text = child:wait(
+      [[vim.bo.filetype == 'checkhealth' and table.concat(vim.api.nvim_buf_get_lines(0, 0, -1, false), '\n')]]
+    )
     for _, part in ipairs({ 'xacro-lsp 0', 'is shown under: pan_tilt.urdf.xacro', '*.xacro is of filetype xacro' }) do
       assert(text:find(part, 1, true), text)
     end
@@ -22,7 +24,9 @@ return function(test)
 
   test('checkhealth says what to do without server', { server = '/nowhere/xacro-lsp' }, function(child)
     child:lua([[vim.cmd('checkhealth xacro')]])
-    local text = child:wait([[vim.bo.filetype == 'checkhealth' and table.concat(vim.api.nvim_buf_get_lines(0, 0, -1, false), '\n')]])
+    local text = child:wait(
+      [[vim.bo.filetype == 'checkhealth' and table.concat(vim.api.nvim_buf_get_lines(0, 0, -1, false), '\n')]]
+    )
     assert(text:find('ERROR', 1, true) and text:find('is not in PATH', 1, true), text)
   end)
 

@@ -58,10 +58,8 @@ return function(test)
     child:lua([[vim.api.nvim_win_set_cursor(0, { vim.api.nvim_buf_line_count(0), 100 })]])
     child:type('A<C-x><C-o>')
     child:wait('vim.fn.pumvisible() == 1')
-    local words = child:value(
-      [[vim.tbl_map(function(item) return item.abbr ~= '' and item.abbr or item.word end,
-        vim.fn.complete_info({ 'items' }).items)]]
-    )
+    local words = child:value([[vim.tbl_map(function(item) return item.abbr ~= '' and item.abbr or item.word end,
+        vim.fn.complete_info({ 'items' }).items)]])
     for _, link in ipairs({ 'desk', 'pan_body', 'tilt_body' }) do
       assert(vim.tbl_contains(words, link), vim.inspect(words))
     end
@@ -151,11 +149,8 @@ return function(test)
 
   test('symbols of a document form a tree', function(child)
     child:edit(fixture.unit)
-    local symbols = child:value(
-      ask,
-      'textDocument/documentSymbol',
-      { textDocument = { uri = child:value('vim.uri_from_bufnr(0)') } }
-    )
+    local symbols =
+      child:value(ask, 'textDocument/documentSymbol', { textDocument = { uri = child:value('vim.uri_from_bufnr(0)') } })
     local macro = vim.iter(symbols):find(function(symbol)
       return symbol.name:find('unit')
     end) or symbols[1].children[1]

@@ -17,7 +17,9 @@ return function(test)
     child:at('<link name="$(arg mount)|"/>')
     child:type('o<lt>link name="x"><Esc>')
     child:wait([[vim.api.nvim_get_mode().mode == 'n']])
-    child:value([[vim.lsp.buf_request_sync(0, 'textDocument/foldingRange', { textDocument = { uri = vim.uri_from_bufnr(0) } }, 10000)]])
+    child:value(
+      [[vim.lsp.buf_request_sync(0, 'textDocument/foldingRange', { textDocument = { uri = vim.uri_from_bufnr(0) } }, 10000)]]
+    )
     assert(not child:text():find('</link>', 1, true), child:text())
   end)
 
@@ -36,7 +38,10 @@ return function(test)
 
   test('colours are shown', function(child)
     child:edit(fixture.robot)
-    child:change('<link name="$(arg mount)"/>', '<link name="$(arg mount)"/><material name="red"><color rgba="1 0 0 1"/></material>')
+    child:change(
+      '<link name="$(arg mount)"/>',
+      '<link name="$(arg mount)"/><material name="red"><color rgba="1 0 0 1"/></material>'
+    )
     child:wait([[(function()
       for name, space in pairs(vim.api.nvim_get_namespaces()) do
         if name:find('color') and #vim.api.nvim_buf_get_extmarks(0, space, 0, -1, {}) > 0 then return true end
@@ -47,7 +52,10 @@ return function(test)
   test('gx opens an include here and a mesh elsewhere', function(child)
     fixture.write(child.folder .. '/src/pan_tilt/meshes/head.stl', ('\0'):rep(84))
     child:edit(fixture.robot)
-    child:change('<link name="$(arg mount)"/>', '<link name="$(arg mount)"><visual><geometry><mesh filename="package://pan_tilt/meshes/head.stl"/></geometry></visual></link>')
+    child:change(
+      '<link name="$(arg mount)"/>',
+      '<link name="$(arg mount)"><visual><geometry><mesh filename="package://pan_tilt/meshes/head.stl"/></geometry></visual></link>'
+    )
     child:at('package://pan_tilt/mesh|es')
     child:type('gx')
     child:wait('_G.opened[1]')
@@ -81,7 +89,8 @@ return function(test)
   test('values of XML carry expressions in colour', function(child)
     child:edit(fixture.robot)
     local row, column = child:at('${m|0 / 3}')
-    local group = child:value([[vim.fn.synIDattr(vim.fn.synID(select(1, ...), select(2, ...), 1), 'name')]], row, column + 1)
+    local group =
+      child:value([[vim.fn.synIDattr(vim.fn.synID(select(1, ...), select(2, ...), 1), 'name')]], row, column + 1)
     assert(group == 'xacroExpression', group)
     assert(child:value('vim.bo.commentstring') == '<!-- %s -->')
   end)
