@@ -115,3 +115,16 @@ fn clients_that_pull_are_told_when_another_file_changed() {
     let report = client.request("textDocument/diagnostic", client.of(ROBOT));
     assert_eq!(report["items"].as_array().unwrap().len(), 2, "{report}");
 }
+
+#[test]
+fn an_error_in_a_closed_macro_file_is_shown_at_the_call() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    client.edit(ROBOT, "axis=\"0 1 0\"", "axis=\"0 0 0\"");
+    let found = client.diagnostics(ROBOT);
+    assert_eq!(found.iter().map(short).collect::<Vec<_>>(), ["8:2-13 zero-axis"]);
+    let cause = &found[0]["relatedInformation"][0]["location"];
+    assert!(cause["uri"].as_str().unwrap().ends_with("unit.xacro"), "{cause}");
+    client.open(UNIT);
+    assert_eq!(client.findings(UNIT), ["7:6-11 zero-axis"]);
+}

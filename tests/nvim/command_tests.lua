@@ -90,6 +90,9 @@ return function(test, skip)
     child:wait(line_in('xacro-expanded:') .. [[:find('"pan', 1, true)]])
     child:type('j')
     child:wait(line_in('xacro-expanded:') .. [[:find('tilt', 1, true)]])
+    -- in front of the tag as well
+    child:type('0k')
+    child:wait(line_in('xacro-expanded:') .. [[:find('"pan', 1, true)]])
   end)
 
   test('all instances of a line in a macro are marked', function(child)

@@ -141,6 +141,15 @@ function M.to_column(line, units, encoding)
   return ok and column or #line
 end
 
+--- A byte column of a line, counted as the server counts.
+---@param line string
+---@param column integer
+---@param client vim.lsp.Client
+---@return integer
+function M.units(line, column, client)
+  return to_units(line, column, client.offset_encoding)
+end
+
 ---@param bufnr integer
 ---@param row integer from 0
 ---@return string

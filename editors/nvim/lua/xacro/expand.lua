@@ -10,7 +10,6 @@ local M = {}
 ---@field source integer the buffer whose robot is shown
 ---@field window integer where sources are shown
 ---@field root? { uri: string, args?: table<string, string> }
----@field args? table<string, string>
 ---@field fresh boolean whether the text is that of the present sources
 ---@field shown boolean whether there is a text yet
 ---@field errors table[]
@@ -28,49 +27,56 @@ local function base(uri)
   return vim.fs.basename(vim.uri_to_fname(uri))
 end
 
---- The line above the expanded text: the robot, or what keeps the text from being up to date.
+--- Cut a text to a width, as 'winbar' would do at the wrong end.
+---@param text string
+---@param width integer
 ---@return string
-local function banner()
+local function cut(text, width)
+  if vim.fn.strdisplaywidth(text) > width then
+    text = vim.fn.strcharpart(text, 0, math.max(width - 1, 0)) .. '…'
+  end
+  return scratch.escaped(text)
+end
+
+--- The line above the expanded text: the robot, or what keeps the text from being up to date.
+---@param width integer
+---@return string
+local function banner(width)
   assert(view)
-  local parts = {}
   if not view.root then
     return 'expanding'
   end
-  for name, value in vim.spairs(view.args or {}) do
-    parts[#parts + 1] = ('%s:=%s'):format(name, value)
-  end
-  local title = scratch.escaped(table.concat(vim.list_extend({ base(view.root.uri) }, parts), ' '))
   if view.fresh then
-    return ('%%#XacroTitle# %s %%*%%=%s '):format(title, scratch.escaped(view.way))
+    local title = vim.trim(base(view.root.uri) .. ' ' .. require('xacro.status').args(view.root))
+    local left = cut(title, width - vim.fn.strdisplaywidth(view.way) - 3)
+    return ('%%#XacroTitle# %s %%*%%=%s '):format(left, scratch.escaped(view.way))
   end
   local first = view.errors[1]
   local why = 'no answer'
   if first then
     local line = first.location.range.start.line + 1
-    why = ('%s:%d: %s'):format(base(first.location.uri), line, first.message)
-    if #view.errors > 1 then
-      why = ('%s (and %d more)'):format(why, #view.errors - 1)
-    end
+    local more = #view.errors > 1 and (' (and %d more)'):format(#view.errors - 1) or ''
+    why = ('%s:%d: %s%s'):format(base(first.location.uri), line, first.message, more)
   end
   local what = view.shown and 'last good text' or 'as far as it goes'
-  return ('%%#XacroBanner# %s: %s '):format(what, scratch.escaped(why))
+  return ('%%#XacroBanner# %s '):format(cut(what .. ': ' .. why, width - 2))
 end
 
 local function show_banner()
   if view then
     for _, window in ipairs(vim.fn.win_findbuf(view.bufnr)) do
-      vim.wo[window].winbar = banner()
+      vim.wo[window].winbar = banner(vim.api.nvim_win_get_width(window))
     end
   end
 end
 
----@param answer { ok: boolean, urdf: string, root: table, args: table, errors: table[] }
+---@param answer { ok: boolean, urdf: string, root: table, errors: table[] }
 local function take(answer)
   if not view then
     return
   end
   local same = view.root and view.root.uri == answer.root.uri
-  view.root, view.args, view.errors = answer.root, answer.args, answer.errors
+  view.root, view.errors = answer.root, answer.errors
   view.fresh = answer.ok
   if answer.ok or not view.shown or not same then
     scratch.set_lines(view.bufnr, vim.split((answer.urdf:gsub('\n$', '')), '\n'))
@@ -129,6 +135,56 @@ local function move_to(ranges, client)
   end
 end
 
+--- The tag of the line, for cursors in front of it or between its attributes.
+---@param client vim.lsp.Client
+---@return { textDocument: { uri: string }, position: lsp.Position }?
+local function tag_of_line(client)
+  local before = vim.api.nvim_get_current_line():match('^(.-<)[%a]')
+  local place = talk.here(client)
+  if before then
+    place.position.character = talk.units(before, #before, client)
+    return place
+  end
+end
+
+--- Show what a place of a source made.
+---@param instances { range: lsp.Range, label: string }[]
+---@param client vim.lsp.Client
+local function show_instances(instances, client)
+  assert(view)
+  local ranges, labels = {}, {}
+  for _, instance in ipairs(instances) do
+    ranges[#ranges + 1] = instance.range
+    labels[#labels + 1] = instance.label
+  end
+  scratch.mark(view.bufnr, ranges, client, marks)
+  view.way = #labels == 1 and labels[1] or #labels > 1 and ('%d instances'):format(#labels) or ''
+  show_banner()
+  if #ranges > 0 then
+    move_to(ranges, client)
+  end
+end
+
+---@param bufnr integer
+---@param client vim.lsp.Client
+---@param place { textDocument: { uri: string }, position: lsp.Position }
+---@param otherwise? { textDocument: { uri: string }, position: lsp.Position } asked when the first made nothing
+local function ask_instances(bufnr, client, place, otherwise)
+  assert(view)
+  view.cancel_cursor = talk.ask(bufnr, 'xacro/toExpanded', place, function(answer)
+    if not view or not view.fresh then
+      return
+    end
+    view.cancel_cursor = nil
+    if answer.root.uri ~= view.root.uri then
+      return
+    elseif #answer.instances == 0 and otherwise then
+      return ask_instances(bufnr, client, otherwise)
+    end
+    show_instances(answer.instances, client)
+  end, true)
+end
+
 --- The cursor of a source moved: show what it made.
 function M.from_source()
   local bufnr = vim.api.nvim_get_current_buf()
@@ -141,27 +197,7 @@ function M.from_source()
     view.cancel_cursor()
   end
   scratch.unmark(bufnr)
-  view.cancel_cursor = talk.ask(bufnr, 'xacro/toExpanded', talk.here(client), function(answer)
-    if not view or not view.fresh then
-      return
-    end
-    view.cancel_cursor = nil
-    if answer.root.uri ~= view.root.uri then
-      return
-    end
-    local ranges = vim.tbl_map(function(instance)
-      return instance.range
-    end, answer.instances)
-    scratch.mark(view.bufnr, ranges, client, marks)
-    local labels = vim.tbl_map(function(instance)
-      return instance.label
-    end, answer.instances)
-    view.way = #labels == 1 and labels[1] or #labels > 1 and ('%d instances'):format(#labels) or ''
-    show_banner()
-    if #ranges > 0 then
-      move_to(ranges, client)
-    end
-  end, true)
+  ask_instances(bufnr, client, talk.here(client), tag_of_line(client))
 end
 
 ---@param on_places fun(places: table[], client: vim.lsp.Client)

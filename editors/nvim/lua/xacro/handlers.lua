@@ -6,10 +6,12 @@ function M.of_server()
   return {
     ['xacro/contextChanged'] = function(_, params)
       require('xacro.status').set(params.textDocument.uri, params.text)
+      require('xacro.hints').again(vim.uri_to_bufnr(params.textDocument.uri))
       require('xacro.expand').refresh()
       require('xacro.tree').refresh()
     end,
     ['window/showDocument'] = M.show_document,
+    ['workspace/inlayHint/refresh'] = require('xacro.hints').refresh,
   }
 end
 
