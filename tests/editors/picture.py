@@ -176,7 +176,7 @@ def show(terminal: Terminal) -> str:
     terminal.wait("the finding", "names parent link")
     terminal.text('/number="3"')
     terminal.keys("Enter")
-    terminal.text("zz0w")
+    terminal.text("zz0f:l")
     terminal.wait("the expanded text to follow", '<joint name="joint_3"')
     terminal.text(":nohlsearch | echo '' | lua vim.lsp.buf.hover({ border = 'rounded', max_width = 62 })")
     terminal.keys("Enter")

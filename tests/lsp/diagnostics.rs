@@ -126,5 +126,5 @@ fn an_error_in_a_closed_macro_file_is_shown_at_the_call() {
     let cause = &found[0]["relatedInformation"][0]["location"];
     assert!(cause["uri"].as_str().unwrap().ends_with("unit.xacro"), "{cause}");
     client.open(UNIT);
-    assert_eq!(client.findings(UNIT), ["7:6-11 zero-axis"]);
+    assert_eq!(client.findings(UNIT), ["7:17-24 zero-axis"]);
 }
