@@ -85,6 +85,11 @@ class Style:
                 self.paper = None
 
 
+def columns(text: str) -> int:
+    """How many columns a text takes in a terminal."""
+    return sum(2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in text)
+
+
 def runs(line: str, style: Style):
     """Pieces of a line with the column they start at, each in one style."""
     column = 0
@@ -92,7 +97,7 @@ def runs(line: str, style: Style):
         if part.startswith("\x1b["):
             style.take(part[2:-1])
         elif part:
-            width = sum(2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in part)
+            width = columns(part)
             yield column, width, part
             column += width
 
@@ -112,13 +117,14 @@ def svg(screen: str) -> str:
                 boxes.append(
                     f'<rect x="{x:g}" y="{y + CELL_Y - 2:g}" width="{width * CELL_X:g}" height="1" fill="{ink}"/>'
                 )
-            if part.strip():
-                weight = ' font-weight="bold"' if style.bold else ""
-                slant = ' font-style="italic"' if style.italic else ""
-                # the length is given, so that every font keeps the columns
+            weight = ' font-weight="bold"' if style.bold else ""
+            slant = ' font-style="italic"' if style.italic else ""
+            for word in re.finditer(r"\S+", part):
+                # place and length are given, so that every font keeps the columns
+                left, long = x + columns(part[: word.start()]) * CELL_X, columns(word.group()) * CELL_X
                 texts.append(
-                    f'<text x="{x:g}" y="{y + CELL_Y - 4.5:g}" fill="{ink}"{weight}{slant} '
-                    f'textLength="{width * CELL_X:g}" lengthAdjust="spacingAndGlyphs">{html.escape(part)}</text>'
+                    f'<text x="{left:g}" y="{y + CELL_Y - 4.5:g}" fill="{ink}"{weight}{slant} '
+                    f'textLength="{long:g}" lengthAdjust="spacingAndGlyphs">{html.escape(word.group())}</text>'
                 )
     width, height = WIDTH * CELL_X, len(lines) * CELL_Y
     return (
@@ -191,7 +197,8 @@ def main() -> None:
     options = parser.parse_args()
     base = pathlib.Path(tempfile.mkdtemp(prefix="xacro-picture-"))
     try:
-        picture = svg(drive(options, base))
+        screen = drive(options, base)
+        picture = svg(screen)
     finally:
         shutil.rmtree(base, ignore_errors=True)
     target = ROOT / "docs" / "images" / "neovim.svg"
