@@ -58,7 +58,9 @@ impl Engine {
 
     /// Say at once what can be said of an edit; whether that is all.
     fn first_look(&mut self, path: PathBuf) -> bool {
-        let Some(look) = self.world.first_look(&path) else { return false };
+        let Some(look) = self.world.first_look(&path).filter(|_| !self.with_calls.contains(&path)) else {
+            return false;
+        };
         let found = look.findings.iter().take(MOST).filter_map(|finding| self.diagnostic(finding)).collect();
         self.publish_one(path, found);
         look.is_complete
@@ -70,8 +72,13 @@ impl Engine {
         let report = self.world.report(&open, cancel)?;
         let mut found: BTreeMap<PathBuf, Vec<Diagnostic>> =
             open.into_iter().map(|path| (path, Vec::new())).collect();
+        self.with_calls.clear();
         for finding in &report.findings {
-            for (path, diagnostic) in self.shown(&report, finding) {
+            let shown = self.shown(&report, finding);
+            if let [(at_call, _), _] = shown.as_slice() {
+                self.with_calls.insert(at_call.clone());
+            }
+            for (path, diagnostic) in shown {
                 let list = found.entry(path).or_default();
                 if list.len() < MOST {
                     list.push(diagnostic);
@@ -92,8 +99,10 @@ impl Engine {
             let call = finding.related.iter().find(|related| related.is_call && open(related.span.file));
             all.extend(call.and_then(|call| {
                 let place = self.location(finding.span)?;
-                let cause = DiagnosticRelatedInformation { location: place, message: "caused here".to_owned() };
-                let related = std::iter::once(cause).chain(own.related_information.clone().unwrap_or_default());
+                let cause =
+                    DiagnosticRelatedInformation { location: place, message: "caused here".to_owned() };
+                let related =
+                    std::iter::once(cause).chain(own.related_information.clone().unwrap_or_default());
                 let at_call = Diagnostic {
                     range: self.location(call.span)?.range,
                     related_information: Some(related.take(MOST_RELATED).collect()),

@@ -184,7 +184,7 @@ def show(terminal: Terminal) -> str:
     terminal.keys("Enter")
     terminal.text("zz0f:l")
     terminal.wait("the expanded text to follow", '<joint name="joint_3"')
-    terminal.text(":nohlsearch | echo '' | lua vim.lsp.buf.hover({ border = 'rounded', max_width = 62 })")
+    terminal.text(":nohlsearch | echo '' | lua vim.lsp.buf.hover({ border = 'rounded', max_width = 56, anchor_bias = 'above' })")
     terminal.keys("Enter")
     terminal.wait("the hover", "╭")
     return terminal.screen(colours=True)

@@ -93,8 +93,7 @@ fn a_call_shows_all_that_came_through_it() {
     let urdf = expanded["urdf"].as_str().unwrap().to_owned();
     let answer = client.request("xacro/toExpanded", client.at(ROBOT, "<xacro:un|it name=\"tilt\""));
     let range = &answer["instances"][0]["range"];
-    let [start, end] =
-        ["start", "end"].map(|side| super::client::offset(&urdf, &range[side]));
+    let [start, end] = ["start", "end"].map(|side| super::client::offset(&urdf, &range[side]));
     let made = urdf.get(start..end).unwrap();
     assert!(made.contains("tilt_body") && made.contains("<joint name=\"tilt\""), "{made}");
     assert!(!made.contains("name=\"pan\""), "{made}");

@@ -78,6 +78,9 @@ local function take(answer)
   local same = view.root and view.root.uri == answer.root.uri
   view.root, view.errors = answer.root, answer.errors
   view.fresh = answer.ok
+  if not same then
+    pcall(vim.api.nvim_buf_set_name, view.bufnr, 'xacro-expanded://' .. base(answer.root.uri))
+  end
   if answer.ok or not view.shown or not same then
     scratch.set_lines(view.bufnr, vim.split((answer.urdf:gsub('\n$', '')), '\n'))
     view.shown = answer.ok
