@@ -129,6 +129,11 @@ pub fn instances(
         passed.retain(|(range, _, _)| *range == size);
         return passed.into_iter().map(|(_, out, frame)| (out, frame)).collect();
     }
+    if let Some((length, made)) = made_by_calls(expansion, written, file, offset)
+        && (smallest.is_empty() || length < least.1)
+    {
+        return made;
+    }
     let mut found: Vec<(TextRange, FrameId)> = smallest
         .into_iter()
         .filter(|(_, (size, _))| *size == least)
@@ -151,6 +156,36 @@ fn passed_on(
         Some((range, entry.out, entry.origin.frame))
     });
     given.collect()
+}
+
+/// What the macro call or include at an offset made, and how long its tag is: a call leaves nothing of itself
+/// in the expanded text, so all that came through it counts. Each way there is a stretch of its own.
+fn made_by_calls(
+    expansion: &Expansion,
+    written: &Written,
+    file: crate::expand::FileIdx,
+    offset: u32,
+) -> Option<(u32, Vec<(TextRange, FrameId)>)> {
+    let holds = |frame: &crate::expand::Frame| {
+        let place = expansion.place(frame.call)?;
+        let here = place.file == file && place.range.start <= offset && offset <= place.range.end;
+        (here && frame.kind != FrameKind::Root).then(|| place.range.len())
+    };
+    let calls: FastMap<u32, u32> =
+        (0u32..).zip(&expansion.frames).filter_map(|(id, frame)| Some((id, holds(frame)?))).collect();
+    let least = calls.values().copied().min()?;
+    let mut made: FastMap<u32, TextRange> = FastMap::default();
+    for entry in &written.map {
+        let parent = |id: &u32| expansion.frames.get(*id as usize).filter(|f| f.kind != FrameKind::Root);
+        let way = std::iter::successors(Some(entry.origin.frame.0), |id| Some(parent(id)?.call.frame.0));
+        for id in way.filter(|id| calls.get(id) == Some(&least)) {
+            let all = made.entry(id).or_insert(entry.out);
+            *all = TextRange::new(all.start.min(entry.out.start), all.end.max(entry.out.end));
+        }
+    }
+    let mut made: Vec<(TextRange, FrameId)> = made.into_iter().map(|(id, out)| (out, FrameId(id))).collect();
+    made.sort_by_key(|(out, _)| out.start);
+    (!made.is_empty()).then_some((least, made))
 }
 
 /// The steps that led to an origin, innermost first, without the root.

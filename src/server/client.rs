@@ -1,6 +1,6 @@
 //! What the client can do.
 
-use lsp_types::{ClientCapabilities, ResourceOperationKind};
+use lsp_types::{InitializeParams, ResourceOperationKind};
 
 /// What the client can do.
 #[derive(Clone, Copy, Debug, Default)]
@@ -39,7 +39,8 @@ pub(super) struct ClientFacts {
 }
 
 impl ClientFacts {
-    pub fn of(capabilities: &ClientCapabilities) -> Self {
+    pub fn of(params: &InitializeParams) -> Self {
+        let capabilities = &params.capabilities;
         let workspace = capabilities.workspace.clone().unwrap_or_default();
         let text = capabilities.text_document.clone().unwrap_or_default();
         let item = text.completion.as_ref().and_then(|completion| completion.completion_item.clone());
@@ -52,7 +53,8 @@ impl ClientFacts {
         let versions = edit.document_changes.unwrap_or(false);
         let operation = |kind| versions && operations.contains(&kind);
         Self {
-            pulls_diagnostics: text.diagnostic.is_some(),
+            // Neovim asks again for the file that was edited only, also when it is told to ask for all
+            pulls_diagnostics: text.diagnostic.is_some() && !is_neovim(params),
             refreshes_diagnostics: yes(workspace.diagnostic.as_ref().map(|d| d.refresh_support)),
             refreshes_tokens: yes(workspace.semantic_tokens.as_ref().map(|d| d.refresh_support)),
             refreshes_hints: yes(workspace.inlay_hint.as_ref().map(|d| d.refresh_support)),
@@ -74,4 +76,8 @@ impl ClientFacts {
             label_offsets: parameter.and_then(|p| p.label_offset_support).unwrap_or(false),
         }
     }
+}
+
+fn is_neovim(params: &InitializeParams) -> bool {
+    params.client_info.as_ref().is_some_and(|client| client.name == "Neovim")
 }

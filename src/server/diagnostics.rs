@@ -16,6 +16,7 @@ use lsp_types::{
 use super::engine::Engine;
 use super::failure::Failure;
 use super::outbox::Message;
+use crate::analysis::Report;
 use crate::base::CancelFlag;
 use crate::rules::{Finding, Severity};
 
@@ -31,8 +32,15 @@ impl Engine {
             self.due = None;
             let cancel = self.pressure.background();
             self.tell_contexts(&cancel);
-            return;
+        } else {
+            self.push_diagnostics();
         }
+        if self.due.is_none() && self.documents.len() > 1 {
+            self.refresh_others();
+        }
+    }
+
+    fn push_diagnostics(&mut self) {
         let touched = std::mem::take(&mut self.touched);
         let mut complete = !touched.is_empty();
         for path in touched {
@@ -53,7 +61,9 @@ impl Engine {
 
     /// Say at once what can be said of an edit; whether that is all.
     fn first_look(&mut self, path: PathBuf) -> bool {
-        let Some(look) = self.world.first_look(&path) else { return false };
+        let Some(look) = self.world.first_look(&path).filter(|_| !self.with_calls.contains(&path)) else {
+            return false;
+        };
         let found = look.findings.iter().take(MOST).filter_map(|finding| self.diagnostic(finding)).collect();
         self.publish_one(path, found);
         look.is_complete
@@ -65,14 +75,48 @@ impl Engine {
         let report = self.world.report(&open, cancel)?;
         let mut found: BTreeMap<PathBuf, Vec<Diagnostic>> =
             open.into_iter().map(|path| (path, Vec::new())).collect();
+        self.with_calls.clear();
         for finding in &report.findings {
-            let path = report.path(finding.span.file);
-            let list = found.entry(path.to_path_buf()).or_default();
-            if list.len() < MOST {
-                list.extend(self.diagnostic(finding));
+            let shown = self.shown(&report, finding);
+            if let [(at_call, _), _] = shown.as_slice() {
+                self.with_calls.insert(at_call.clone());
+            }
+            for (path, diagnostic) in shown {
+                let list = found.entry(path).or_default();
+                if list.len() < MOST {
+                    list.push(diagnostic);
+                }
             }
         }
         Some(found)
+    }
+
+    /// A finding at its place. An error in a file that is not open, such as a macro of another package, is
+    /// shown at the call that led there as well: that is the text the author has changed.
+    fn shown(&self, report: &Report, finding: &Finding) -> Vec<(PathBuf, Diagnostic)> {
+        let path = report.path(finding.span.file);
+        let Some(own) = self.diagnostic(finding) else { return Vec::new() };
+        let mut all = Vec::new();
+        let open = |file| self.documents.contains_key(report.path(file));
+        if finding.severity == Severity::Error && !open(finding.span.file) {
+            let call = finding.related.iter().find(|related| related.is_call && open(related.span.file));
+            all.extend(call.and_then(|call| {
+                let place = self.location(finding.span)?;
+                let cause =
+                    DiagnosticRelatedInformation { location: place, message: "caused here".to_owned() };
+                let related =
+                    std::iter::once(cause).chain(own.related_information.clone().unwrap_or_default());
+                let at_call = Diagnostic {
+                    range: self.location(call.span)?.range,
+                    related_information: Some(related.take(MOST_RELATED).collect()),
+                    data: None,
+                    ..own.clone()
+                };
+                Some((report.path(call.span.file).to_path_buf(), at_call))
+            }));
+        }
+        all.push((path.to_path_buf(), own));
+        all
     }
 
     /// Send what differs from what was sent before.
@@ -144,8 +188,8 @@ impl Engine {
 
     fn of_file(&mut self, path: &Path, cancel: &CancelFlag) -> Result<Vec<Diagnostic>, Failure> {
         let report = self.world.report(&[path.to_path_buf()], cancel).ok_or(Failure::Cancelled)?;
-        let own = report.findings.iter().filter(|finding| report.path(finding.span.file) == path);
-        Ok(own.take(MOST).filter_map(|finding| self.diagnostic(finding)).collect())
+        let shown = report.findings.iter().flat_map(|finding| self.shown(&report, finding));
+        Ok(shown.filter(|(at, _)| at == path).map(|(_, diagnostic)| diagnostic).take(MOST).collect())
     }
 
     fn diagnostic(&self, finding: &Finding) -> Option<Diagnostic> {

@@ -48,6 +48,8 @@ pub(super) struct Engine {
     pub hint_settings: crate::ide::HintSettings,
     /// Files that were edited since diagnostics were made the last time, even in haste.
     pub touched: BTreeSet<PathBuf>,
+    /// Open files with errors of closed files, shown at the calls.
+    pub with_calls: BTreeSet<PathBuf>,
     /// Something else than a comment changed since the last whole check.
     pub wants_check: bool,
     /// When diagnostics are to be made.
@@ -84,6 +86,7 @@ impl Engine {
             told: BTreeMap::new(),
             hint_settings: crate::ide::HintSettings::default(),
             touched: BTreeSet::new(),
+            with_calls: BTreeSet::new(),
             wants_check: true,
             due: None,
             delay: Self::DELAY,

@@ -4,8 +4,8 @@
 
 use std::borrow::Cow;
 
-use serde::Deserialize;
 use serde::de::IgnoredAny;
+use serde::{Deserialize, Deserializer};
 use serde_json::{Value, json};
 use tokio::io::{AsyncBufReadExt, AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt, BufReader};
 
@@ -65,8 +65,15 @@ struct Head<'a> {
     #[serde(borrow)]
     method: Option<Cow<'a, str>>,
     id: Option<Value>,
-    result: Option<IgnoredAny>,
-    error: Option<IgnoredAny>,
+    #[serde(default, deserialize_with = "is_there")]
+    result: bool,
+    #[serde(default, deserialize_with = "is_there")]
+    error: bool,
+}
+
+/// Whether a field is there: `null` is a result like any other.
+fn is_there<'de, D: Deserializer<'de>>(field: D) -> Result<bool, D::Error> {
+    IgnoredAny::deserialize(field).map(|_| true)
 }
 
 /// The body, mended where it can be; a note about it where it is no message.
@@ -79,8 +86,7 @@ fn checked(body: &[u8]) -> Vec<u8> {
         Err(error) => return bad(error.to_string()).to_string().into_bytes(),
     };
     let id_fits = head.id.as_ref().is_none_or(|id| id.is_string() || id.is_i64() || id.is_null());
-    let is_reply =
-        head.method.is_none() && head.id.is_some() && (head.result.is_some() || head.error.is_some());
+    let is_reply = head.method.is_none() && head.id.is_some() && (head.result || head.error);
     if head.jsonrpc.as_deref() != Some("2.0") || !id_fits || !(head.method.is_some() || is_reply) {
         return bad("it is no message of JSON-RPC 2.0".to_owned()).to_string().into_bytes();
     }
@@ -89,6 +95,7 @@ fn checked(body: &[u8]) -> Vec<u8> {
         (Some("shutdown"), Some(id)) => {
             json!({ "jsonrpc": "2.0", "id": id, "method": "shutdown" }).to_string().into_bytes()
         }
+        (Some("initialize"), Some(_)) => with_our_name_of_diagnostics(mended),
         (Some("exit"), _) => json!({ "jsonrpc": "2.0", "method": "exit" }).to_string().into_bytes(),
         // requests with `$/` that are not known must be answered all the same
         (Some(method), Some(id)) if method.starts_with("$/") => {
@@ -97,6 +104,19 @@ fn checked(body: &[u8]) -> Vec<u8> {
                 .into_bytes()
         }
         _ => mended.into_owned(),
+    }
+}
+
+/// The protocol says `workspace.diagnostics`; the types that read it say `diagnostic`.
+fn with_our_name_of_diagnostics(body: Cow<'_, [u8]>) -> Vec<u8> {
+    let Ok(mut message) = serde_json::from_slice::<Value>(&body) else { return body.into_owned() };
+    let workspace = message.pointer_mut("/params/capabilities/workspace").and_then(Value::as_object_mut);
+    match workspace.and_then(|workspace| Some((workspace.remove("diagnostics")?, workspace))) {
+        Some((diagnostics, workspace)) => {
+            workspace.insert("diagnostic".to_owned(), diagnostics);
+            message.to_string().into_bytes()
+        }
+        None => body.into_owned(),
     }
 }
 
@@ -167,6 +187,13 @@ mod tests {
             let passed = pumped(&format!("Content-Length: {}\r\n\r\n{body}", body.len()));
             assert!(passed.contains(BAD_MESSAGE), "{body}: {passed}");
         }
+    }
+
+    #[test]
+    fn replies_may_say_nothing() {
+        let body = r#"{"jsonrpc":"2.0","result":null,"id":0}"#;
+        let plain = format!("Content-Length: {}\r\n\r\n{body}", body.len());
+        assert_eq!(pumped(&plain), plain);
     }
 
     #[test]

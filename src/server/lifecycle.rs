@@ -24,7 +24,7 @@ impl Engine {
         (params, shutdown): (InitializeParams, Shutdown),
         _: &CancelFlag,
     ) -> Result<InitializeResult, Failure> {
-        self.client = ClientFacts::of(&params.capabilities);
+        self.client = ClientFacts::of(&params);
         if let Some(process) = params.process_id {
             watch_process(process, shutdown);
         }
@@ -131,9 +131,13 @@ impl Engine {
 
     /// The client made the token for the scan, or will not show it.
     pub fn progress_created(&mut self, made: bool) {
-        if made && !self.world.is_scanned() {
+        if made {
             self.progress = Some("xacro/scan".to_owned());
             self.report_progress(json!({ "kind": "begin", "title": "Indexing robot descriptions" }));
+        }
+        // some clients turn their sign from here on, whether it began or not
+        if made && self.world.is_scanned() {
+            self.end_progress();
         }
     }
 
@@ -147,8 +151,7 @@ impl Engine {
                 self.report_progress(json!({ "kind": "report", "message": message }));
             }
             None => {
-                self.report_progress(json!({ "kind": "end" }));
-                self.progress = None;
+                self.end_progress();
                 // other roots may be known now
                 if !self.documents.is_empty() {
                     self.schedule();
@@ -156,6 +159,11 @@ impl Engine {
                 }
             }
         }
+    }
+
+    fn end_progress(&mut self) {
+        self.report_progress(json!({ "kind": "end" }));
+        self.progress = None;
     }
 
     fn report_progress(&self, value: Value) {

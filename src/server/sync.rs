@@ -88,13 +88,21 @@ impl Engine {
 
     /// Have the client ask again for what it has asked for before.
     pub fn refresh(&self) {
-        let supported = [
-            (self.client.pulls_diagnostics && self.client.refreshes_diagnostics, &[Refresh::Diagnostics]),
-            (self.client.refreshes_tokens, &[Refresh::SemanticTokens]),
-            (self.client.refreshes_hints, &[Refresh::InlayHints]),
-            (self.client.refreshes_lenses, &[Refresh::CodeLens]),
-        ];
-        for (_, what) in supported.into_iter().filter(|(supported, _)| *supported && self.initialized) {
+        self.refresh_others();
+        self.refresh_when(self.client.refreshes_tokens, &[Refresh::SemanticTokens]);
+        self.refresh_when(self.client.refreshes_lenses, &[Refresh::CodeLens]);
+    }
+
+    /// After an edit: clients ask again for the file they changed, but findings and values in the other
+    /// open files may be different now too.
+    pub fn refresh_others(&self) {
+        let pulls = self.client.pulls_diagnostics && self.client.refreshes_diagnostics;
+        self.refresh_when(pulls, &[Refresh::Diagnostics]);
+        self.refresh_when(self.client.refreshes_hints, &[Refresh::InlayHints]);
+    }
+
+    fn refresh_when(&self, supported: bool, what: &'static [Refresh]) {
+        if supported && self.initialized {
             self.outbox.send(Message::Refresh(what));
         }
     }

@@ -207,3 +207,34 @@ fn a_finding_in_an_unsaved_macro_is_noted_at_its_calls_in_open_files() {
     assert_eq!(noted(client.findings(ROBOT)), at_calls);
     assert_eq!(noted(client.findings(UNIT)), ["4:53-55 negative-mass"]);
 }
+
+#[test]
+fn clients_that_pull_are_told_when_another_file_changed() {
+    let capabilities = json!({
+        "textDocument": { "diagnostic": {} },
+        "workspace": { "diagnostics": { "refreshSupport": true } },
+    });
+    let mut client = Client::with(pan_tilt(), Options { capabilities, ..Options::default() });
+    client.open(ROBOT);
+    client.open(UNIT);
+    client.edit(UNIT, "name=\"unit\"", "name=\"unitt\"");
+    let told = |client: &mut Client| {
+        client.asked.iter().find(|asked| asked["method"] == "workspace/diagnostic/refresh").map(|_| ())
+    };
+    client.wait(told, || "no refresh".to_owned());
+    let report = client.request("textDocument/diagnostic", client.of(ROBOT));
+    assert_eq!(report["items"].as_array().unwrap().len(), 2, "{report}");
+}
+
+#[test]
+fn an_error_in_a_closed_macro_file_is_shown_at_the_call() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    client.edit(ROBOT, "axis=\"0 1 0\"", "axis=\"0 0 0\"");
+    let found = client.diagnostics(ROBOT);
+    assert_eq!(found.iter().map(short).collect::<Vec<_>>(), ["8:2-13 zero-axis"]);
+    let cause = &found[0]["relatedInformation"][0]["location"];
+    assert!(cause["uri"].as_str().unwrap().ends_with("unit.xacro"), "{cause}");
+    client.open(UNIT);
+    assert_eq!(client.findings(UNIT), ["7:17-24 zero-axis"]);
+}

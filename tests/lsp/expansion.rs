@@ -86,6 +86,21 @@ fn a_macro_body_shows_all_it_made() {
 }
 
 #[test]
+fn a_call_shows_all_that_came_through_it() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    let expanded = client.request("xacro/expand", client.of(ROBOT));
+    let urdf = expanded["urdf"].as_str().unwrap().to_owned();
+    let answer = client.request("xacro/toExpanded", client.at(ROBOT, "<xacro:un|it name=\"tilt\""));
+    let range = &answer["instances"][0]["range"];
+    let [start, end] = ["start", "end"].map(|side| super::client::offset(&urdf, &range[side]));
+    let made = urdf.get(start..end).unwrap();
+    assert!(made.contains("tilt_body") && made.contains("<joint name=\"tilt\""), "{made}");
+    assert!(!made.contains("name=\"pan\""), "{made}");
+    assert_eq!(answer["instances"][0]["label"], "unit @ pan_tilt.urdf.xacro:8");
+}
+
+#[test]
 fn the_tree_lists_links_with_their_joints_and_masses() {
     let mut client = Client::start();
     client.open(UNIT);

@@ -117,3 +117,17 @@ fn a_single_file_without_folder_is_served() {
     client.edit(ROBOT, "${m0 / 3}", "${m1 / 3}");
     assert_eq!(client.findings(ROBOT), ["8:76-78 undefined-property"]);
 }
+
+#[test]
+fn progress_that_was_made_begins_and_ends() {
+    let capabilities = json!({ "window": { "workDoneProgress": true } });
+    let mut client = Client::with(pan_tilt(), Options { capabilities, ..Options::default() });
+    client.open(ROBOT);
+    let kinds = |client: &Client| -> Vec<String> {
+        let told = client.notes.iter().filter(|note| note["method"] == "$/progress");
+        told.map(|note| note["params"]["value"]["kind"].as_str().unwrap_or_default().to_owned()).collect()
+    };
+    let ended = |client: &mut Client| kinds(client).last().is_some_and(|last| last == "end").then_some(());
+    client.wait(ended, || "no end of the progress".to_owned());
+    assert_eq!(kinds(&client).first().map(String::as_str), Some("begin"));
+}

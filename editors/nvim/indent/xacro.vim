@@ -1,0 +1,3 @@
+if !exists('b:did_indent')
+  runtime! indent/xml.vim
+endif

@@ -1,0 +1,357 @@
+--- `:XacroExpand`: the expanded robot beside its source, both ways in step.
+local config = require('xacro.config')
+local scratch = require('xacro.scratch')
+local talk = require('xacro.client')
+
+local M = {}
+
+---@class xacro.View
+---@field bufnr integer the expanded text
+---@field source integer the buffer whose robot is shown
+---@field window integer where sources are shown
+---@field root? { uri: string, args?: table<string, string> }
+---@field fresh boolean whether the text is that of the present sources
+---@field shown boolean whether there is a text yet
+---@field errors table[]
+---@field way string from the line under the cursor to the calls that made it
+---@field cancel? fun() the question under way
+---@field cancel_cursor? fun()
+
+---@type xacro.View?
+local view
+local marks = vim.api.nvim_create_namespace('xacro_instances')
+
+---@param uri string
+---@return string
+local function base(uri)
+  return vim.fs.basename(vim.uri_to_fname(uri))
+end
+
+--- Cut a text to a width, as 'winbar' would do at the wrong end.
+---@param text string
+---@param width integer
+---@return string
+local function cut(text, width)
+  if vim.fn.strdisplaywidth(text) > width then
+    text = vim.fn.strcharpart(text, 0, math.max(width - 1, 0)) .. '…'
+  end
+  return scratch.escaped(text)
+end
+
+--- The line above the expanded text: the robot, or what keeps the text from being up to date.
+---@param width integer
+---@return string
+local function banner(width)
+  assert(view)
+  if not view.root then
+    return 'expanding'
+  end
+  if view.fresh then
+    local title = vim.trim(base(view.root.uri) .. ' ' .. require('xacro.status').args(view.root))
+    local left = cut(title, width - vim.fn.strdisplaywidth(view.way) - 3)
+    return ('%%#XacroTitle# %s %%*%%=%s '):format(left, scratch.escaped(view.way))
+  end
+  local first = view.errors[1]
+  local why = 'no answer'
+  if first then
+    local line = first.location.range.start.line + 1
+    local more = #view.errors > 1 and (' (and %d more)'):format(#view.errors - 1) or ''
+    why = ('%s:%d: %s%s'):format(base(first.location.uri), line, first.message, more)
+  end
+  local what = view.shown and 'last good text' or 'as far as it goes'
+  return ('%%#XacroBanner# %s '):format(cut(what .. ': ' .. why, width - 2))
+end
+
+local function show_banner()
+  if view then
+    for _, window in ipairs(vim.fn.win_findbuf(view.bufnr)) do
+      vim.wo[window].winbar = banner(vim.api.nvim_win_get_width(window))
+    end
+  end
+end
+
+---@param answer { ok: boolean, urdf: string, root: table, errors: table[] }
+local function take(answer)
+  if not view then
+    return
+  end
+  local same = view.root and view.root.uri == answer.root.uri
+  view.root, view.errors = answer.root, answer.errors
+  view.fresh = answer.ok
+  if not same then
+    pcall(vim.api.nvim_buf_set_name, view.bufnr, 'xacro-expanded://' .. base(answer.root.uri))
+  end
+  if answer.ok or not view.shown or not same then
+    scratch.set_lines(view.bufnr, vim.split((answer.urdf:gsub('\n$', '')), '\n'))
+    view.shown = answer.ok
+  end
+  if not answer.ok then
+    vim.api.nvim_buf_clear_namespace(view.bufnr, marks, 0, -1)
+  end
+  show_banner()
+  vim.api.nvim_exec_autocmds('User', { pattern = 'XacroExpanded', modeline = false })
+end
+
+--- Ask for the text again.
+function M.refresh()
+  if not view then
+    return
+  end
+  if not vim.api.nvim_buf_is_loaded(view.source) then
+    return
+  end
+  if view.cancel then
+    view.cancel()
+  end
+  local params = { textDocument = talk.document(view.source) }
+  view.cancel = talk.ask(view.source, 'xacro/expand', params, function(answer)
+    if view then
+      view.cancel = nil
+      take(answer)
+      if vim.bo.buftype == '' then
+        M.from_source()
+      end
+    end
+  end, view.root ~= nil)
+end
+
+--- Move the cursor of the window with the expanded text, unless it is at one of the places already.
+---@param ranges lsp.Range[]
+---@param client vim.lsp.Client
+local function move_to(ranges, client)
+  assert(view)
+  for _, window in ipairs(vim.fn.win_findbuf(view.bufnr)) do
+    local now = vim.api.nvim_win_get_cursor(window)[1] - 1
+    local best
+    for _, range in ipairs(ranges) do
+      if not best or math.abs(range.start.line - now) < math.abs(best.start.line - now) then
+        best = range
+      end
+    end
+    local row, column = talk.place(view.bufnr, best.start, client)
+    vim.api.nvim_win_set_cursor(window, { row + 1, column })
+    vim.api.nvim_win_call(window, function()
+      if row + 1 < vim.fn.line('w0') or row + 1 > vim.fn.line('w$') then
+        vim.cmd('normal! zz')
+      end
+    end)
+  end
+end
+
+--- The tag of the line, for cursors in front of it or between its attributes.
+---@param client vim.lsp.Client
+---@return { textDocument: { uri: string }, position: lsp.Position }?
+local function tag_of_line(client)
+  local before = vim.api.nvim_get_current_line():match('^(.-<)[%a]')
+  local place = talk.here(client)
+  if before then
+    place.position.character = talk.units(before, #before, client)
+    return place
+  end
+end
+
+--- Show what a place of a source made.
+---@param instances { range: lsp.Range, label: string }[]
+---@param client vim.lsp.Client
+local function show_instances(instances, client)
+  assert(view)
+  local ranges, labels = {}, {}
+  for _, instance in ipairs(instances) do
+    ranges[#ranges + 1] = instance.range
+    labels[#labels + 1] = instance.label
+  end
+  scratch.mark(view.bufnr, ranges, client, marks)
+  view.way = #labels == 1 and labels[1] or #labels > 1 and ('%d instances'):format(#labels) or ''
+  show_banner()
+  if #ranges > 0 then
+    move_to(ranges, client)
+  end
+end
+
+---@param bufnr integer
+---@param client vim.lsp.Client
+---@param place { textDocument: { uri: string }, position: lsp.Position }
+---@param otherwise? { textDocument: { uri: string }, position: lsp.Position } asked when the first made nothing
+local function ask_instances(bufnr, client, place, otherwise)
+  assert(view)
+  view.cancel_cursor = talk.ask(bufnr, 'xacro/toExpanded', place, function(answer)
+    if not view or not view.fresh then
+      return
+    end
+    view.cancel_cursor = nil
+    if answer.root.uri ~= view.root.uri then
+      return
+    elseif #answer.instances == 0 and otherwise then
+      return ask_instances(bufnr, client, otherwise)
+    end
+    show_instances(answer.instances, client)
+  end, true)
+end
+
+--- The cursor of a source moved: show what it made.
+function M.from_source()
+  local bufnr = vim.api.nvim_get_current_buf()
+  local client = view and talk.of(bufnr)
+  if not view or not client or not view.fresh or bufnr == view.bufnr then
+    return
+  end
+  view.window = vim.api.nvim_get_current_win()
+  if view.cancel_cursor then
+    view.cancel_cursor()
+  end
+  scratch.unmark(bufnr)
+  ask_instances(bufnr, client, talk.here(client), tag_of_line(client))
+end
+
+---@param on_places fun(places: table[], client: vim.lsp.Client)
+local function places_of_cursor(on_places)
+  local client = view and talk.of(view.source)
+  if not view or not client then
+    return
+  end
+  if view.cancel_cursor then
+    view.cancel_cursor()
+  end
+  local params = { root = talk.document(view.source).uri, position = talk.cursor(0, client) }
+  view.cancel_cursor = talk.ask(view.source, 'xacro/toSource', params, function(answer)
+    if view then
+      view.cancel_cursor = nil
+      on_places(answer.locations, client)
+    end
+  end, true)
+end
+
+--- The cursor of the expanded text moved: show where the text comes from.
+function M.from_expanded()
+  if not view or not view.fresh then
+    return
+  end
+  places_of_cursor(function(places, client)
+    if not view or #places == 0 or vim.api.nvim_get_current_buf() ~= view.bufnr then
+      return
+    end
+    local way = vim.tbl_map(function(place)
+      return ('%s:%d'):format(base(place.uri), place.range.start.line + 1)
+    end, places)
+    view.way = table.concat(way, ' ← ')
+    show_banner()
+    scratch.show_location(places[1], client, { window = view.window })
+  end)
+end
+
+--- Go to the source of the line, or to the call that made it.
+---@param role 'origin'|'call'
+function M.jump(role)
+  if not view then
+    return
+  end
+  if not view.fresh then
+    talk.say('the text is not that of the sources now; mend the error first', vim.log.levels.WARN)
+    return
+  end
+  places_of_cursor(function(places, client)
+    for _, place in ipairs(places) do
+      if place.role == role then
+        scratch.show_location(place, client, { focus = true, window = view and view.window })
+        return
+      end
+    end
+    talk.say(role == 'call' and 'no macro call made this' or 'no source is known for this')
+  end)
+end
+
+--- Close the window with the expanded text.
+function M.close()
+  if view then
+    vim.api.nvim_buf_delete(view.bufnr, { force = true })
+  end
+end
+
+local function prepare()
+  assert(view)
+  local bufnr = view.bufnr
+  vim.bo[bufnr].syntax = 'xml'
+  pcall(vim.treesitter.start, bufnr, 'xml')
+  local function map(key, run, what)
+    vim.keymap.set('n', key, run, { buffer = bufnr, nowait = true, desc = what })
+  end
+  map('<CR>', function()
+    M.jump('origin')
+  end, 'go to the source')
+  map('gd', function()
+    M.jump('origin')
+  end, 'go to the source')
+  map('gC', function()
+    M.jump('call')
+  end, 'go to the call that made this')
+  map('q', M.close, 'close')
+  local group = vim.api.nvim_create_augroup('xacro_expand', {})
+  local follow = config.get().expand.follow
+  if follow then
+    vim.api.nvim_create_autocmd('CursorMoved', { group = group, buffer = bufnr, callback = M.from_expanded })
+    vim.api.nvim_create_autocmd({ 'CursorMoved', 'CursorMovedI' }, {
+      group = group,
+      callback = function(event)
+        if vim.tbl_contains(require('xacro.start').filetypes, vim.bo[event.buf].filetype) then
+          M.from_source()
+        end
+      end,
+    })
+  end
+  local changed = scratch.debounced(config.get().expand.delay, M.refresh)
+  vim.api.nvim_create_autocmd({ 'TextChanged', 'TextChangedI', 'TextChangedP' }, {
+    group = group,
+    callback = function(event)
+      if vim.bo[event.buf].buftype == '' then
+        changed()
+      end
+    end,
+  })
+  vim.api.nvim_create_autocmd('BufWritePost', { group = group, callback = changed })
+  vim.api.nvim_create_autocmd('BufWipeout', {
+    group = group,
+    buffer = bufnr,
+    callback = function()
+      vim.api.nvim_del_augroup_by_id(group)
+      view = nil
+    end,
+  })
+end
+
+--- Show the robot of the current file.
+function M.open()
+  local source = vim.api.nvim_get_current_buf()
+  if view and source == view.bufnr then
+    return M.refresh()
+  end
+  if not talk.need(source) then
+    return
+  end
+  if not view then
+    local bufnr = scratch.buffer('xacro-expanded://' .. source, 'xacro-expanded')
+    view = {
+      bufnr = bufnr,
+      source = source,
+      window = vim.api.nvim_get_current_win(),
+      fresh = false,
+      shown = false,
+      errors = {},
+      way = '',
+    }
+    prepare()
+  end
+  view.source, view.window = source, vim.api.nvim_get_current_win()
+  if #vim.fn.win_findbuf(view.bufnr) == 0 then
+    scratch.show(view.bufnr, config.get().expand.split)
+  end
+  show_banner()
+  M.refresh()
+end
+
+--- What is shown, for other parts and for tests.
+---@return xacro.View?
+function M.view()
+  return view
+end
+
+return M

@@ -1,0 +1,24 @@
+--- `:XacroPreview`: the robot in three dimensions, in a browser.
+local talk = require('xacro.client')
+
+local M = {}
+
+--- Open the preview; with `only_say` the address is shown and put into register `+`, for a browser elsewhere.
+---@param only_say? boolean
+function M.open(only_say)
+  local bufnr = vim.api.nvim_get_current_buf()
+  talk.command(bufnr, 'xacro.preview', { textDocument = talk.document(bufnr) }, function(answer)
+    local url = type(answer) == 'table' and answer.url
+    if type(url) ~= 'string' then
+      return talk.say('the server gave no address for the preview', vim.log.levels.ERROR)
+    end
+    vim.g.xacro_preview_url = url
+    local opened = not only_say and vim.ui.open(url)
+    if not opened then
+      pcall(vim.fn.setreg, '+', url)
+      talk.say('open this in a browser: ' .. url)
+    end
+  end)
+end
+
+return M

@@ -1,0 +1,163 @@
+--- Starting the server: one for all files, with a folder for each workspace.
+local config = require('xacro.config')
+
+local M = {}
+
+M.name = 'xacro'
+M.filetypes = { 'xacro', 'urdf' }
+
+---@param path string
+---@return boolean
+local function exists(path)
+  return vim.uv.fs_stat(path) ~= nil
+end
+
+--- The workspace of colcon around a folder: the one above `src` where builds have left their folders.
+---@param folder string
+---@return string?
+local function colcon_workspace(folder)
+  for parent in vim.fs.parents(folder .. '/x') do
+    if vim.fs.basename(parent) == 'src' then
+      local top = vim.fs.dirname(parent)
+      if exists(top .. '/install') or exists(top .. '/build') or exists(top .. '/.catkin_workspace') then
+        return top
+      end
+    end
+  end
+end
+
+--- The folder that is looked through for robots that use the file.
+---@param bufnr integer
+---@return string
+function M.root(bufnr)
+  local name = vim.api.nvim_buf_get_name(bufnr)
+  local folder = name == '' and vim.fn.getcwd() or vim.fs.dirname(vim.fs.normalize(name))
+  return colcon_workspace(folder)
+    or vim.fs.root(bufnr, '.git')
+    or vim.fs.root(bufnr, { 'xacro-lint.toml', '.xacro-lint.toml' })
+    or vim.fs.root(bufnr, 'package.xml')
+    or folder
+end
+
+--- One server serves all folders: a robot may use packages of another one, and installed files
+--- that were jumped to keep the robot they were reached from.
+---@param client vim.lsp.Client
+---@param wanted vim.lsp.ClientConfig
+---@return boolean
+local function reuse(client, wanted)
+  if client.name ~= wanted.name or client.is_stopped(client) then
+    return false
+  end
+  M.add_folder(client, wanted.root_dir)
+  return true
+end
+
+---@param path string
+---@param folder string
+---@return boolean
+local function inside(path, folder)
+  return path == folder or vim.startswith(path, folder:gsub('/$', '') .. '/')
+end
+
+--- Whether a folder was installed rather than written by the user.
+---@param folder string
+---@return boolean
+local function installed(folder)
+  local prefixes = (vim.env.AMENT_PREFIX_PATH or '') .. ':/opt/ros:/usr'
+  for prefix in vim.gsplit(prefixes, ':', { trimempty = true }) do
+    if inside(folder, vim.fs.normalize(prefix)) then
+      return true
+    end
+  end
+  return false
+end
+
+--- Tell a running server of a further folder.
+---@param client vim.lsp.Client
+---@param folder? string
+function M.add_folder(client, folder)
+  if not folder or installed(folder) then
+    return
+  end
+  for _, known in ipairs(client.workspace_folders or {}) do
+    if inside(folder, vim.uri_to_fname(known.uri)) then
+      return
+    end
+  end
+  local added = { uri = vim.uri_from_fname(folder), name = folder }
+  local params = { event = { added = { added }, removed = {} } }
+  require('xacro.client').notify(client, 'workspace/didChangeWorkspaceFolders', params)
+  client.workspace_folders = client.workspace_folders or {}
+  table.insert(client.workspace_folders, added)
+end
+
+--- What both ways of starting have in common.
+---@return vim.lsp.ClientConfig
+local function common()
+  local user = config.get()
+  return {
+    name = M.name,
+    cmd = user.cmd,
+    settings = { xacro = user.settings },
+    handlers = require('xacro.handlers').of_server(),
+    commands = require('xacro.handlers').of_lenses(),
+  }
+end
+
+--- The configuration for `vim.lsp.config`.
+---@return vim.lsp.Config
+function M.config()
+  local found = common()
+  found.filetypes = M.filetypes
+  found.reuse_client = reuse
+  found.root_dir = function(bufnr, use)
+    use(M.root(bufnr))
+  end
+  return found
+end
+
+local warned = false
+
+---@return boolean
+local function executable()
+  local program = config.get().cmd[1]
+  if vim.fn.executable(program) == 1 then
+    return true
+  end
+  if not warned then
+    warned = true
+    vim.notify(('xacro: `%s` is not in PATH; see :checkhealth xacro'):format(program), vim.log.levels.WARN)
+  end
+  return false
+end
+
+--- Start the server for a buffer, or attach the running one.
+---@param bufnr integer
+function M.start(bufnr)
+  if vim.bo[bufnr].buftype ~= '' or not executable() then
+    return
+  end
+  local wanted = common()
+  wanted.root_dir = M.root(bufnr)
+  vim.lsp.start(wanted, { bufnr = bufnr, reuse_client = reuse })
+end
+
+--- Let opened files start the server.
+function M.enable()
+  if not config.get().autostart then
+    return
+  end
+  if vim.lsp.enable then
+    vim.lsp.enable(M.name)
+    return
+  end
+  vim.api.nvim_create_autocmd('FileType', {
+    group = vim.api.nvim_create_augroup('xacro_start', {}),
+    pattern = M.filetypes,
+    callback = function(event)
+      M.start(event.buf)
+    end,
+  })
+end
+
+return M

@@ -1,0 +1,53 @@
+--- Under which robot each file is shown, for the status line.
+local talk = require('xacro.client')
+
+local M = {}
+
+---@type table<string, string>
+local texts = {}
+
+--- The arguments of a root: `side:=right sim:=true`.
+---@param root { args?: table<string, string> }
+---@return string
+function M.args(root)
+  local parts = {}
+  for name, value in vim.spairs(root.args or {}) do
+    parts[#parts + 1] = ('%s:=%s'):format(name, value)
+  end
+  return table.concat(parts, ' ')
+end
+
+---@param uri string
+---@param text string
+function M.set(uri, text)
+  texts[uri] = text
+  vim.cmd.redrawstatus({ bang = true })
+  local data = { uri = uri, text = text }
+  vim.api.nvim_exec_autocmds('User', { pattern = 'XacroContextChanged', modeline = false, data = data })
+end
+
+--- The robot of a buffer, or an empty string: for 'statusline'.
+---@param bufnr? integer
+---@return string
+function M.text(bufnr)
+  return texts[vim.uri_from_bufnr(bufnr or vim.api.nvim_get_current_buf())] or ''
+end
+
+--- Ask the server, which tells of changes only.
+---@param bufnr integer
+---@param on_text? fun(text: string)
+function M.ask(bufnr, on_text)
+  local document = talk.document(bufnr)
+  talk.ask(bufnr, 'xacro/roots', { textDocument = document }, function(roots)
+    local text = roots.reason
+    if roots.active then
+      text = vim.trim(vim.fs.basename(vim.uri_to_fname(roots.active.uri)) .. ' ' .. M.args(roots.active))
+    end
+    M.set(document.uri, text)
+    if on_text then
+      on_text(text)
+    end
+  end, true)
+end
+
+return M

@@ -1,0 +1,36 @@
+;;; Emacs with eglot: findings and completion.  emacs --batch -Q -l emacs-eglot.el
+;; Environment: CONFIG, the block of docs/editors.md; XACRO_LSP, the server; ROBOT, the file.  -*- lexical-binding: t -*-
+(load (expand-file-name "emacs-common.el" (file-name-directory load-file-name)))
+(setq eglot-sync-connect 10 eglot-autoshutdown nil)
+(load (getenv "CONFIG"))
+(find-file (getenv "ROBOT"))
+(unless (eglot-current-server) (apply #'eglot--connect (eglot--guess-contact)))
+(need "a server" (lambda () (eglot-current-server)))
+(need "the mode of the page" (lambda () (eq major-mode 'xacro-mode)))
+(defun found () (mapcar #'flymake-diagnostic-text (flymake-diagnostics)))
+(replace-first "${m0 / 3}" "${m_0 / 3}")
+(need "a finding" (lambda () (flymake-start) (cl-some (lambda (text) (string-match-p "m_0" text)) (found))))
+(replace-first "${m_0 / 3}" "${m0 / 3}")
+(need "no finding" (lambda () (flymake-start) (null (found))))
+(goto-after "</xacro:unit>\n")
+(insert "  <xacro:un")
+(need "a completion"
+      (lambda ()
+        (let ((offer (run-hook-with-args-until-success 'completion-at-point-functions)))
+          (and offer (cl-some (lambda (item) (string-match-p "unit" item))
+                              (all-completions "" (nth 2 offer)))))))
+(delete-region (line-beginning-position) (point))
+(eglot--signal-textDocument/didChange)
+(goto-after "${m")
+(need "a hover"
+      (lambda ()
+        (let* ((answer (jsonrpc-request (eglot-current-server) :textDocument/hover
+                                        (eglot--TextDocumentPositionParams))))
+          (and answer (string-match-p "0\\.15" (plist-get (plist-get answer :contents) :value))))))
+(goto-after "<xacro:un")
+(need "a definition"
+      (lambda ()
+        (let ((found (xref-backend-definitions 'eglot (xref-backend-identifier-at-point 'eglot))))
+          (and found (string-match-p "unit\\.xacro" (xref-location-group (xref-item-location (car found))))))))
+(eglot-shutdown-all)
+(kill-emacs 0)

@@ -1,0 +1,336 @@
+--- The commands of the plugin.
+local fixture = require('fixture')
+
+local VIEW = [[require('xacro.expand').view()]]
+
+--- Answer the next `vim.ui.select` with the item whose text holds a word.
+local function answer_select(child, word)
+  child:lua(
+    [[_G.offered = {}
+      local word = ...
+      vim.ui.select = function(items, options, on_choice)
+        for _, item in ipairs(items) do
+          table.insert(_G.offered, options.format_item and options.format_item(item) or item)
+        end
+        for number, text in ipairs(_G.offered) do
+          if text:find(word, 1, true) then return on_choice(items[number], number) end
+        end
+        on_choice(nil)
+      end]],
+    word
+  )
+end
+
+--- Open the expanded text of the current file; its buffer.
+local function expand(child)
+  child:type(':XacroExpand<CR>')
+  child:wait(VIEW .. ' and ' .. VIEW .. '.fresh')
+  return child:value(VIEW .. '.bufnr')
+end
+
+--- The line of the cursor in the window that shows a buffer.
+local function line_in(name)
+  return ([[(function()
+    for _, window in ipairs(vim.api.nvim_list_wins()) do
+      local bufnr = vim.api.nvim_win_get_buf(window)
+      if vim.api.nvim_buf_get_name(bufnr):find(%q, 1, true) then
+        local row = vim.api.nvim_win_get_cursor(window)[1]
+        return vim.api.nvim_buf_get_lines(bufnr, row - 1, row, false)[1]
+      end
+    end
+    return ''
+  end)()]]):format(name)
+end
+
+local winbar = [[vim.wo[vim.fn.win_findbuf(]] .. VIEW .. [[.bufnr)[1] ].winbar]]
+
+return function(test, skip)
+  test('XacroExpand shows the robot and follows edits', function(child)
+    child:edit(fixture.robot)
+    local bufnr = expand(child)
+    assert(child:text(bufnr):find('<link name="tilt_body">', 1, true), child:text(bufnr))
+    assert(child:value('vim.api.nvim_buf_get_name(0)'):find('pan_tilt.urdf.xacro', 1, true), 'the cursor moved away')
+    child:at('value="0.1|5"')
+    child:type('r7')
+    child:wait(
+      [[table.concat(vim.api.nvim_buf_get_lines(..., 0, -1, false)):find('<mass value="0.34"/>', 1, true)]],
+      bufnr
+    )
+    child:type(':XacroExpand!<CR>')
+    child:wait('not ' .. VIEW)
+    assert(child:value('#vim.api.nvim_list_wins()') == 1)
+  end)
+
+  test('a macro file is expanded as part of its robot', function(child)
+    child:edit(fixture.unit)
+    local bufnr = expand(child)
+    assert(child:text(bufnr):find('<robot name="', 1, true), child:text(bufnr))
+  end)
+
+  test('the last good text stays while there is an error', function(child)
+    child:edit(fixture.robot)
+    local bufnr = expand(child)
+    local before = child:text(bufnr)
+    child:change('${m0 / 3}', '${m_0 / 3}')
+    child:wait('not ' .. VIEW .. '.fresh')
+    assert(child:text(bufnr) == before)
+    local banner = child:value(winbar)
+    assert(banner:find('last good text', 1, true) and banner:find('m_0', 1, true), banner)
+    child:change('${m_0 / 3}', '${m0 / 5}')
+    child:wait(VIEW .. '.fresh')
+    assert(child:text(bufnr):find('0 0 0.03"', 1, true), child:text(bufnr))
+  end)
+
+  test('the cursor of the source leads that of the expanded text', function(child)
+    child:edit(fixture.robot)
+    expand(child)
+    child:at('<xacro:unit name="ti|lt"')
+    child:wait(line_in('xacro-expanded:') .. [[:find('tilt', 1, true)]])
+    child:at('<xacro:unit name="pa|n"')
+    child:wait(line_in('xacro-expanded:') .. [[:find('"pan', 1, true)]])
+    child:type('j')
+    child:wait(line_in('xacro-expanded:') .. [[:find('tilt', 1, true)]])
+    -- in front of the tag as well
+    child:type('0k')
+    child:wait(line_in('xacro-expanded:') .. [[:find('"pan', 1, true)]])
+  end)
+
+  test('all instances of a line in a macro are marked', function(child)
+    child:edit(fixture.robot)
+    expand(child)
+    child:lua('vim.cmd.edit(...)', child.folder .. '/' .. fixture.unit)
+    child:wait('#vim.lsp.get_clients({ bufnr = 0 }) > 0')
+    child:at('<axi|s xyz')
+    child:wait([[(function()
+      local marks = vim.api.nvim_get_namespaces().xacro_instances
+      return #vim.api.nvim_buf_get_extmarks(]] .. VIEW .. [[.bufnr, marks, 0, -1, {}) == 2
+    end)()]])
+    child:wait(line_in('xacro-expanded:') .. [[:find('<axis', 1, true)]])
+  end)
+
+  test('the cursor of the expanded text leads that of the source', function(child)
+    child:edit(fixture.robot)
+    local bufnr = expand(child)
+    child:type('<C-w>w')
+    child:wait('vim.api.nvim_get_current_buf() == ...', bufnr)
+    child:type('/lower=<CR>')
+    child:wait(line_in('unit.xacro') .. [[:find('<limit', 1, true)]])
+    assert(child:value('vim.api.nvim_get_current_buf()') == bufnr, 'the focus moved')
+    assert(child:value(winbar):find('unit.xacro:15 ← pan_tilt.urdf.xacro:7', 1, true), child:value(winbar))
+    child:type('gg/name="tilt"<CR>2E')
+    child:wait(line_in('unit.xacro') .. [[:find('type="revolute"', 1, true)]])
+    child:type('gC')
+    child:wait([[vim.api.nvim_buf_get_name(0):find('pan_tilt.urdf.xacro', 1, true)]])
+    child:wait([[vim.api.nvim_get_current_line():find('name="tilt"', 1, true)]])
+  end)
+
+  test('Enter goes to the source', function(child)
+    child:edit(fixture.robot)
+    local bufnr = expand(child)
+    child:type('<C-w>w')
+    child:wait('vim.api.nvim_get_current_buf() == ...', bufnr)
+    child:type('/<lt>axis<CR><CR>')
+    child:wait([[vim.api.nvim_buf_get_name(0):find('unit.xacro', 1, true)]])
+    child:wait([[vim.api.nvim_get_current_line():find('<axis', 1, true)]])
+  end)
+
+  test('columns are right behind characters of other planes', function(child)
+    child:edit(fixture.robot)
+    child:change('<link name="$(arg mount)"/>', '<!-- 𝄞 é --><link name="a𝄞é_$(arg mount)"/>')
+    child:change('parent="$(arg mount)"', 'parent="a𝄞é_$(arg mount)"')
+    local bufnr = expand(child)
+    child:type('<C-w>w')
+    child:wait('vim.api.nvim_get_current_buf() == ...', bufnr)
+    child:type('/_desk"\\/<CR>ll')
+    child:wait(line_in('pan_tilt.urdf.xacro') .. [[:find('<!-- 𝄞', 1, true)]])
+    local marked = child:wait([[(function()
+      local bufnr = vim.fn.bufnr('pan_tilt.urdf.xacro')
+      local marks = vim.api.nvim_get_namespaces().xacro_place
+      local found = vim.api.nvim_buf_get_extmarks(bufnr, marks, 0, -1, { details = true })[1]
+      return found and vim.api.nvim_buf_get_text(bufnr, found[2], found[3], found[2], found[4].end_col, {})[1]
+    end)()]])
+    assert(marked:find('mount', 1, true) or marked == 'desk', marked)
+  end)
+
+  test('XacroExpandAt shows one call', function(child)
+    child:edit(fixture.robot)
+    child:at('<xacro:un|it name="pan"')
+    child:type(':XacroExpandAt<CR>')
+    local shown = child:wait([[(function()
+      for _, message in ipairs(_G.said) do
+        if message:find('xacro/expandAt') then return 'unknown' end
+      end
+      for _, window in ipairs(vim.api.nvim_list_wins()) do
+        if vim.api.nvim_win_get_config(window).relative ~= '' then
+          return table.concat(vim.api.nvim_buf_get_lines(vim.api.nvim_win_get_buf(window), 0, -1, false), '\n')
+        end
+      end
+    end)()]])
+    if shown == 'unknown' then
+      skip('the server does not know `xacro/expandAt`, and the user was told so')
+    end
+    assert(shown:find('pan_body', 1, true) and not shown:find('tilt_body', 1, true), shown)
+  end)
+
+  test('XacroRoot picks the robot of a macro file', function(child)
+    child:edit(fixture.unit)
+    -- the workspace has been looked through
+    child:wait([[(function()
+      local params = { textDocument = { uri = vim.uri_from_bufnr(0) } }
+      for _, answer in pairs(vim.lsp.buf_request_sync(0, 'xacro/roots', params, 10000) or {}) do
+        return answer.result and #answer.result.candidates == 2
+      end
+    end)()]])
+    answer_select(child, 'desk.urdf.xacro')
+    child:type(':XacroRoot<CR>')
+    child:wait([[require('xacro').status() == 'desk.urdf.xacro']])
+    assert(#child:value('_G.offered') == 3, vim.inspect(child:value('_G.offered')))
+    local bufnr = expand(child)
+    assert(child:text(bufnr):find('lamp_body', 1, true), child:text(bufnr))
+    answer_select(child, 'pan_tilt.urdf.xacro')
+    child:type(':XacroRoot<CR>')
+    child:wait([[table.concat(vim.api.nvim_buf_get_lines(..., 0, -1, false)):find('tilt_body', 1, true)]], bufnr)
+    child:type(':XacroRoot!<CR>')
+    child:wait([[_G.said[3] ]])
+  end)
+
+  test('XacroArgs sets, asks for and resets arguments', function(child)
+    child:edit(fixture.robot)
+    local bufnr = expand(child)
+    local function text_with(word)
+      child:wait(
+        [[table.concat(vim.api.nvim_buf_get_lines(..., 0, -1, false)):find(select(2, ...), 1, true)]],
+        bufnr,
+        word
+      )
+    end
+    child:type(':XacroArgs mount:=wall<CR>')
+    text_with('<link name="wall"/>')
+    child:wait([[require('xacro').status() == 'pan_tilt.urdf.xacro mount:=wall']])
+    answer_select(child, 'mount')
+    child:lua([[vim.ui.input = function(options, on_input) _G.asked = options; on_input('shelf') end]])
+    child:type(':XacroArgs<CR>')
+    text_with('<link name="shelf"/>')
+    assert(child:value('_G.asked.default') == 'wall')
+    child:type(':XacroArgs!<CR>')
+    text_with('<link name="desk"/>')
+    child:type(':XacroArgs mount=wall<CR>')
+    child:wait([[_G.said[#_G.said]:find('name:=value', 1, true)]])
+  end)
+
+  test('the cursors keep together with arguments of the session', function(child)
+    child:edit(fixture.robot)
+    local bufnr = expand(child)
+    child:type(':XacroArgs mount:=a_much_longer_name<CR>')
+    child:wait(
+      [[table.concat(vim.api.nvim_buf_get_lines(..., 0, -1, false)):find('a_much_longer_name', 1, true)]],
+      bufnr
+    )
+    child:at('<xacro:unit name="ti|lt"')
+    child:wait(line_in('xacro-expanded:') .. [[:find('tilt', 1, true)]])
+    child:type('<C-w>w')
+    child:wait('vim.api.nvim_get_current_buf() == ...', bufnr)
+    child:type('gg/longer<CR>')
+    child:wait(line_in('pan_tilt.urdf.xacro') .. [[:find('mount', 1, true)]])
+  end)
+
+  test('XacroInstance picks a call', function(child)
+    child:edit(fixture.unit)
+    child:wait([[require('xacro').status():find('urdf.xacro', 1, true)]])
+    child:type(':XacroRoot ' .. fixture.robot .. '<CR>')
+    child:wait([[require('xacro').status():find('pan_tilt', 1, true)]])
+    child:at('<axi|s xyz')
+    answer_select(child, 'pan_tilt.urdf.xacro:8')
+    child:type(':XacroInstance<CR>')
+    child:wait('_G.offered[1]')
+    assert(#child:value('_G.offered') == 3, vim.inspect(child:value('_G.offered')))
+    local found = child:wait([[(function()
+      for _, message in ipairs(_G.said) do
+        if message:find('xacro/setInstance') then return 'unknown' end
+      end
+      return require('xacro').status():find('pan_tilt.urdf.xacro:8', 1, true) and 'pinned'
+    end)()]])
+    if found == 'unknown' then
+      skip('the server does not know `xacro/setInstance`, and the user was told so')
+    end
+  end)
+
+  test('XacroPreview opens an address that answers', function(child)
+    child:edit(fixture.robot)
+    child:type(':XacroPreview<CR>')
+    local address = child:wait([[_G.opened[1] or _G.said[1] ]])
+    if address:find('has no `xacro.preview`', 1, true) then
+      skip('the server has no `xacro.preview` yet, and the user was told so')
+    end
+    local host, port = address:match('^http://([%w.]+):(%d+)/')
+    assert(host == '127.0.0.1' or host == 'localhost', address)
+    local answer = ''
+    local socket = assert(vim.uv.new_tcp())
+    socket:connect('127.0.0.1', tonumber(port), function(problem)
+      assert(not problem, problem)
+      socket:read_start(function(_, data)
+        answer = answer .. (data or '')
+      end)
+      socket:write(('GET / HTTP/1.1\r\nHost: %s:%s\r\nConnection: close\r\n\r\n'):format(host, port))
+    end)
+    assert(
+      vim.wait(10000, function()
+        return answer:find('^HTTP/1%.%d 200') ~= nil
+      end),
+      answer
+    )
+    socket:close()
+  end)
+
+  test('XacroTree lists links and leads to them', function(child)
+    child:edit(fixture.robot)
+    child:type(':XacroTree<CR>')
+    child:wait([[vim.api.nvim_buf_get_lines(vim.fn.bufnr('xacro-tree:'), 0, 1, false)[1] == 'desk']])
+    local tree = child:text(child:value([[vim.fn.bufnr('xacro-tree:')]]))
+    assert(tree == 'desk\n└ pan → pan_body  0.3 kg\n  └ tilt → tilt_body  0.3 kg', tree)
+    child:lua([[vim.api.nvim_set_current_win(vim.fn.win_findbuf(vim.fn.bufnr('xacro-tree:'))[1])]])
+    child:type('G<CR>')
+    child:wait([[vim.api.nvim_buf_get_name(0):find('%.xacro$')]])
+    child:lua([[vim.cmd.edit(...)]], child.folder .. '/' .. fixture.robot)
+    child:change('axis="0 1 0"><origin', 'axis="0 1 0" ><origin')
+    child:change('name="tilt"', 'name="nod"')
+    child:wait(
+      [[table.concat(vim.api.nvim_buf_get_lines(vim.fn.bufnr('xacro-tree:'), 0, -1, false)):find('nod_body', 1, true)]]
+    )
+  end)
+
+  test('the server shows a document beside made text', function(child)
+    child:edit(fixture.robot)
+    local bufnr = expand(child)
+    child:type('<C-w>w')
+    child:wait('vim.api.nvim_get_current_buf() == ...', bufnr)
+    child:lua(
+      [[local client = vim.lsp.get_clients()[1]
+        _G.answer = require('xacro.handlers').show_document(nil, {
+          uri = vim.uri_from_fname(...), takeFocus = true,
+          selection = { start = { line = 3, character = 4 }, ['end'] = { line = 3, character = 9 } },
+        }, { client_id = client.id })]],
+      child.folder .. '/' .. fixture.unit
+    )
+    assert(child:value('_G.answer.success'))
+    assert(child:value('vim.api.nvim_buf_get_name(0)'):find('unit.xacro', 1, true))
+    assert(child:value('vim.api.nvim_win_get_cursor(0)[1]') == 4)
+    assert(child:value('#vim.fn.win_findbuf(...) == 1', bufnr), 'the expanded text is gone')
+  end)
+
+  test('what a server does not know is said politely', function(child)
+    child:edit(fixture.robot)
+    child:lua([[require('xacro.client').ask(0, 'xacro/nothing', {}, function() end)]])
+    local said = child:wait('_G.said[1]')
+    assert(said:find('does not know `xacro/nothing`', 1, true), said)
+    child:lua([[require('xacro.client').command(0, 'xacro.nothing', {}, function() end)]])
+    said = child:wait('_G.said[2]')
+    assert(said:find('has no `xacro.nothing`', 1, true), said)
+  end)
+
+  test('commands in a file without server say so', function(child)
+    child:lua([[vim.cmd.enew()]])
+    child:type(':XacroExpand<CR>')
+    assert(child:wait('_G.said[1]'):find('no server', 1, true))
+  end)
+end
