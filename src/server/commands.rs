@@ -9,7 +9,7 @@ use crate::base::CancelFlag;
 
 /// The commands.
 pub(super) const NAMES: &[&str] =
-    &["xacro.expand", "xacro.restartAnalysis", "xacro.selectRoot", "xacro.showReferences", "xacro.tree"];
+    &["xacro.expand", "xacro.preview", "xacro.restartAnalysis", "xacro.selectRoot", "xacro.showReferences", "xacro.tree"];
 
 impl Engine {
     pub fn command(
@@ -27,6 +27,7 @@ impl Engine {
             }
             "xacro.selectRoot" => self.set_root(parsed(argument)?, cancel).map(Some),
             "xacro.tree" => self.tree(parsed(argument)?, cancel).map(|tree| serde_json::to_value(tree).ok()),
+            "xacro.preview" => self.preview_page(argument).map(Some),
             "xacro.restartAnalysis" => {
                 self.world.reload();
                 self.schedule();

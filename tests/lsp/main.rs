@@ -19,6 +19,7 @@ mod hints;
 mod hover;
 mod lifecycle;
 mod navigation;
+mod preview;
 mod rename;
 mod structure;
 mod tokens;
