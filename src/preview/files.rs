@@ -62,6 +62,14 @@ impl Files {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).paths.get(id).cloned()
     }
 
+    /// All files that models name now.
+    pub fn paths(&self) -> Vec<PathBuf> {
+        let known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut paths: Vec<PathBuf> = known.paths.values().cloned().collect();
+        paths.sort();
+        paths
+    }
+
     /// Forget all ids but these.
     pub fn keep(&self, ids: &FastSet<&str>) {
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);

@@ -1,6 +1,7 @@
 //! The views that are open, and what they show.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::choices::choices;
@@ -12,7 +13,7 @@ use super::select;
 use super::shapes::Shapes;
 use crate::analysis::{Analyzed, RootChoice, World};
 use crate::base::{CancelFlag, FastSet};
-use crate::expand::Severity;
+use crate::expand::{Read, Severity};
 
 /// Errors that are sent at most.
 const MOST_ERRORS: usize = 100;
@@ -152,6 +153,18 @@ impl Views {
             self.forget_files();
         }
         (messages, finished)
+    }
+
+    /// The files that the robots shown depend on.
+    pub fn reads(&self) -> BTreeSet<PathBuf> {
+        let sides = self.views.values().flat_map(|view| view.sides.values());
+        let analyzed = sides.filter_map(|shown| shown.sent.as_ref());
+        let reads = analyzed.flat_map(|analyzed| analyzed.expansion.record.iter());
+        let files = reads.filter_map(|read| match read {
+            Read::File(path, _) | Read::Missing(path) => Some(path.clone()),
+            _ => None,
+        });
+        files.chain(self.files.paths()).collect()
     }
 
     /// The bytes of a file that a model names.
