@@ -41,7 +41,8 @@ function webview(listener: Listener): Host {
     if (event.data.type === 'mesh') answer(event.data);
     else listener.message(event.data);
   });
-  listener.connection('open');
+  // not before the caller has its host
+  queueMicrotask(() => listener.connection('open'));
   return {
     send: (message) => editor.postMessage(message),
     mesh: (id) =>
