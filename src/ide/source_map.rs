@@ -90,24 +90,27 @@ pub fn instances(
     file: crate::expand::FileIdx,
     offset: u32,
 ) -> Vec<(TextRange, FrameId)> {
-    let place = |entry: &MapEntry| {
-        let source = expansion.sources.get(entry.origin.src.0 as usize)?;
-        let range = entry.origin.range.shift(source.base);
-        (source.file == file && range.start <= offset && offset <= range.end).then_some(range)
+    // of two texts side by side the one that begins there counts
+    let here = |origin: Origin| {
+        let place = expansion.place(origin)?;
+        let TextRange { start, end } = place.range;
+        let around = place.file == file && start <= offset && offset <= end;
+        around.then_some((offset == end && start < end, end - start))
     };
-    let found = written.map.iter().filter_map(|entry| Some((entry, place(entry)?)));
-    let mut smallest: FastMap<FrameId, (u32, TextRange)> = FastMap::default();
-    for (entry, range) in found {
-        let kept = smallest.entry(entry.origin.frame).or_insert((range.len(), entry.out));
-        if range.len() < kept.0 {
-            *kept = (range.len(), entry.out);
-        }
-    }
-    let least = smallest.values().map(|(length, _)| *length).min().unwrap_or(0);
-    let mut found: Vec<(TextRange, FrameId)> = smallest
-        .into_iter()
-        .filter(|(_, (length, _))| *length == least)
-        .map(|(frame, (_, out))| (out, frame))
+    let found = written.map.iter().filter_map(|entry| {
+        // what a call gave to a macro stands in both
+        let given = origin_of(expansion, entry);
+        let size = here(entry.origin).or_else(|| here(given).filter(|_| given != entry.origin))?;
+        Some((entry, size))
+    });
+    let found: Vec<(&MapEntry, (bool, u32))> = found.collect();
+    let least = found.iter().map(|(_, size)| *size).min().unwrap_or_default();
+    // an element and its start tag are one
+    let mut seen: FastSet<(XId, Origin)> = FastSet::default();
+    let innermost = found.into_iter().filter(|(_, size)| *size == least).map(|(entry, _)| entry);
+    let mut found: Vec<(TextRange, FrameId)> = innermost
+        .filter(|entry| entry.kind > MapKind::Tag || seen.insert((entry.node, entry.origin)))
+        .map(|entry| (entry.out, entry.origin.frame))
         .collect();
     found.sort_by_key(|(out, _)| out.start);
     found

@@ -262,6 +262,9 @@ function tell(what: { link: string } | { joint: string }, location: Location | u
 
 /** The cursor in the source is somewhere else. */
 function take(message: SelectMessage): void {
+  // what was clicked here comes back with its place
+  if (message.link !== undefined && selected.links.has(message.link)) return;
+  if (message.joint !== undefined && selected.joints.has(message.joint)) return;
   const links = message.links ?? (message.link === undefined ? [] : [message.link]);
   const names = message.joints ?? (message.joint === undefined ? [] : [message.joint]);
   select(links, names);

@@ -137,11 +137,11 @@ export class RobotView {
     this.group.updateMatrixWorld(true);
     for (const node of nodes) {
       if (!node || (link === undefined && this.hidden.has(node.link.name))) continue;
-      for (const body of [node.visual, node.collision]) {
-        for (const part of body.children) {
-          const own = new THREE.Box3().setFromObject(part);
-          if (!own.isEmpty()) box.union(own);
-        }
+      const bare = node.visual.children.length === 0;
+      const bodies = this.layers.collision || bare ? [node.visual, node.collision] : [node.visual];
+      for (const part of bodies.flatMap((body) => body.children)) {
+        const own = new THREE.Box3().setFromObject(part);
+        if (!own.isEmpty()) box.union(own);
       }
     }
     if (box.isEmpty()) {
@@ -338,6 +338,7 @@ export class RobotView {
           if (part instanceof THREE.Mesh && part.material instanceof THREE.MeshStandardMaterial) {
             part.material.map = texture;
             part.material.color.set(0xffffff);
+            delete part.material.userData['own'];
             part.material.needsUpdate = true;
           }
         });
@@ -452,7 +453,7 @@ export class RobotView {
     if (box.isEmpty()) return;
     this.extent.add(boxLines(box, 0x2fa34f));
     const corner = new THREE.Object3D();
-    corner.position.copy(box.max);
+    box.getCenter(corner.position).setZ(box.max.z);
     this.extent.add(corner);
     const size = box.getSize(new THREE.Vector3());
     const text = [size.x, size.y, size.z].map((length) => length.toFixed(3)).join(' × ');
@@ -512,6 +513,8 @@ function look(body: Body, wire: boolean): THREE.Material {
   return material;
 }
 
+const CHOSEN = new THREE.Color(0x2f81f7);
+
 function copied(material: THREE.Material | THREE.Material[]): THREE.Material | THREE.Material[] {
   return Array.isArray(material) ? material.map((one) => one.clone()) : material.clone();
 }
@@ -520,9 +523,9 @@ function glow(part: THREE.Object3D, on: boolean): void {
   if (!(part instanceof THREE.Mesh)) return;
   const materials = (Array.isArray(part.material) ? part.material : [part.material]) as THREE.Material[];
   for (const material of materials) {
-    if ('emissive' in material && material.emissive instanceof THREE.Color) {
-      material.emissive.set(on ? 0x1f6feb : 0x000000);
-      if ('emissiveIntensity' in material) material.emissiveIntensity = on ? 0.45 : 1;
-    }
+    if (!('color' in material && material.color instanceof THREE.Color)) continue;
+    const own = (material.userData['own'] ??= material.color.clone()) as THREE.Color;
+    material.color.copy(own);
+    if (on) material.color.lerp(CHOSEN, 0.55);
   }
 }

@@ -137,7 +137,8 @@ export class Toolbar {
       field.dataset['arg'] = name;
       field.setAttribute('aria-label', `argument ${name}`);
       field.addEventListener('change', () => {
-        const root = { ...message.root, args: { ...message.root.args, [name]: field.value } };
+        // no longer what the preset says
+        const root = { uri: message.root.uri, args: { ...message.root.args, [name]: field.value } };
         this.act.root(root, this.comparing);
       });
       field.addEventListener('keydown', (event) => {
