@@ -87,8 +87,7 @@ impl Preview {
         }
         let Self { world, views, hub, .. } = self;
         let watched = |id| hub.is_watched(id);
-        let (messages, _) =
-            with_names(|names| views.update(world, names, &watched, &CancelFlag::default()));
+        let (messages, _) = with_names(|names| views.update(world, names, &watched, &CancelFlag::default()));
         messages.iter().for_each(|message| hub.tell(message));
         *state = self.state();
     }

@@ -5,8 +5,8 @@
 
 use serde::Serialize;
 
-use crate::base::{Encoding, FastMap, TextRange};
-use crate::expand::{BindingKind, Expansion, FrameId, FrameKind, MapEntry, Origin, Written};
+use crate::base::{Encoding, FastSet, TextRange};
+use crate::expand::{BindingKind, Expansion, FrameId, FrameKind, MapEntry, MapKind, Origin, Written, XId};
 use crate::xml::Document;
 
 /// The map as it is written: `files` are named by the caller.
@@ -50,8 +50,12 @@ pub fn source_map(
     SourceMap { version: 1, root, files, frames: frames.collect(), map }
 }
 
-/// The text that made an entry. What an expression took from a macro's parameter as it is was made by the call.
+/// The text that made an entry. An attribute is more than its value, so that the way back tells it from the first
+/// expression in it. What an expression took from a macro's parameter as it is was made by the call.
 pub fn origin_of(expansion: &Expansion, entry: &MapEntry) -> Origin {
+    if entry.kind == MapKind::Attribute {
+        return whole_attribute(expansion, entry).unwrap_or(entry.origin);
+    }
     let mut origin = entry.origin;
     let mut reads = &entry.reads;
     // a value is handed down through calls as often as calls are nested
@@ -66,6 +70,15 @@ pub fn origin_of(expansion: &Expansion, entry: &MapEntry) -> Origin {
         reads = &binding.reads;
     }
     origin
+}
+
+/// The attribute with name and quotes whose value made an entry; none when it was made in another way.
+fn whole_attribute(expansion: &Expansion, entry: &MapEntry) -> Option<Origin> {
+    let tag = expansion.tree.get(entry.node).origin;
+    let source = expansion.sources.get(tag.src.0 as usize).filter(|_| tag.src == entry.origin.src)?;
+    let mut attrs = source.item.element_at(tag.range.start)?.attrs();
+    let attr = attrs.find(|attr| attr.value_range() == entry.origin.range)?;
+    Some(Origin { range: attr.range(), ..entry.origin })
 }
 
 /// Whether the text at an origin is `${name}` and nothing else.
@@ -98,9 +111,10 @@ pub fn instances(
         around.then_some((offset == end && start < end, end - start))
     };
     let found = written.map.iter().filter_map(|entry| {
-        // what a call gave to a macro stands in both
-        let given = origin_of(expansion, entry);
-        let size = here(entry.origin).or_else(|| here(given).filter(|_| given != entry.origin))?;
+        let by_itself = here(entry.origin);
+        // what a call gave to a macro stands in both; attributes are looked at in their own tag only
+        let far = entry.kind == MapKind::Attribute && here(expansion.tree.get(entry.node).origin).is_none();
+        let size = by_itself.or_else(|| if far { None } else { here(origin_of(expansion, entry)) })?;
         Some((entry, size))
     });
     let found: Vec<(&MapEntry, (bool, u32))> = found.collect();
@@ -109,7 +123,7 @@ pub fn instances(
     let mut seen: FastSet<(XId, Origin)> = FastSet::default();
     let innermost = found.into_iter().filter(|(_, size)| *size == least).map(|(entry, _)| entry);
     let mut found: Vec<(TextRange, FrameId)> = innermost
-        .filter(|entry| entry.kind > MapKind::Tag || seen.insert((entry.node, entry.origin)))
+        .filter(|entry| entry.kind > MapKind::StartTag || seen.insert((entry.node, entry.origin)))
         .map(|entry| (entry.out, entry.origin.frame))
         .collect();
     found.sort_by_key(|(out, _)| out.start);

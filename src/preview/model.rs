@@ -23,10 +23,7 @@ impl Pose {
     /// The pose of an origin; what is absent or unknown is zero.
     pub(super) fn of(origin: Option<&model::Pose>) -> Self {
         let Some(origin) = origin else { return Self::default() };
-        Self {
-            xyz: origin.translation().unwrap_or_default(),
-            rpy: origin.angles().unwrap_or_default(),
-        }
+        Self { xyz: origin.translation().unwrap_or_default(), rpy: origin.angles().unwrap_or_default() }
     }
 }
 

@@ -122,9 +122,9 @@ impl<'a> Shapes<'a> {
             ShapeKind::Box { size } => {
                 size.as_ref().and_then(|size| Some(Shape::Box { size: size.numbers()? }))
             }
-            ShapeKind::Cylinder { radius, length } => number(radius)
-                .zip(number(length))
-                .map(|(radius, length)| Shape::Cylinder { radius, length }),
+            ShapeKind::Cylinder { radius, length } => {
+                number(radius).zip(number(length)).map(|(radius, length)| Shape::Cylinder { radius, length })
+            }
             ShapeKind::Sphere { radius } => number(radius).map(|radius| Shape::Sphere { radius }),
             ShapeKind::Mesh { filename, scale } => {
                 let scale = scale.as_ref().map_or(Some([1.0; 3]), model::Text::numbers);

@@ -60,7 +60,9 @@ fn visual(geometry: &str, material: &str) -> String {
 fn colours_are_looked_up_by_name() {
     let shared = "<material name=\"red\"><color rgba=\"1 0 0 0.5\"/></material>";
     let link = |name: &str, material: &str| {
-        format!("<link name=\"{name}\"><visual><geometry><sphere radius=\"1\"/></geometry>{material}</visual></link>")
+        format!(
+            "<link name=\"{name}\"><visual><geometry><sphere radius=\"1\"/></geometry>{material}</visual></link>"
+        )
     };
     let by_name = link("a", "<material name=\"red\"/>");
     let own = link("b", "<material name=\"green\"><color rgba=\"0 1 0 1\"/></material>");

@@ -145,7 +145,12 @@ impl Views {
                 }
                 view.revision += 1;
                 let made = shown.message(world, names, &files, analyzed);
-                messages.extend(made.map(|message| ModelMessage { id, side, revision: view.revision, ..message }));
+                messages.extend(made.map(|message| ModelMessage {
+                    id,
+                    side,
+                    revision: view.revision,
+                    ..message
+                }));
                 shown.numbered(view.revision);
             }
         }
@@ -206,9 +211,9 @@ impl Views {
     /// Files that no model names any more can no longer be asked for.
     fn forget_files(&mut self) {
         let sides = self.views.values().flat_map(|view| view.sides.values());
-        let models = sides.flat_map(|shown| shown.current.iter().chain(shown.good.iter().map(|good| &good.0)));
-        let named: FastSet<&str> =
-            models.flat_map(|model| model.meshes.keys().map(String::as_str)).collect();
+        let models =
+            sides.flat_map(|shown| shown.current.iter().chain(shown.good.iter().map(|good| &good.0)));
+        let named: FastSet<&str> = models.flat_map(|model| model.meshes.keys().map(String::as_str)).collect();
         self.files.keep(&named);
     }
 }
@@ -275,7 +280,12 @@ impl Shown {
 /// The model of an expansion.
 fn drawn(world: &World, names: &Names<'_>, files: &Files, analyzed: &Analyzed) -> Model {
     let Some(robot) = &analyzed.robot else {
-        return Model { robot: String::new(), links: Vec::new(), joints: Vec::new(), meshes: BTreeMap::new() };
+        return Model {
+            robot: String::new(),
+            links: Vec::new(),
+            joints: Vec::new(),
+            meshes: BTreeMap::new(),
+        };
     };
     let session = world.session();
     let settings = session.settings(&analyzed.root.file);

@@ -8,8 +8,14 @@ use super::failure::Failure;
 use crate::base::CancelFlag;
 
 /// The commands.
-pub(super) const NAMES: &[&str] =
-    &["xacro.expand", "xacro.preview", "xacro.restartAnalysis", "xacro.selectRoot", "xacro.showReferences", "xacro.tree"];
+pub(super) const NAMES: &[&str] = &[
+    "xacro.expand",
+    "xacro.preview",
+    "xacro.restartAnalysis",
+    "xacro.selectRoot",
+    "xacro.showReferences",
+    "xacro.tree",
+];
 
 impl Engine {
     pub fn command(

@@ -10,7 +10,7 @@ use super::expansion::Root;
 use super::failure::Failure;
 use crate::analysis::{Analyzed, RootChoice};
 use crate::base::{CancelFlag, TextRange};
-use crate::expand::{FrameId, FrameKind, Origin};
+use crate::expand::{FrameId, FrameKind, MapKind, Origin};
 use crate::ide::{self, Lines, SourceMap};
 
 #[derive(Clone, Debug, Deserialize)]
@@ -66,7 +66,7 @@ impl Engine {
         if let Some(entry) = ide::entry_at(written, offset) {
             let origin = ide::origin_of(expansion, entry);
             locations.extend(self.mapped(&analyzed, origin, "origin"));
-            if origin != entry.origin {
+            if entry.kind > MapKind::Attribute && origin != entry.origin {
                 // the value was given by a call: the place in the macro comes second
                 locations.extend(self.mapped(&analyzed, entry.origin, "argument"));
             }

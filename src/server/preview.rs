@@ -181,8 +181,7 @@ impl Engine {
         #[cfg(not(feature = "preview"))]
         let watched = |_| false;
         let wanted = |id: u32| subscribed.contains(&id) || watched(id);
-        let (messages, finished) =
-            names.with(|names| views.update(&mut self.world, names, &wanted, &cancel));
+        let (messages, finished) = names.with(|names| views.update(&mut self.world, names, &wanted, &cancel));
         // given up because a job came in: after it
         self.previews.due |= !finished;
         for message in &messages {

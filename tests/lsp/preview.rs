@@ -77,7 +77,11 @@ fn broken_text_keeps_the_last_good_robot() {
     assert_eq!(broken["goodRevision"], first["revision"]);
     let error = &broken["errors"][0];
     assert_eq!(error["location"]["uri"], client.uri(ROBOT));
-    client.edit(ROBOT, "axis=\"0 1 0\"><origin xyz=\"0 0 ${m0 / 3}\"/></xacro:unit>\n<", "axis=\"1 0 0\"><origin xyz=\"0 0 0\"/></xacro:unit></robot>");
+    client.edit(
+        ROBOT,
+        "axis=\"0 1 0\"><origin xyz=\"0 0 ${m0 / 3}\"/></xacro:unit>\n<",
+        "axis=\"1 0 0\"><origin xyz=\"0 0 0\"/></xacro:unit></robot>",
+    );
     let mended = model_with(&mut client, &id, |model| model["ok"] == true);
     assert_eq!(mended["model"]["joints"][1]["axis"], json!([1.0, 0.0, 0.0]));
     assert!(mended["lastGood"].is_null() && mended["errors"] == json!([]));
@@ -164,7 +168,9 @@ fn meshes_are_named_by_ids_that_change_with_the_file() {
     std::fs::create_dir_all(file.parent().unwrap()).unwrap();
     std::fs::write(&file, "solid a\nendsolid a\n").unwrap();
     let mesh = |name: &str| {
-        format!("<visual><geometry><mesh filename=\"package://pan_tilt/meshes/{name}\"/></geometry></visual><inertial>")
+        format!(
+            "<visual><geometry><mesh filename=\"package://pan_tilt/meshes/{name}\"/></geometry></visual><inertial>"
+        )
     };
     client.edit(UNIT, "<inertial>", &mesh("head.stl"));
     let shown = model(&mut client, &id);

@@ -44,6 +44,12 @@ test('the robot is there, with meshes of every format', async () => {
     return found;
   });
   assert.deepEqual(black, []);
+  const texture = await page.evaluate(() => {
+    let width;
+    window.xacroViewer.views.get('main').link('right').traverse((part) => (width ??= part.material?.map?.image?.width));
+    return width;
+  });
+  assert.equal(texture, 4, 'the texture that the material library names');
   await shot(page, 'first');
 });
 

@@ -1,5 +1,6 @@
 // A cube of side 1 in four formats, as little text as each needs. The STL says zero for all normals, as some tools do.
 import { mkdirSync, writeFileSync } from 'node:fs';
+import { crc32, deflateSync } from './png.mjs';
 
 const corners = [[-.5, -.5, -.5], [.5, -.5, -.5], [.5, .5, -.5], [-.5, .5, -.5], [-.5, -.5, .5], [.5, -.5, .5], [.5, .5, .5], [-.5, .5, .5]];
 const faces = [[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7], [0, 1, 5], [0, 5, 4], [2, 3, 7], [2, 7, 6], [1, 2, 6], [1, 6, 5], [0, 4, 7], [0, 7, 3]];
@@ -12,8 +13,9 @@ function stl() {
 }
 
 function obj() {
-  const lines = ['mtllib cube.mtl', 'o cube', ...corners.map((corner) => `v ${corner.join(' ')}`), 'usemtl green'];
-  return [...lines, ...faces.map((face) => `f ${face.map((i) => i + 1).join(' ')}`)].join('\n') + '\n';
+  const uvs = ['vt 0 0', 'vt 1 0', 'vt 1 1'];
+  const lines = ['mtllib cube.mtl', 'o cube', ...corners.map((corner) => `v ${corner.join(' ')}`), ...uvs, 'usemtl green'];
+  return [...lines, ...faces.map((face) => `f ${face.map((i, j) => `${i + 1}/${j + 1}`).join(' ')}`)].join('\n') + '\n';
 }
 
 function dae() {
@@ -62,8 +64,25 @@ function glb() {
   return Buffer.concat([head, body]);
 }
 
+/** A picture of 4 by 4 dots, green and white. */
+function png() {
+  const rows = [0, 1, 2, 3].map((y) => [0, ...[0, 1, 2, 3].flatMap((x) => ((x + y) % 2 ? [30, 150, 60] : [235, 245, 235]))]);
+  const chunk = (kind, data) => {
+    const body = Buffer.concat([Buffer.from(kind), data]);
+    const ends = [Buffer.alloc(4), Buffer.alloc(4)];
+    ends[0].writeUInt32BE(data.length);
+    ends[1].writeUInt32BE(crc32(body));
+    return Buffer.concat([ends[0], body, ends[1]]);
+  };
+  const size = Buffer.from([0, 0, 0, 4, 0, 0, 0, 4, 8, 2, 0, 0, 0]);
+  const mark = Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
+  return Buffer.concat([mark, chunk('IHDR', size), chunk('IDAT', deflateSync(Buffer.from(rows.flat()))), chunk('IEND', Buffer.alloc(0))]);
+}
+
 export function writeCubes(folder) {
   mkdirSync(folder, { recursive: true });
-  const files = { 'cube.stl': stl(), 'cube.obj': obj(), 'cube.mtl': 'newmtl green\nKd 0.1 0.7 0.2\n', 'cube.dae': dae(), 'cube.glb': glb() };
+  const files = { 'cube.stl': stl(), 'cube.obj': obj(), 'cube.mtl': 'newmtl green\nKd 1 1 1\nmap_Kd textures/dots.png\n', 'cube.dae': dae(), 'cube.glb': glb() };
+  mkdirSync(`${folder}/textures`, { recursive: true });
+  writeFileSync(`${folder}/textures/dots.png`, png());
   for (const [name, content] of Object.entries(files)) writeFileSync(`${folder}/${name}`, content);
 }

@@ -65,6 +65,7 @@ input[type=range] { accent-color: var(--accent); min-width: 0; }
   background: color-mix(in srgb, var(--panel) 82%, transparent); color: var(--fg); will-change: transform; }
 .labels .measure { font-weight: 600; background: var(--accent); color: #fff; } .labels .missing { background: #b0108f; color: #fff; }
 .labels .side { font-weight: 600; }
+.row, .head { user-select: none; }
 .row { display: flex; align-items: center; gap: 6px; padding: 1px 4px; border-radius: 4px; cursor: default; min-height: 24px; }
 .row:hover { background: var(--hover); } .row[aria-selected=true] { background: var(--chosen); color: var(--chosen-fg); }
 .row .text { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; flex: 1; }

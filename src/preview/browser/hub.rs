@@ -9,8 +9,8 @@ use tokio::sync::watch;
 
 use super::crowd::Crowd;
 use super::serve;
-use crate::preview::messages::{FromViewer, ModelMessage, Selection, Side};
 use crate::preview::Files;
+use crate::preview::messages::{FromViewer, ModelMessage, Selection, Side};
 use crate::vfs::Vfs;
 
 /// Connections that have not sent a whole request yet, at most.

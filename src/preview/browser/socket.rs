@@ -6,8 +6,8 @@ use std::time::{Duration, Instant};
 
 use axum::extract::State;
 use axum::extract::ws::{CloseFrame, Message, Utf8Bytes, WebSocket, WebSocketUpgrade};
-use axum::http::header::HeaderMap;
 use axum::http::StatusCode;
+use axum::http::header::HeaderMap;
 use axum::response::{IntoResponse, Response};
 use serde::Deserialize;
 
@@ -37,7 +37,11 @@ struct Hello {
 }
 
 /// `/socket`
-pub(super) async fn open(State(hub): State<Arc<Hub>>, headers: HeaderMap, upgrade: WebSocketUpgrade) -> Response {
+pub(super) async fn open(
+    State(hub): State<Arc<Hub>>,
+    headers: HeaderMap,
+    upgrade: WebSocketUpgrade,
+) -> Response {
     // a page always says where it comes from; who does not is none of ours
     if !guard::same_origin(&headers) {
         return (StatusCode::FORBIDDEN, "the Origin is not this server").into_response();

@@ -3,14 +3,14 @@
 use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::path::PathBuf;
-use std::sync::mpsc::{self, Receiver};
 use std::sync::Arc;
+use std::sync::mpsc::{self, Receiver};
 use std::time::{Duration, Instant};
 
 use super::crowd::Crowd;
 use super::{Hub, Received, VIEWER};
-use crate::preview::messages::{FromViewer, Selection};
 use crate::preview::Files;
+use crate::preview::messages::{FromViewer, Selection};
 use crate::vfs::testing::Tree;
 
 struct Rig {
@@ -26,7 +26,8 @@ fn rig() -> Rig {
     tree.write("secret.txt", "secret");
     let files = Arc::new(Files::default());
     let (say, said) = mpsc::channel();
-    let hub = Hub::start(files.clone(), tree.vfs().clone(), move |received| drop(say.send(received))).unwrap();
+    let hub =
+        Hub::start(files.clone(), tree.vfs().clone(), move |received| drop(say.send(received))).unwrap();
     hub.open(1);
     Rig { hub, tree, files, said }
 }
@@ -192,7 +193,9 @@ fn requests_of_other_pages_get_nothing() {
     let path = format!("/mesh/{id}");
     let foreign = format!("Origin: http://127.0.0.1:{}", rig.port().wrapping_add(1));
     let secure = format!("Origin: https://127.0.0.1:{}", rig.port());
-    for line in ["Origin: https://evil.example", "Origin: null", &foreign, &secure, "Sec-Fetch-Site: cross-site"] {
+    for line in
+        ["Origin: https://evil.example", "Origin: null", &foreign, &secure, "Sec-Fetch-Site: cross-site"]
+    {
         let answer = rig.get(&path, &[&rig.token(), line]);
         assert!(answer.starts_with("HTTP/1.1 403"), "{line}: {answer}");
     }
