@@ -164,15 +164,10 @@ function close(side: Side): void {
   showState();
 }
 
-let unlabel: (() => void)[] = [];
 /** Say which side is which, while there are two. */
 function sideLabels(): void {
-  unlabel.splice(0).forEach((remove) => remove());
-  if (views.size < 2) return;
-  for (const [side, view] of views) {
-    const message = latest.get(side);
-    if (message) unlabel.push(stage.label(view.group, label(message.root, message.choices), 'side', side));
-  }
+  const shown = [...latest].map(([side, { root, choices }]) => [side, label(root, choices)] as const);
+  stage.title(new Map(views.size < 2 ? [] : shown));
 }
 
 /** Write down what is shown: revision, errors, what is missing. */

@@ -33,6 +33,7 @@ export class Stage {
   pictures = 0;
   private readonly renderer: THREE.WebGLRenderer;
   private readonly labelLayer = document.createElement('div');
+  private readonly titles = document.createElement('div');
   private readonly labels = new Set<Label>();
   private dirty = true;
   private last = 0;
@@ -45,7 +46,8 @@ export class Stage {
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute('aria-label', 'robot; drag to turn, drag a link to move its joint');
     this.labelLayer.className = 'labels';
-    this.element.append(this.canvas, this.labelLayer);
+    this.titles.className = 'titles';
+    this.element.append(this.canvas, this.titles, this.labelLayer);
     this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.autoClear = false;
@@ -91,6 +93,19 @@ export class Stage {
     const at = this.panes.findIndex((pane) => pane.side === side);
     if (at >= 0) this.panes.splice(at, 1);
     this.layout();
+  }
+
+  /** Write a title over each pane; none: no titles, and no line between the panes. */
+  title(texts: Map<Side, string>): void {
+    const titles = this.panes.flatMap((pane) => {
+      const title = document.createElement('b');
+      title.className = 'title';
+      title.textContent = texts.get(pane.side) ?? '';
+      title.style.left = `${pane.left * 100}%`;
+      title.style.width = `${(pane.right - pane.left) * 100}%`;
+      return texts.has(pane.side) ? [title] : [];
+    });
+    this.titles.replaceChildren(...titles);
   }
 
   private layout(): void {
@@ -153,13 +168,27 @@ export class Stage {
   /** Put the camera so that a box fills the picture, from where it looks now or from `direction`. */
   fit(box: THREE.Box3, direction?: THREE.Vector3): void {
     if (box.isEmpty()) return;
-    const sphere = box.getBoundingSphere(new THREE.Sphere());
+    const centre = box.getCenter(new THREE.Vector3());
     const from = direction?.clone() ?? this.camera.position.clone().sub(this.orbit.target);
     if (from.lengthSq() === 0) from.set(1, -1, 0.7);
-    const half = Math.min(this.camera.fov, this.camera.fov * Math.max(0.4, this.camera.aspect)) / 2;
-    const distance = (Math.max(sphere.radius, 0.02) / Math.sin(THREE.MathUtils.degToRad(half))) * 1.02;
-    this.orbit.target.copy(sphere.center);
-    this.camera.position.copy(sphere.center).addScaledVector(from.normalize(), distance);
+    from.normalize();
+    const right = new THREE.Vector3().crossVectors(this.camera.up, from).normalize();
+    const up = new THREE.Vector3().crossVectors(from, right);
+    const high = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
+    const wide = (high * this.element.clientWidth) / this.panes.length / Math.max(1, this.element.clientHeight);
+    // each corner has to lie inside of the picture, from the distance it has itself
+    let distance = 0.05;
+    for (const x of [box.min.x, box.max.x]) {
+      for (const y of [box.min.y, box.max.y]) {
+        for (const z of [box.min.z, box.max.z]) {
+          const corner = new THREE.Vector3(x, y, z).sub(centre);
+          const across = Math.max(Math.abs(corner.dot(right)) / Math.max(wide, 0.05), Math.abs(corner.dot(up)) / high);
+          distance = Math.max(distance, corner.dot(from) + across * 1.15);
+        }
+      }
+    }
+    this.orbit.target.copy(centre);
+    this.camera.position.copy(centre).addScaledVector(from, distance);
     this.camera.near = distance / 200;
     this.camera.far = distance * 60;
     this.orbit.update();

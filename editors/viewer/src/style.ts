@@ -64,7 +64,9 @@ input[type=range] { accent-color: var(--accent); min-width: 0; }
 .labels span { position: absolute; left: 0; top: 0; white-space: nowrap; font-size: 11px; padding: 0 4px; border-radius: 3px;
   background: color-mix(in srgb, var(--panel) 82%, transparent); color: var(--fg); will-change: transform; }
 .labels .measure { font-weight: 600; background: var(--accent); color: #fff; } .labels .missing { background: #b0108f; color: #fff; }
-.labels .side { font-weight: 600; }
+.titles { position: absolute; inset: 0; pointer-events: none; }
+.titles .title { position: absolute; top: 0; bottom: 0; padding: 8px 12px; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
+.titles .title + .title { border-left: 1px solid var(--line); }
 .row, .head { user-select: none; }
 .row { display: flex; align-items: center; gap: 6px; padding: 1px 4px; border-radius: 4px; cursor: default; min-height: 24px; }
 .row:hover { background: var(--hover); } .row[aria-selected=true] { background: var(--chosen); color: var(--chosen-fg); }
