@@ -23,14 +23,17 @@ const stage = new Stage();
 const views = new Map<Side, RobotView>();
 const latest = new Map<Side, ModelMessage>();
 const times = new Map<number, string>();
+const CORNER = new THREE.Vector3(1.1, -1.3, 0.75);
 let selected: { links: Set<string>; joints: Set<string> } = { links: new Set(), joints: new Set() };
 let fitted = false;
+let touched = false;
 let held: string | undefined;
 
 const values = new Values(() => {
   for (const view of views.values()) view.pose();
   joints.show();
 });
+stage.orbit.addEventListener('start', () => (touched = true));
 stage.before.push((now) => values.step(now));
 
 const joints = new JointPanel(values, { select: (name) => selectJoint(name) });
@@ -138,10 +141,7 @@ function show(message: ModelMessage): void {
     tree.update(view.model);
   }
   joints.update(together(models));
-  if (!fitted && view.model.links.length > 0) {
-    fitted = true;
-    fit(new THREE.Vector3(1.1, -1.3, 0.75));
-  }
+  if (!fitted && view.model.links.length > 0) fit(CORNER);
   sideLabels();
   showState();
 }
@@ -177,11 +177,17 @@ function showState(): void {
   empty.hidden = !!view && view.model.links.length > 0;
   if (main && !empty.hidden) empty.textContent = 'this file makes no links';
   const lost = document.body.dataset['connection'] === 'lost' ? ' · connection lost, trying again' : '';
+  const pending = [...views.values()].reduce((all, one) => all + one.loading, meshes.pending);
+  if (view && view.model.links.length > 0 && pending === 0 && !fitted) {
+    // with all its meshes for the first time
+    fitted = true;
+    if (!touched) fit(CORNER);
+  }
   const loading = meshes.pending > 0 ? ` · ${meshes.pending} files loading` : '';
   status.textContent = main ? `revision ${main.revision} · ${times.get(main.revision) ?? ''} · Z is up${loading}${lost}` : lost;
   document.body.dataset['revision'] = String(main?.revision ?? 0);
   document.body.dataset['ok'] = String(main?.ok ?? '');
-  document.body.dataset['loading'] = String(meshes.pending);
+  document.body.dataset['loading'] = String(pending);
   showBanner();
   stage.invalidate();
 }
@@ -335,7 +341,7 @@ const keys: Record<string, [string, () => void]> = {
   '1': ['from the front', () => fit(new THREE.Vector3(1, 0, 0.001))],
   '2': ['from the left', () => fit(new THREE.Vector3(0, 1, 0.001))],
   '3': ['from above', () => fit(new THREE.Vector3(-0.001, 0, 1))],
-  '4': ['from a corner', () => fit(new THREE.Vector3(1.1, -1.3, 0.75))],
+  '4': ['from a corner', () => fit(CORNER)],
   '/': ['search', () => tree.focusSearch()],
   '?': ['these keys', () => (help.hidden = !help.hidden)],
 };

@@ -45,6 +45,8 @@ export class RobotView {
   /** Meshes that could not be shown. */
   readonly problems = new Map<string, Problem>();
   readonly hidden = new Set<string>();
+  /** Links whose meshes are still to come. */
+  loading = 0;
   private readonly links = new Map<string, LinkNode>();
   private readonly joints = new Map<string, JointNode>();
   private readonly extent = new THREE.Group();
@@ -239,6 +241,7 @@ export class RobotView {
     // old meshes stay until the new ones are there, so that nothing flickers
     const loading = made.some(({ ready }) => ready instanceof Promise);
     const swap = (): void => {
+      if (loading) this.loading--;
       old.forEach((part) => part.removeFromParent());
       this.select(this.selected);
       this.measureSize();
@@ -246,8 +249,9 @@ export class RobotView {
       this.changed();
     };
     made.forEach(({ holder }) => group.add(holder));
-    if (!loading) swap();
-    else void Promise.all(made.map(({ ready }) => ready)).then(swap);
+    if (!loading) return swap();
+    this.loading++;
+    void Promise.all(made.map(({ ready }) => ready)).then(swap);
   }
 
   /** Draw a body; a promise when its file has to come first. */

@@ -48,12 +48,12 @@ input[type=range] { accent-color: var(--accent); min-width: 0; }
 .bar .name { font-weight: 600; margin: 0 6px 0 2px; max-width: 22em; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
 .bar .space { flex: 1; }
 .bar select { max-width: 15em; }
-.bar label { display: flex; gap: 5px; align-items: center; color: var(--muted); }
+.bar label:not([hidden]) { display: flex; gap: 5px; align-items: center; color: var(--muted); }
 .bar .args { display: flex; flex-wrap: wrap; gap: 4px 8px; max-height: 62px; overflow: auto; }
 .bar .args:empty { display: none; }
 .bar .args input { width: 8em; }
 .panel { background: var(--panel); overflow: hidden; display: flex; flex-direction: column; width: 260px; min-height: 0; }
-.panel.left { border-right: 1px solid var(--line); } .panel.right { border-left: 1px solid var(--line); width: 300px; }
+.panel.left { resize: horizontal; min-width: 150px; max-width: 50vw; border-right: 1px solid var(--line); } .panel.right { border-left: 1px solid var(--line); width: 300px; }
 .panel[hidden] { display: none; }
 .panel header { display: flex; gap: 4px; align-items: center; padding: 6px 8px; flex-wrap: wrap; }
 .panel header b { flex: 1; font-weight: 600; } .panel header input { flex: 1; width: 100%; }

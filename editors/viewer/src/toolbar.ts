@@ -34,6 +34,7 @@ export class Toolbar {
   private readonly compare = el('select', { title: 'show another preset beside it' });
   private readonly args = el('div', { class: 'args' });
   private readonly boxes = new Map<Layer, HTMLInputElement>();
+  private readonly beside = el('label', {}, el('span', { text: 'beside' }), this.compare);
   private message: ModelMessage | undefined;
   private comparing: Root | null = null;
   private shown = '';
@@ -61,7 +62,7 @@ export class Toolbar {
       left,
       this.name,
       this.root,
-      el('label', {}, el('span', { text: 'beside' }), this.compare),
+      this.beside,
       this.args,
       el('span', { class: 'space' }),
       layerButton,
@@ -81,6 +82,7 @@ export class Toolbar {
     this.shown = shown;
     this.fill(this.root, message.choices, message.root);
     this.root.hidden = message.choices.length < 2;
+    this.beside.hidden = message.choices.length < 2 && !this.comparing;
     const blank = el('option', { text: '–' });
     blank.value = '';
     this.fill(this.compare, message.choices, this.comparing);

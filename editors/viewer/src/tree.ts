@@ -89,13 +89,13 @@ export class TreePanel {
   }
 
   private row(entry: Entry, flat: boolean): HTMLElement {
-    const text = el('span', { class: 'text', text: entry.link });
+    const text = el('span', { class: 'text' }, el('span', { text: entry.link }));
     if (entry.joint) text.append(el('small', { text: `${entry.joint.name} · ${entry.joint.type}` }));
     const eye = button('●', `show or hide ${entry.link}`, () => this.act.show(entry.link, this.act.hidden().has(entry.link)), 'eye');
     const row = el('div', { class: 'row', role: 'treeitem', tabindex: -1 }, text, eye);
     row.dataset['link'] = entry.link;
     row.setAttribute('aria-level', String(entry.depth + 1));
-    row.style.paddingLeft = `${6 + (flat ? 0 : Math.min(entry.depth, 24) * 12)}px`;
+    row.style.paddingLeft = `${6 + (flat ? 0 : Math.min(entry.depth, 24) * 10)}px`;
     row.title = entry.joint ? `${entry.link}, held by ${entry.joint.name}` : entry.link;
     row.addEventListener('click', (event) => {
       if (event.target instanceof HTMLButtonElement) return;

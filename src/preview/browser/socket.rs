@@ -4,12 +4,14 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use axum::body::Bytes;
 use axum::extract::State;
 use axum::extract::ws::{CloseFrame, Message, Utf8Bytes, WebSocket, WebSocketUpgrade};
 use axum::http::StatusCode;
 use axum::http::header::HeaderMap;
 use axum::response::{IntoResponse, Response};
 use serde::Deserialize;
+use tokio::sync::watch::Receiver;
 
 use super::guard;
 use super::hub::{Hub, News, Received};
@@ -50,55 +52,72 @@ pub(super) async fn open(
     upgrade.on_upgrade(move |socket| talk(socket, hub))
 }
 
-async fn talk(mut socket: WebSocket, hub: Arc<Hub>) {
+async fn talk(socket: WebSocket, hub: Arc<Hub>) {
+    let Some((mut socket, id, mut news)) = greet(socket, &hub).await else { return };
+    (hub.receive)(Received { id, message: FromViewer::Ready });
+    let page = hub.pages.enter();
+    let mut known = News::default();
+    // what there is already is news to it
+    news.mark_changed();
+    let mut seen = Instant::now();
+    let mut ping = tokio::time::interval(PING);
+    loop {
+        tokio::select! {
+            changed = news.changed() => {
+                if changed.is_err() {
+                    return close(socket, NO_VIEW, "this view is closed").await;
+                }
+                let now = news.borrow_and_update().clone();
+                if tell(&mut socket, &mut known, now).await.is_break() {
+                    return;
+                }
+            }
+            message = socket.recv() => {
+                let Some(Ok(message)) = message else { return };
+                seen = Instant::now();
+                listen(&hub, id, &message);
+            }
+            _ = ping.tick() => {
+                let silent = seen.elapsed() > SILENCE;
+                if silent || send(&mut socket, Message::Ping(Bytes::new())).await.is_break() {
+                    return;
+                }
+            }
+            () = page.lost() => return close(socket, NO_VIEW, "too many pages are open").await,
+        }
+    }
+}
+
+/// Wait for the token; the view that the page shows.
+async fn greet(mut socket: WebSocket, hub: &Hub) -> Option<(WebSocket, u32, Receiver<News>)> {
     let stranger = hub.strangers.enter();
     let hello = tokio::select! {
         hello = tokio::time::timeout(HELLO_TIME, socket.recv()) => hello,
-        () = stranger.lost() => return,
+        () = stranger.lost() => return None,
     };
     let hello = match hello {
         Ok(Some(Ok(Message::Text(text)))) => serde_json::from_str::<Hello>(&text).ok(),
         _ => None,
     };
     let Some(hello) = hello.filter(|hello| guard::same(&hello.token, hub.token())) else {
-        return close(socket, WRONG_TOKEN, "the token is missing or wrong").await;
+        close(socket, WRONG_TOKEN, "the token is missing or wrong").await;
+        return None;
     };
-    let Some(mut news) = hub.news(hello.id) else {
-        return close(socket, NO_VIEW, "this view is closed").await;
-    };
-    drop(stranger);
-    (hub.receive)(Received { id: hello.id, message: FromViewer::Ready });
-    let page = hub.pages.enter();
-    let mut known = News::default();
-    let mut seen = Instant::now();
-    let mut ping = tokio::time::interval(PING);
-    let mut fresh = true;
-    loop {
-        if std::mem::take(&mut fresh) {
-            let now = news.borrow_and_update().clone();
-            if tell(&mut socket, &mut known, now).await.is_break() {
-                return;
-            }
+    match hub.news(hello.id) {
+        Some(news) => Some((socket, hello.id, news)),
+        None => {
+            close(socket, NO_VIEW, "this view is closed").await;
+            None
         }
-        tokio::select! {
-            changed = news.changed() => match changed {
-                Ok(()) => fresh = true,
-                Err(_) => return close(socket, NO_VIEW, "this view is closed").await,
-            },
-            message = socket.recv() => {
-                let Some(Ok(message)) = message else { return };
-                seen = Instant::now();
-                if let Message::Text(text) = message && let Ok(message) = serde_json::from_str::<FromViewer>(&text) {
-                    (hub.receive)(Received { id: hello.id, message });
-                }
-            }
-            _ = ping.tick() => {
-                if seen.elapsed() > SILENCE || send(&mut socket, Message::Ping(Default::default())).await.is_break() {
-                    return;
-                }
-            }
-            () = page.lost() => return close(socket, NO_VIEW, "too many pages are open").await,
-        }
+    }
+}
+
+/// Pass on what a page says; what makes no sense is passed over.
+fn listen(hub: &Hub, id: u32, message: &Message) {
+    if let Message::Text(text) = message
+        && let Ok(message) = serde_json::from_str::<FromViewer>(text)
+    {
+        (hub.receive)(Received { id, message });
     }
 }
 
