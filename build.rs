@@ -1,5 +1,7 @@
 //! Puts the viewer of the preview into the program, when it was built (`npm run build` in `editors/viewer`).
 
+#![allow(clippy::disallowed_methods)] // it runs while building, not in the product
+
 use std::env;
 use std::fs;
 use std::path::Path;

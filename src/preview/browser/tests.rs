@@ -289,9 +289,8 @@ fn a_page_is_told_and_listened_to() {
     assert!(matches!(ready, Received { id: 1, message: FromViewer::Ready }));
     rig.hub.select(&Selection { id: 1, links: vec!["arm".to_owned()], ..Selection::default() });
     let text = loop {
-        match read_frame(&mut socket).unwrap() {
-            (1, content) => break String::from_utf8(content).unwrap(),
-            _ => {}
+        if let (1, content) = read_frame(&mut socket).unwrap() {
+            break String::from_utf8(content).unwrap();
         }
     };
     assert_eq!(text, r#"{"type":"select","id":1,"links":["arm"],"joints":[]}"#);
