@@ -27,6 +27,8 @@ const CORNER = new THREE.Vector3(1.1, -1.3, 0.75);
 let selected: { links: Set<string>; joints: Set<string> } = { links: new Set(), joints: new Set() };
 let fitted = false;
 let touched = false;
+/** A model is being taken over: nothing is final yet. */
+let busy = false;
 let held: string | undefined;
 
 const values = new Values(() => {
@@ -134,7 +136,9 @@ function show(message: ModelMessage): void {
   if (model) view.model = model;
   const models = [...views.values()].map((one) => one.model);
   values.update(models);
+  busy = true;
   if (model) view.update(model);
+  busy = false;
   meshes.keep(models);
   if (side === 'main') {
     toolbar.update(message);
@@ -172,6 +176,7 @@ function sideLabels(): void {
 
 /** Write down what is shown: revision, errors, what is missing. */
 function showState(): void {
+  if (busy) return;
   const main = latest.get('main');
   const view = views.get('main');
   empty.hidden = !!view && view.model.links.length > 0;
@@ -192,9 +197,13 @@ function showState(): void {
   stage.invalidate();
 }
 
+/** Whether the user wants to see the list in the banner; undefined: as it fits. */
+let unfolded: boolean | undefined;
+
 function showBanner(): void {
   const rows: HTMLElement[] = [];
   let title = '';
+  const broken = [...latest.values()].some((message) => !message.ok);
   for (const message of latest.values()) {
     if (message.ok) continue;
     const count = message.errors.length;
@@ -221,7 +230,11 @@ function showBanner(): void {
   const text = JSON.stringify([title, rows.map((row) => row.textContent)]);
   if (banner.dataset['text'] === text) return;
   banner.dataset['text'] = text;
-  banner.replaceChildren(el('b', { text: title }), el('ul', {}, ...rows));
+  const summary = el('summary', { title: 'show or hide the list' }, el('b', { text: title }));
+  const list = el('details', {}, summary, el('ul', {}, ...rows));
+  list.open = unfolded ?? (broken || rows.length < 4);
+  summary.addEventListener('click', () => (unfolded = !list.open));
+  banner.replaceChildren(list);
 }
 
 function find(link: string): { model: Model; view: RobotView } | undefined {

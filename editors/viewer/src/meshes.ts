@@ -75,8 +75,11 @@ export class Meshes {
       if (/^(blob|data):/.test(url)) return url;
       return beside.urls.get(name) ?? beside.urls.get(name.replace(/^\.\//, '')) ?? 'data:,';
     });
+    const pictures = whenLoaded(manager);
     const loaded = await parse(file, bytes, manager, beside);
+    await pictures();
     loaded.object.traverse(mendNormals);
+    loaded.object.traverse(dropLostPictures);
     return loaded;
   }
 
@@ -133,6 +136,32 @@ async function parse(file: MeshFile, bytes: ArrayBuffer, manager: THREE.LoadingM
     }
     default:
       throw new Error(`meshes of the format ${file.format || '?'} cannot be shown`);
+  }
+}
+
+/** What waits for the pictures that a loader has begun to load, if it did. */
+function whenLoaded(manager: THREE.LoadingManager): () => Promise<void> {
+  let begun = false;
+  let done = (): void => undefined;
+  const all = new Promise<void>((resolve) => (done = resolve));
+  manager.onStart = () => (begun = true);
+  manager.onLoad = () => done();
+  const patience = 10_000;
+  return () => (begun ? Promise.race([all, new Promise<void>((resolve) => setTimeout(resolve, patience))]) : Promise.resolve());
+}
+
+/** A picture that is missing or of an unknown format would be drawn black. */
+function dropLostPictures(object: THREE.Object3D): void {
+  if (!(object instanceof THREE.Mesh)) return;
+  const materials = (Array.isArray(object.material) ? object.material : [object.material]) as THREE.Material[];
+  for (const material of materials) {
+    for (const [name, value] of Object.entries(material)) {
+      if (!(value instanceof THREE.Texture)) continue;
+      const image = value.image as { width?: number } | null | undefined;
+      if (image?.width) continue;
+      Object.assign(material, { [name]: null });
+      material.needsUpdate = true;
+    }
   }
 }
 

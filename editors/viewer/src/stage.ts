@@ -76,8 +76,8 @@ export class Stage {
     const known = this.pane(side);
     if (known) return known;
     const scene = new THREE.Scene();
-    scene.add(new THREE.HemisphereLight(0xffffff, 0x9099a8, 2.2));
-    const sun = new THREE.DirectionalLight(0xffffff, 2);
+    scene.add(new THREE.HemisphereLight(0xffffff, 0x9099a8, 1.7));
+    const sun = new THREE.DirectionalLight(0xffffff, 1.8);
     sun.position.set(2, -3, 5);
     const fill = new THREE.DirectionalLight(0xffffff, 0.6);
     fill.position.set(-4, 3, 1);

@@ -50,6 +50,7 @@ input[type=range] { accent-color: var(--accent); min-width: 0; }
 .bar select { max-width: 15em; }
 .bar label:not([hidden]) { display: flex; gap: 5px; align-items: center; color: var(--muted); }
 .bar .args { display: flex; flex-wrap: wrap; gap: 4px 8px; max-height: 62px; overflow: auto; }
+.bar .args.many { order: 1; flex-basis: 100%; max-height: 60px; }
 .bar .args:empty { display: none; }
 .bar .args input { width: 8em; }
 .panel { background: var(--panel); overflow: hidden; display: flex; flex-direction: column; width: 260px; min-height: 0; }
@@ -83,7 +84,8 @@ input[type=range] { accent-color: var(--accent); min-width: 0; }
 .wheel { flex: 1; height: 20px; border: 1px solid var(--line); border-radius: 10px; cursor: ew-resize; touch-action: none;
   background-image: repeating-linear-gradient(90deg, var(--muted) 0 1px, transparent 1px 12px); background-position-x: 0; opacity: .85; }
 .banner { position: absolute; left: 8px; right: 8px; top: 8px; background: var(--error-bg); color: var(--fg); border: 1px solid var(--error);
-  border-radius: 6px; padding: 6px 10px; max-height: 40%; overflow: auto; }
+  border-radius: 6px; padding: 6px 10px; max-height: 34%; overflow: auto; }
+.banner summary { cursor: pointer; }
 .banner[hidden], .menu[hidden], .tip[hidden], .help[hidden] { display: none; }
 .banner b { color: var(--error); } .banner ul { margin: 4px 0 0; padding: 0; list-style: none; }
 .banner li button { width: 100%; text-align: left; white-space: normal; } .banner li small { color: var(--muted); margin-left: 8px; }

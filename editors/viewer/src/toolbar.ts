@@ -148,6 +148,7 @@ export class Toolbar {
       });
       return el('label', { title: `argument ${name}` }, el('span', { text: name }), field);
     });
+    this.args.classList.toggle('many', fields.length > 3);
     this.args.replaceChildren(...fields);
   }
 
