@@ -219,12 +219,12 @@ function showBanner(): void {
     }
   }
   for (const view of views.values()) {
-    for (const problem of view.problems.values()) {
+    for (const problem of view.bodies.problems.values()) {
       const entry = button(problem.text, `select ${problem.link}`, () => selectLink(problem.link, false), 'problem');
       entry.append(el('small', { text: `link ${problem.link}` }));
       rows.push(el('li', {}, entry));
     }
-    if (view.problems.size > 0) title ||= `${view.problems.size} shape${view.problems.size === 1 ? '' : 's'} cannot be drawn`;
+    if (view.bodies.problems.size > 0) title ||= `${view.bodies.problems.size} shape${view.bodies.problems.size === 1 ? '' : 's'} cannot be drawn`;
   }
   banner.hidden = rows.length === 0 && !title;
   const text = JSON.stringify([title, rows.map((row) => row.textContent)]);
