@@ -12,6 +12,7 @@ pub mod expr;
 pub mod facts;
 pub mod ide;
 pub mod model;
+pub mod preview;
 pub mod rules;
 #[cfg(feature = "lsp")]
 pub mod server;

@@ -236,6 +236,16 @@ impl World {
         self.graph.files().cloned().collect()
     }
 
+    /// The files that look like robots, with each preset that the configuration lists for them.
+    pub fn robots(&self) -> Vec<RootChoice> {
+        let robots = self.graph.files().filter(|file| self.graph.is_root(file));
+        let variants = |file: &PathBuf| {
+            let variants = self.configured_variants(file);
+            if variants.is_empty() { vec![RootChoice::plain(file)] } else { variants }
+        };
+        robots.flat_map(variants).collect()
+    }
+
     /// Whether all files of the workspace were looked at.
     pub fn is_scanned(&self) -> bool {
         self.scanned && self.unscanned.is_empty()

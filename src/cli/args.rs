@@ -30,6 +30,9 @@ pub(super) enum Command {
     },
     /// Print the links of a robot as a tree, as `check_urdf` does
     Tree(TreeArgs),
+    /// Show a robot in 3D in a browser, and follow its files
+    #[cfg(feature = "preview")]
+    Preview(PreviewArgs),
     /// Print the packages that can be found, and where
     Packages(PackagesArgs),
     /// Print the files that a robot is made from
@@ -290,6 +293,17 @@ pub(super) enum TreeFormat {
     Json,
     /// A picture
     Svg,
+}
+
+#[cfg(feature = "preview")]
+#[derive(Args, Debug)]
+pub(super) struct PreviewArgs {
+    /// The file, and name:=value for its arguments
+    #[arg(value_name = "FILE", required = true)]
+    pub(super) file: Vec<String>,
+    /// Look for packages there first
+    #[arg(long, value_name = "DIR")]
+    pub(super) package_path: Vec<String>,
 }
 
 #[derive(Args, Debug)]

@@ -14,6 +14,8 @@ mod json;
 mod options;
 mod packages;
 mod prepare;
+#[cfg(feature = "preview")]
+mod preview;
 mod progress;
 mod reference;
 mod render;
@@ -66,6 +68,8 @@ fn dispatch(command: Command, env: &Environment, io: &mut Io<'_>) -> u8 {
         Command::Format(options) => format::run(&options, env, io),
         Command::Expand { args } => expand::run(&args, env, io),
         Command::Tree(options) => tree::run(&options, env, io),
+        #[cfg(feature = "preview")]
+        Command::Preview(options) => preview::run(&options, env, io),
         Command::Packages(options) => packages::run(&options, env, io),
         Command::Deps(options) => deps::run(&options, env, io),
         Command::Explain { rule } => explain::explain(rule.as_deref(), io),

@@ -135,7 +135,8 @@ fn expand_in(session: &Session, file: &str, args: Vec<(String, String)>) -> Expa
     expand(world, &Request { file: file.to_owned(), args, ..Request::default() })
 }
 
-fn file_and_arguments(names: &[String]) -> Result<(String, Vec<(String, String)>), String> {
+/// The one file among `names`, and the arguments.
+pub(super) fn file_and_arguments(names: &[String]) -> Result<(String, Vec<(String, String)>), String> {
     let arguments = mappings(names.iter().map(String::as_str)).map_err(|error| error.message())?;
     let mut files = names.iter().filter(|name| !name.contains(":="));
     match (files.next(), files.next()) {

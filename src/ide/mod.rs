@@ -29,6 +29,8 @@ mod schema;
 mod search;
 mod selection;
 mod source_map;
+#[cfg(test)]
+mod source_map_tests;
 mod tag_reader;
 mod tags;
 mod tokens;
@@ -62,6 +64,6 @@ pub use paths::{FileKind, FileName, FileTarget, file_names};
 pub use rename::{definition_at, places, rename, renameable};
 pub use search::{Hit, fit, search};
 pub use selection::selection;
-pub use source_map::{Lines, SourceMap, entry_at, instances, origin_of, source_map, steps, whole_attribute};
+pub use source_map::{Lines, SourceMap, entry_at, instances, origin_of, source_map, steps};
 pub use tags::{matching_tags, same_tag_names};
 pub use tokens::{Modifiers, Token, TokenKind, tokens};

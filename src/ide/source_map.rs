@@ -5,8 +5,8 @@
 
 use serde::Serialize;
 
-use crate::base::{Encoding, FastMap, TextRange};
-use crate::expand::{BindingKind, Expansion, FrameId, FrameKind, MapEntry, MapKind, Origin, Written};
+use crate::base::{Encoding, FastMap, FastSet, TextRange};
+use crate::expand::{BindingKind, Expansion, FrameId, FrameKind, MapEntry, MapKind, Origin, Written, XId};
 use crate::xml::Document;
 
 /// The map as it is written: `files` are named by the caller.
@@ -50,8 +50,12 @@ pub fn source_map(
     SourceMap { version: 1, root, files, frames: frames.collect(), map }
 }
 
-/// The text that made an entry. What an expression took from a macro's parameter as it is was made by the call.
+/// The text that made an entry. An attribute is more than its value, so that the way back tells it from the first
+/// expression in it. What an expression took from a macro's parameter as it is was made by the call.
 pub fn origin_of(expansion: &Expansion, entry: &MapEntry) -> Origin {
+    if entry.kind == MapKind::Attribute {
+        return whole_attribute(expansion, entry).unwrap_or(entry.origin);
+    }
     let mut origin = entry.origin;
     let mut reads = &entry.reads;
     // a value is handed down through calls as often as calls are nested
@@ -68,16 +72,13 @@ pub fn origin_of(expansion: &Expansion, entry: &MapEntry) -> Origin {
     origin
 }
 
-/// The origin of an attribute with its name, not of its value alone.
-pub fn whole_attribute(expansion: &Expansion, origin: Origin) -> Origin {
-    let start = || {
-        let source = expansion.sources.get(origin.src.0 as usize)?;
-        let before = source.item.text().get(..origin.range.start as usize)?;
-        let before = before.strip_suffix(['"', '\''])?.trim_end().strip_suffix('=')?.trim_end();
-        let name = before.rfind(|c: char| c.is_whitespace())? + 1;
-        Some(TextRange::new(name as u32, origin.range.end))
-    };
-    Origin { range: start().unwrap_or(origin.range), ..origin }
+/// The attribute with name and quotes whose value made an entry; none when it was made in another way.
+fn whole_attribute(expansion: &Expansion, entry: &MapEntry) -> Option<Origin> {
+    let tag = expansion.tree.get(entry.node).origin;
+    let source = expansion.sources.get(tag.src.0 as usize).filter(|_| tag.src == entry.origin.src)?;
+    let mut attrs = source.item.element_at(tag.range.start)?.attrs();
+    let attr = attrs.find(|attr| attr.value_range() == entry.origin.range)?;
+    Some(Origin { range: attr.range(), ..entry.origin })
 }
 
 /// Whether the text at an origin is `${name}` and nothing else.
@@ -102,60 +103,36 @@ pub fn instances(
     file: crate::expand::FileIdx,
     offset: u32,
 ) -> Vec<(TextRange, FrameId)> {
-    let range_here = |origin: Origin| {
-        let source = expansion.sources.get(origin.src.0 as usize).filter(|source| source.file == file)?;
-        let range = origin.range.shift(source.base);
-        (range.start <= offset && offset <= range.end).then_some(range)
+    // of two texts side by side the one that begins there counts
+    let here = |origin: Origin| {
+        let place = expansion.place(origin)?;
+        let TextRange { start, end } = place.range;
+        let around = place.file == file && start <= offset && offset <= end;
+        around.then_some((offset == end && start < end, end - start))
     };
-    let place = |entry: &MapEntry| match entry.kind {
-        MapKind::Attribute => range_here(whole_attribute(expansion, entry.origin)),
-        _ => range_here(entry.origin),
-    };
-    let found = written.map.iter().filter_map(|entry| Some((entry, place(entry)?)));
-    let mut smallest: FastMap<FrameId, ((bool, u32), TextRange)> = FastMap::default();
-    for (entry, range) in found {
-        // where two meet, the one behind counts
-        let size = (range.end == offset, range.len());
-        let kept = smallest.entry(entry.origin.frame).or_insert((size, entry.out));
-        if size < kept.0 {
-            *kept = (size, entry.out);
-        }
-    }
-    let least = smallest.values().map(|(size, _)| *size).min().unwrap_or_default();
-    let mut passed = passed_on(expansion, written, range_here);
-    if let Some((size, _, _)) = passed.first().copied()
-        && (smallest.is_empty() || (size.end == offset, size.len()) < least)
-    {
-        passed.retain(|(range, _, _)| *range == size);
-        return passed.into_iter().map(|(_, out, frame)| (out, frame)).collect();
-    }
+    let found = written.map.iter().filter_map(|entry| {
+        let by_itself = here(entry.origin);
+        // what a call gave to a macro stands in both; attributes are looked at in their own tag only
+        let far = entry.kind == MapKind::Attribute && here(expansion.tree.get(entry.node).origin).is_none();
+        let size = by_itself.or_else(|| if far { None } else { here(origin_of(expansion, entry)) })?;
+        Some((entry, size))
+    });
+    let found: Vec<(&MapEntry, (bool, u32))> = found.collect();
+    let least = found.iter().map(|(_, size)| *size).min().unwrap_or_default();
     if let Some((length, made)) = made_by_calls(expansion, written, file, offset)
-        && (smallest.is_empty() || length < least.1)
+        && (found.is_empty() || length < least.1)
     {
         return made;
     }
-    let mut found: Vec<(TextRange, FrameId)> = smallest
-        .into_iter()
-        .filter(|(_, (size, _))| *size == least)
-        .map(|(frame, (_, out))| (out, frame))
+    // an element and its start tag are one
+    let mut seen: FastSet<(XId, Origin)> = FastSet::default();
+    let innermost = found.into_iter().filter(|(_, size)| *size == least).map(|(entry, _)| entry);
+    let mut found: Vec<(TextRange, FrameId)> = innermost
+        .filter(|entry| entry.kind > MapKind::StartTag || seen.insert((entry.node, entry.origin)))
+        .map(|entry| (entry.out, entry.origin.frame))
         .collect();
     found.sort_by_key(|(out, _)| out.start);
     found
-}
-
-/// The parts of values that a call passed on as they are: its text, what it made, and the frame of that.
-fn passed_on(
-    expansion: &Expansion,
-    written: &Written,
-    range_here: impl Fn(Origin) -> Option<TextRange>,
-) -> Vec<(TextRange, TextRange, FrameId)> {
-    let pieces = written.map.iter().filter(|entry| entry.kind == MapKind::Piece && !entry.reads.is_empty());
-    let given = pieces.filter_map(|entry| {
-        let origin = origin_of(expansion, entry);
-        let range = range_here(origin).filter(|_| origin != entry.origin)?;
-        Some((range, entry.out, entry.origin.frame))
-    });
-    given.collect()
 }
 
 /// What the macro call or include at an offset made, and how long its tag is: a call leaves nothing of itself

@@ -92,7 +92,7 @@ pub(super) fn offered(encoding: PositionEncodingKind, client: &ClientFacts) -> S
             }),
             file_operations: Some(files::offered()),
         }),
-        experimental: Some(json!({ "xacro": { "expand": 1, "sourceMap": 1 } })),
+        experimental: Some(json!({ "xacro": { "expand": 1, "sourceMap": 1, "preview": 1 } })),
         ..ServerCapabilities::default()
     }
 }

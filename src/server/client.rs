@@ -20,6 +20,8 @@ pub(super) struct ClientFacts {
     pub registers_settings: bool,
     /// It shows progress.
     pub progress: bool,
+    /// It shows a document when asked to.
+    pub shows_documents: bool,
     /// It takes edits with versions.
     pub document_changes: bool,
     /// It makes files that an edit asks for.
@@ -66,6 +68,11 @@ impl ClientFacts {
                 .as_ref()
                 .map(|w| w.dynamic_registration)),
             progress: capabilities.window.as_ref().and_then(|w| w.work_done_progress).unwrap_or(false),
+            shows_documents: capabilities
+                .window
+                .as_ref()
+                .and_then(|window| window.show_document.as_ref())
+                .is_some_and(|show| show.support),
             document_changes: yes(workspace.workspace_edit.as_ref().map(|e| e.document_changes)),
             creates_files: operation(ResourceOperationKind::Create),
             renames_files: operation(ResourceOperationKind::Rename),

@@ -11,6 +11,7 @@ use crate::base::CancelFlag;
 pub(super) const NAMES: &[&str] = &[
     "xacro.expand",
     "xacro.expandAt",
+    "xacro.preview",
     "xacro.restartAnalysis",
     "xacro.rewriteMesh",
     "xacro.selectInstance",
@@ -44,6 +45,7 @@ impl Engine {
             }
             "xacro.selectRoot" => self.set_root(parsed(argument)?, cancel).map(Some),
             "xacro.tree" => self.tree(parsed(argument)?, cancel).map(|tree| serde_json::to_value(tree).ok()),
+            "xacro.preview" => self.preview_page(argument).map(Some),
             "xacro.restartAnalysis" => {
                 self.world.reload();
                 self.schedule();

@@ -58,6 +58,10 @@ pub(super) struct Engine {
     pub delay: Duration,
     /// Whether completions may hold places to fill in, as far as the user says.
     pub snippets: bool,
+    /// What is shown in 3D.
+    pub previews: super::preview::Previews,
+    /// Where others may post jobs.
+    pub letterbox: Option<super::letterbox::Letterbox>,
     /// The client is ready for requests.
     pub initialized: bool,
     /// The token of the progress that is shown.
@@ -91,6 +95,8 @@ impl Engine {
             due: None,
             delay: Self::DELAY,
             snippets: true,
+            previews: super::preview::Previews::default(),
+            letterbox: None,
             initialized: false,
             progress: None,
             warned: std::collections::BTreeSet::new(),
@@ -118,6 +124,9 @@ impl Engine {
 
     /// How long to wait for a job before idle work; none: for ever.
     fn pause(&self) -> Option<Duration> {
+        if self.previews.due && !self.previews.views.is_empty() {
+            return Some(Duration::ZERO);
+        }
         if let Some(due) = self.due {
             return Some(due.saturating_duration_since(Instant::now()));
         }
@@ -126,6 +135,9 @@ impl Engine {
 
     /// What is done when nobody waits for anything.
     fn idle(&mut self) {
+        if self.previews.due && !self.previews.views.is_empty() {
+            return self.make_previews();
+        }
         if self.due.is_some_and(|due| due <= Instant::now()) {
             return self.make_diagnostics();
         }
@@ -154,6 +166,7 @@ impl Engine {
 
     /// Diagnostics are wanted after the pause; a whole check perhaps not.
     pub fn schedule_look(&mut self) {
+        self.previews.due = true;
         self.due = Some(Instant::now() + self.delay);
     }
 

@@ -11,6 +11,7 @@ use super::expand_at::{ExpandAtParams, ExpandedPlace, SetInstanceParams};
 use super::expansion::{ExpandParams, Expanded};
 use super::letterbox::Letterbox;
 use super::mapping::{Instances, Sources, ToExpandedParams, ToSourceParams};
+use super::preview::{Mesh, MeshParams, SelectParams, ShowParams, SubscribeParams, Subscribed, ViewParams};
 use super::roots::{Roots, RootsParams, SetRootParams, Tree, TreeParams};
 
 /// The protocol side of the server.
@@ -46,6 +47,26 @@ impl Handlers {
 
     pub async fn tree(&self, params: TreeParams) -> Result<Tree> {
         self.letterbox.ask(params, Engine::tree).await
+    }
+
+    pub async fn preview_subscribe(&self, params: SubscribeParams) -> Result<Subscribed> {
+        self.letterbox.ask(params, Engine::subscribe).await
+    }
+
+    pub async fn preview_unsubscribe(&self, params: ViewParams) -> Result<Value> {
+        self.letterbox.ask(params, Engine::unsubscribe).await
+    }
+
+    pub async fn preview_root(&self, params: ShowParams) -> Result<Value> {
+        self.letterbox.ask(params, Engine::show_root).await
+    }
+
+    pub async fn preview_mesh(&self, params: MeshParams) -> Result<Mesh> {
+        self.letterbox.ask(params, Engine::preview_mesh).await
+    }
+
+    pub async fn preview_select(&self, params: SelectParams) {
+        self.letterbox.tell(params, Engine::selected);
     }
 
     pub async fn bad_message(&self, params: Value) {

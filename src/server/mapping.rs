@@ -64,12 +64,9 @@ impl Engine {
         let mut locations = Vec::new();
         let expansion = &analyzed.expansion;
         if let Some(entry) = ide::entry_at(written, offset) {
-            let mut origin = ide::origin_of(expansion, entry);
-            if entry.kind == MapKind::Attribute && origin == entry.origin {
-                origin = ide::whole_attribute(expansion, origin);
-            }
+            let origin = ide::origin_of(expansion, entry);
             locations.extend(self.mapped(&analyzed, origin, "origin"));
-            if origin != entry.origin && entry.kind != MapKind::Attribute {
+            if entry.kind > MapKind::Attribute && origin != entry.origin {
                 // the value was given by a call: the place in the macro comes second
                 locations.extend(self.mapped(&analyzed, entry.origin, "argument"));
             }

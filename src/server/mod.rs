@@ -30,6 +30,7 @@ mod links;
 mod mapping;
 mod navigation;
 mod outbox;
+mod preview;
 mod rename;
 mod roots;
 mod structure;
@@ -62,7 +63,8 @@ async fn serve(env: Environment) -> u8 {
     let shutdown = Shutdown::default();
     let (letterbox, jobs, pressure) = letterbox::letterbox();
     let (outbox, messages) = Outbox::new();
-    let engine = Engine::new(env, outbox, pressure);
+    let mut engine = Engine::new(env, outbox, pressure);
+    engine.letterbox = Some(letterbox.clone());
     let thread = std::thread::Builder::new().name("analysis".to_owned());
     if thread.spawn(move || engine.run(&jobs)).is_err() {
         return 1;
@@ -80,6 +82,11 @@ async fn serve(env: Environment) -> u8 {
     .custom_method("xacro/roots", Handlers::roots)
     .custom_method("xacro/setRoot", Handlers::set_root)
     .custom_method("xacro/tree", Handlers::tree)
+    .custom_method("xacro/preview/subscribe", Handlers::preview_subscribe)
+    .custom_method("xacro/preview/unsubscribe", Handlers::preview_unsubscribe)
+    .custom_method("xacro/preview/setRoot", Handlers::preview_root)
+    .custom_method("xacro/preview/mesh", Handlers::preview_mesh)
+    .custom_method("xacro/preview/select", Handlers::preview_select)
     .custom_method(framing::BAD_MESSAGE, Handlers::bad_message)
     .finish();
     let service = Watched { inner: service, shutdown: shutdown.clone() };

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use lsp_types::notification::Notification;
-use lsp_types::{Diagnostic, MessageType, Registration, Url};
+use lsp_types::{Diagnostic, MessageType, Range, Registration, ShowDocumentParams, Url};
 use serde_json::Value;
 use tokio::sync::mpsc::{UnboundedReceiver, UnboundedSender, unbounded_channel};
 use tower_lsp::Client;
@@ -27,6 +27,8 @@ pub(super) enum Message {
     Refresh(&'static [Refresh]),
     /// A progress token to be made.
     CreateProgress(String),
+    /// A document to be shown to the user.
+    ShowDocument(Url, Range),
     /// A notification of our own.
     Custom(&'static str, Value),
 }
@@ -88,6 +90,11 @@ async fn ask(client: Client, letterbox: Letterbox, message: Message) {
             Message::Register(registrations) => drop(client.register_capability(registrations).await),
             Message::Configuration(scopes) => configuration(&client, &letterbox, scopes).await,
             Message::Refresh(what) => refresh(&client, what).await,
+            Message::ShowDocument(uri, range) => {
+                let selection = Some(range);
+                let params = ShowDocumentParams { uri, external: None, take_focus: Some(true), selection };
+                let _ = client.show_document(params).await;
+            }
             Message::CreateProgress(token) => {
                 let token = lsp_types::NumberOrString::String(token);
                 let params = lsp_types::WorkDoneProgressCreateParams { token };

@@ -22,6 +22,7 @@ mod hover;
 mod instances;
 mod lifecycle;
 mod navigation;
+mod preview;
 mod refactorings;
 mod rename;
 mod structure;

@@ -101,6 +101,31 @@ impl Meshes {
         missing
     }
 
+    /// The files that the mesh at `path` needs and that are there, by the names they have in it, with the textures of
+    /// its material libraries.
+    pub fn files(&self, vfs: &Vfs, path: &Path, mesh: &Mesh) -> Vec<(String, PathBuf)> {
+        let there = |from: &Path, name: &str| {
+            let found = candidates(from, name).into_iter().find(|path| vfs.is_file(path));
+            found.map(|path| (name.to_owned(), path))
+        };
+        let mut files = Vec::new();
+        for Dependency { name, is_material_library } in &mesh.dependencies {
+            let whole = there(path, name);
+            let words = || name.split_whitespace().filter_map(|word| there(path, word)).collect();
+            let found = match whole {
+                None if *is_material_library => words(),
+                found => found.into_iter().collect::<Vec<_>>(),
+            };
+            for (_, library) in found.iter().filter(|_| *is_material_library) {
+                let make = |bytes: Vec<u8>| obj::textures(&bytes);
+                let read = vfs.derive(&self.textures, library, MOST_MATERIAL_BYTES, make);
+                files.extend(read.unwrap_or_default().iter().filter_map(|name| there(library, name)));
+            }
+            files.extend(found);
+        }
+        files
+    }
+
     fn missing_textures(&self, vfs: &Vfs, library: &Path, name: &str) -> Vec<Missing> {
         let make = |bytes: Vec<u8>| obj::textures(&bytes);
         let textures = vfs.derive(&self.textures, library, MOST_MATERIAL_BYTES, make).unwrap_or_default();

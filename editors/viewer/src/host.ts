@@ -1,0 +1,115 @@
+// Where the viewer runs: in a webview of an editor, which passes messages on, or in a browser, which holds a
+// WebSocket to the server on this machine. Everything else in the viewer knows only `Host`.
+
+import type { FromHost, MeshMessage, ToHost } from './messages';
+
+export interface Host {
+  send(message: ToHost): void;
+  /** The bytes of a file of the model. */
+  mesh(id: string): Promise<ArrayBuffer>;
+}
+
+/** What the viewer does with messages, and with the state of the connection. */
+export interface Listener {
+  message(message: FromHost): void;
+  connection(state: 'open' | 'lost' | 'refused'): void;
+}
+
+interface VsCodeApi {
+  postMessage(message: unknown): void;
+}
+
+declare function acquireVsCodeApi(): VsCodeApi;
+
+/** The host this page runs in. */
+export function connect(listener: Listener): Host {
+  return typeof acquireVsCodeApi === 'function' ? webview(listener) : browser(listener);
+}
+
+function webview(listener: Listener): Host {
+  const editor = acquireVsCodeApi();
+  const waiting = new Map<string, { done: (bytes: ArrayBuffer) => void; failed: (error: Error) => void }[]>();
+  const answer = (message: MeshMessage): void => {
+    for (const { done, failed } of waiting.get(message.mesh) ?? []) {
+      if (message.data === undefined) failed(new Error(message.error ?? 'the file cannot be read'));
+      else done(bytesOf(message.data));
+    }
+    waiting.delete(message.mesh);
+  };
+  window.addEventListener('message', (event: MessageEvent<unknown>) => {
+    if (!isMessage(event.data)) return;
+    if (event.data.type === 'mesh') answer(event.data);
+    else listener.message(event.data);
+  });
+  // not before the caller has its host
+  queueMicrotask(() => listener.connection('open'));
+  return {
+    send: (message) => editor.postMessage(message),
+    mesh: (id) =>
+      new Promise((done, failed) => {
+        const list = waiting.get(id) ?? [];
+        list.push({ done, failed });
+        waiting.set(id, list);
+        if (list.length === 1) editor.postMessage({ type: 'mesh', mesh: id } satisfies ToHost);
+      }),
+  };
+}
+
+function browser(listener: Listener): Host {
+  const fragment = new URLSearchParams(location.hash.slice(1));
+  const token = fragment.get('token') ?? '';
+  const id = Number(fragment.get('id') ?? '0');
+  const queue: ToHost[] = [];
+  let socket: WebSocket | undefined;
+  let greeted = false;
+  let pause = 250;
+  const open = (): void => {
+    socket = new WebSocket(`ws://${location.host}/socket`);
+    greeted = false;
+    socket.onopen = () => {
+      socket?.send(JSON.stringify({ type: 'hello', token, id }));
+      greeted = true;
+      pause = 250;
+      for (const message of queue.splice(0)) socket?.send(JSON.stringify(message));
+      listener.connection('open');
+    };
+    socket.onmessage = (event: MessageEvent<unknown>) => {
+      if (typeof event.data !== 'string') return;
+      const message: unknown = JSON.parse(event.data);
+      if (isMessage(message)) listener.message(message);
+    };
+    socket.onclose = (event) => {
+      greeted = false;
+      // 4001: the token is wrong; trying again would not help
+      listener.connection(event.code === 4001 ? 'refused' : 'lost');
+      if (event.code !== 4001) setTimeout(open, (pause = Math.min(pause * 2, 5000)));
+    };
+  };
+  open();
+  return {
+    send: (message) => {
+      if (greeted && socket?.readyState === WebSocket.OPEN) socket.send(JSON.stringify(message));
+      else if (message.type !== 'ready') queue.push(message);
+    },
+    mesh: async (id) => {
+      const answer = await fetch(`/mesh/${encodeURIComponent(id)}`, { headers: { 'X-Xacro-Token': token } });
+      if (!answer.ok) throw new Error(await answer.text());
+      return answer.arrayBuffer();
+    },
+  };
+}
+
+function isMessage(value: unknown): value is FromHost {
+  const types = ['model', 'select', 'mesh', 'settings', 'closed'];
+  if (typeof value !== 'object' || value === null || !('type' in value)) return false;
+  return typeof value.type === 'string' && types.includes(value.type);
+}
+
+function bytesOf(data: ArrayBuffer | Uint8Array | string): ArrayBuffer {
+  if (data instanceof ArrayBuffer) return data;
+  if (typeof data !== 'string') return data.slice().buffer as ArrayBuffer;
+  const text = atob(data);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
+  return bytes.buffer;
+}

@@ -1,0 +1,387 @@
+// The viewer: takes models in, shows them, and says what was clicked.
+
+import * as THREE from 'three';
+import { button, el, short } from './dom';
+import { connect } from './host';
+import { JointPanel } from './joints';
+import type { FromHost, Location, Model, ModelMessage, SelectMessage, Side } from './messages';
+import { Meshes } from './meshes';
+import { Pointer } from './pointer';
+import { type Layers, RobotView } from './robot';
+import { Stage } from './stage';
+import { applyStyle } from './style';
+import { label, Toolbar } from './toolbar';
+import { TreePanel } from './tree';
+import { Values } from './values';
+
+applyStyle();
+const layers: Layers = {
+  visual: true, collision: false, frames: false, names: false, axes: false, inertia: false, com: false, bbox: false, grid: true,
+};
+const settings = { meshMaxMB: 64 };
+const stage = new Stage();
+const views = new Map<Side, RobotView>();
+const latest = new Map<Side, ModelMessage>();
+const times = new Map<number, string>();
+const CORNER = new THREE.Vector3(1.1, -1.3, 0.75);
+let selected: { links: Set<string>; joints: Set<string> } = { links: new Set(), joints: new Set() };
+let fitted = false;
+let touched = false;
+/** A model is being taken over: nothing is final yet. */
+let busy = false;
+let held: string | undefined;
+
+const values = new Values(() => {
+  for (const view of views.values()) view.pose();
+  joints.show();
+});
+stage.orbit.addEventListener('start', () => (touched = true));
+stage.before.push((now) => values.step(now));
+
+const joints = new JointPanel(values, { select: (name) => selectJoint(name) });
+const tree = new TreePanel({
+  select: (link, shift) => selectLink(link, shift),
+  focus: (link) => focus(link),
+  show: (link, on) => {
+    for (const view of views.values()) view.show(link, on);
+    tree.eyes();
+  },
+  hidden: () => views.get('main')?.hidden ?? new Set(),
+});
+const toolbar = new Toolbar(layers, {
+  root: (root, compare) => {
+    if (!compare) close('compare');
+    host.send({ type: 'root', root, compare });
+  },
+  layer: (layer, on) => {
+    layers[layer] = on;
+    if (layer === 'grid') stage.grid = on;
+    for (const view of views.values()) view.applyLayers();
+  },
+  fit: () => fit(),
+  measure: (on) => pointer.measure(on),
+  panel: (which, on) => {
+    (which === 'left' ? tree : joints).element.hidden = !on;
+    stage.invalidate();
+  },
+  help: () => (help.hidden = !help.hidden),
+});
+const banner = el('div', { class: 'banner', role: 'alert' });
+const status = el('div', { class: 'status' });
+const tip = el('div', { class: 'tip' });
+const menu = el('div', { class: 'menu', role: 'menu' });
+const help = el('div', { class: 'help' });
+const empty = el('div', { class: 'empty', text: 'waiting for the robot …' });
+for (const box of [banner, tip, menu, help]) box.hidden = true;
+stage.element.append(banner, status, empty, help);
+const app = el('div', {}, toolbar.element, tree.element, stage.element, joints.element);
+app.id = 'app';
+document.body.append(app, toolbar.menu, menu, tip);
+if (innerWidth < 620) app.querySelectorAll<HTMLElement>('[data-action=tree], [data-action=joints]').forEach((one) => one.click());
+stage.recolour();
+
+const pointer = new Pointer(stage, () => [...views.values()], values, {
+  hover: showTip,
+  click: (_, link, shift) => selectLink(link, shift),
+  clickNothing: () => select([], []),
+  menu: openMenu,
+  dragging: (joint) => {
+    if (joint !== held) joints.mark(joint ? [joint] : selected.joints, true);
+    held = joint;
+  },
+});
+
+const host = connect({
+  message: receive,
+  connection: (state) => {
+    document.body.dataset['connection'] = state;
+    if (state === 'refused') empty.textContent = 'this address is no longer valid: open the preview again';
+    showState();
+  },
+});
+const meshes = new Meshes(host, () => showState());
+host.send({ type: 'ready' });
+
+function receive(message: FromHost): void {
+  switch (message.type) {
+    case 'model':
+      return show(message);
+    case 'select':
+      return take(message);
+    case 'closed':
+      return close(message.side);
+    case 'settings':
+      if (message.fps) stage.maxFps = Math.min(240, Math.max(1, message.fps));
+      if (message.meshMaxMB) settings.meshMaxMB = message.meshMaxMB;
+      if (message.theme) document.documentElement.className = message.theme;
+      return stage.recolour();
+    case 'mesh':
+  }
+}
+
+/** Show a model, unless a newer one came before. */
+function show(message: ModelMessage): void {
+  const { side } = message;
+  const known = latest.get(side);
+  if (known && known.id === message.id && known.revision >= message.revision) return;
+  latest.set(side, message);
+  times.set(message.revision, new Date().toLocaleTimeString());
+  if (times.size > 500) times.delete(times.keys().next().value ?? 0);
+  const model = message.model ?? message.lastGood;
+  let view = views.get(side);
+  if (!view) {
+    view = new RobotView(side, stage, meshes, values, layers, settings, () => showState());
+    views.set(side, view);
+  }
+  if (model) view.model = model;
+  const models = [...views.values()].map((one) => one.model);
+  values.update(models);
+  busy = true;
+  if (model) view.update(model);
+  busy = false;
+  meshes.keep(models);
+  if (side === 'main') {
+    toolbar.update(message);
+    tree.update(view.model);
+  }
+  joints.update(together(models));
+  if (!fitted && view.model.links.length > 0) fit(CORNER);
+  sideLabels();
+  showState();
+}
+
+/** The joints of all sides, each once. */
+function together(models: Model[]): Model {
+  const [main] = models;
+  if (!main || models.length === 1) return main ?? { robot: '', links: [], joints: [], meshes: {} };
+  const names = new Set<string>();
+  const all = models.flatMap((model) => model.joints).filter((joint) => !names.has(joint.name) && names.add(joint.name));
+  return { ...main, joints: all };
+}
+
+function close(side: Side): void {
+  views.get(side)?.dispose();
+  views.delete(side);
+  latest.delete(side);
+  stage.removePane(side);
+  sideLabels();
+  showState();
+}
+
+/** Say which side is which, while there are two. */
+function sideLabels(): void {
+  const shown = [...latest].map(([side, { root, choices }]) => [side, label(root, choices)] as const);
+  stage.title(new Map(views.size < 2 ? [] : shown));
+}
+
+/** Write down what is shown: revision, errors, what is missing. */
+function showState(): void {
+  if (busy) return;
+  const main = latest.get('main');
+  const view = views.get('main');
+  empty.hidden = !!view && view.model.links.length > 0;
+  if (main && !empty.hidden) empty.textContent = 'this file makes no links';
+  const lost = document.body.dataset['connection'] === 'lost' ? ' · connection lost, trying again' : '';
+  const pending = [...views.values()].reduce((all, one) => all + one.loading, meshes.pending);
+  if (view && view.model.links.length > 0 && pending === 0 && !fitted) {
+    // with all its meshes for the first time
+    fitted = true;
+    if (!touched) fit(CORNER);
+  }
+  const loading = meshes.pending > 0 ? ` · ${meshes.pending} files loading` : '';
+  status.textContent = main ? `revision ${main.revision} · ${times.get(main.revision) ?? ''} · Z is up${loading}${lost}` : lost;
+  document.body.dataset['revision'] = String(main?.revision ?? 0);
+  document.body.dataset['ok'] = String(main?.ok ?? '');
+  document.body.dataset['loading'] = String(pending);
+  showBanner();
+  stage.invalidate();
+}
+
+/** Whether the user wants to see the list in the banner; undefined: as it fits. */
+let unfolded: boolean | undefined;
+
+function showBanner(): void {
+  const rows: HTMLElement[] = [];
+  let title = '';
+  const broken = [...latest.values()].some((message) => !message.ok);
+  for (const message of latest.values()) {
+    if (message.ok) continue;
+    const count = message.errors.length;
+    const good = message.goodRevision !== undefined ? `revision ${message.goodRevision} of ${times.get(message.goodRevision) ?? 'before'}` : 'the last good revision';
+    const shown = message.lastGood ? `shows ${good}` : 'shows what could be made';
+    title ||= `${shown}, ${count} error${count === 1 ? '' : 's'}`;
+    for (const error of message.errors) {
+      const line = error.location.range.start.line + 1;
+      const file = decodeURI(error.location.uri.split('/').pop() ?? '');
+      const entry = button(error.message, 'go there', () => host.send({ type: 'open', location: error.location }), 'error');
+      entry.append(el('small', { text: `${file}:${line} · ${error.code}` }));
+      rows.push(el('li', {}, entry));
+    }
+  }
+  for (const view of views.values()) {
+    for (const problem of view.bodies.problems.values()) {
+      const entry = button(problem.text, `select ${problem.link}`, () => selectLink(problem.link, false), 'problem');
+      entry.append(el('small', { text: `link ${problem.link}` }));
+      rows.push(el('li', {}, entry));
+    }
+    if (view.bodies.problems.size > 0) title ||= `${view.bodies.problems.size} shape${view.bodies.problems.size === 1 ? '' : 's'} cannot be drawn`;
+  }
+  banner.hidden = rows.length === 0 && !title;
+  const text = JSON.stringify([title, rows.map((row) => row.textContent)]);
+  if (banner.dataset['text'] === text) return;
+  banner.dataset['text'] = text;
+  const summary = el('summary', { title: 'show or hide the list' }, el('b', { text: title }));
+  const list = el('details', {}, summary, el('ul', {}, ...rows));
+  list.open = unfolded ?? (broken || rows.length < 4);
+  summary.addEventListener('click', () => (unfolded = !list.open));
+  banner.replaceChildren(list);
+}
+
+function find(link: string): { model: Model; view: RobotView } | undefined {
+  for (const view of views.values()) if (view.model.links.some((one) => one.name === link)) return { model: view.model, view };
+  return undefined;
+}
+
+/** Outline links and mark joints. */
+function select(links: Iterable<string>, names: Iterable<string>): void {
+  selected = { links: new Set(links), joints: new Set(names) };
+  document.body.dataset['selected'] = [...selected.links, ...selected.joints].join(' ');
+  const outlined = new Set(selected.links);
+  for (const view of views.values()) {
+    for (const joint of view.model.joints) if (selected.joints.has(joint.name)) outlined.add(joint.child);
+    view.select(outlined);
+  }
+  tree.mark(outlined, true);
+  joints.mark(selected.joints, true);
+}
+
+function selectLink(name: string, call: boolean): void {
+  const link = find(name)?.model.links.find((one) => one.name === name);
+  if (!link) return;
+  const above = find(name)?.view.jointAbove(name);
+  select([name], above ? [above.name] : []);
+  tell({ link: name }, call ? (link.call ?? link.origin) : link.origin);
+}
+
+function selectJoint(name: string): void {
+  const joint = values.joint(name);
+  if (!joint) return;
+  select([joint.child], [name]);
+  tell({ joint: name }, joint.origin);
+}
+
+function tell(what: { link: string } | { joint: string }, location: Location | undefined): void {
+  host.send({ type: 'select', ...what, ...(location ? { location } : {}) });
+}
+
+/** The cursor in the source is somewhere else. */
+function take(message: SelectMessage): void {
+  // what was clicked here comes back with its place
+  if (message.link !== undefined && selected.links.has(message.link)) return;
+  if (message.joint !== undefined && selected.joints.has(message.joint)) return;
+  const links = message.links ?? (message.link === undefined ? [] : [message.link]);
+  const names = message.joints ?? (message.joint === undefined ? [] : [message.joint]);
+  select(links, names);
+}
+
+function fit(direction?: THREE.Vector3): void {
+  const box = new THREE.Box3();
+  for (const view of views.values()) box.union(view.box());
+  stage.fit(box, direction);
+}
+
+function focus(link: string): void {
+  const box = find(link)?.view.box(link);
+  if (box) stage.fit(box);
+}
+
+function showTip(view: RobotView | undefined, link: string | undefined, at: { x: number; y: number }): void {
+  tip.hidden = link === undefined || !menu.hidden;
+  if (!view || link === undefined) return;
+  const own = view.model.links.find((one) => one.name === link);
+  const mass = own?.inertial ? `${short(own.inertial.mass, 4)} kg` : 'no inertia';
+  const chain = view.chain(link);
+  const way = chain.length > 7 ? [...chain.slice(0, 5), '…', chain[chain.length - 1] ?? ''] : chain;
+  tip.replaceChildren(el('b', { text: link }), el('small', { text: mass }), el('small', { text: way.reverse().join(' → ') }));
+  tip.style.left = `${Math.min(at.x + 14, innerWidth - 330)}px`;
+  tip.style.top = `${Math.min(at.y + 14, innerHeight - 90)}px`;
+}
+
+function openMenu(view: RobotView, link: string, at: { x: number; y: number }): void {
+  tip.hidden = true;
+  const own = view.model.links.find((one) => one.name === link);
+  const joint = view.jointAbove(link);
+  const entry = (text: string, name: string, act: () => void): HTMLButtonElement =>
+    button(text, text, () => {
+      menu.hidden = true;
+      act();
+    }, name);
+  const entries = [
+    entry(`Go to ${link}`, 'go-link', () => selectLink(link, false)),
+    ...(own?.call ? [entry('Go to the call that made it', 'go-call', () => selectLink(link, true))] : []),
+    ...(joint ? [entry(`Go to joint ${joint.name}`, 'go-joint', () => selectJoint(joint.name))] : []),
+    entry('Copy name', 'copy', () => void navigator.clipboard?.writeText(link).catch(() => undefined)),
+    entry('Show in tree', 'in-tree', () => {
+      if (tree.element.hidden) app.querySelector<HTMLElement>('[data-action=tree]')?.click();
+      select([link], []);
+    }),
+    entry('Fill the picture with it', 'focus', () => focus(link)),
+    entry('Hide', 'hide', () => {
+      for (const one of views.values()) one.show(link, false);
+      tree.eyes();
+    }),
+  ];
+  menu.replaceChildren(...entries);
+  menu.hidden = false;
+  menu.style.left = `${Math.min(at.x, innerWidth - 230)}px`;
+  menu.style.top = `${Math.min(at.y, innerHeight - 30 * entries.length)}px`;
+  entries[0]?.focus();
+}
+
+const keys: Record<string, [string, () => void]> = {
+  f: ['whole robot', () => fit()],
+  r: ['joints to zero', () => values.reset()],
+  m: ['measure', () => toolbar.measure.click()],
+  v: ['visual', () => toolbar.switch('visual')],
+  c: ['collision', () => toolbar.switch('collision')],
+  x: ['frames', () => toolbar.switch('frames')],
+  n: ['names', () => toolbar.switch('names')],
+  a: ['joint axes', () => toolbar.switch('axes')],
+  i: ['inertia', () => toolbar.switch('inertia')],
+  o: ['centres of mass', () => toolbar.switch('com')],
+  b: ['bounding box', () => toolbar.switch('bbox')],
+  g: ['grid', () => toolbar.switch('grid')],
+  '1': ['from the front', () => fit(new THREE.Vector3(1, 0, 0.001))],
+  '2': ['from the left', () => fit(new THREE.Vector3(0, 1, 0.001))],
+  '3': ['from above', () => fit(new THREE.Vector3(-0.001, 0, 1))],
+  '4': ['from a corner', () => fit(CORNER)],
+  '/': ['search', () => tree.focusSearch()],
+  '?': ['these keys', () => (help.hidden = !help.hidden)],
+};
+for (const [key, [text]] of Object.entries(keys)) help.append(el('span', { text }), el('kbd', { text: key.toUpperCase() }));
+
+addEventListener('keydown', (event) => {
+  if (event.key === 'Escape') {
+    for (const box of [menu, help, tip]) box.hidden = true;
+    toolbar.closeMenu();
+    if (toolbar.measure.getAttribute('aria-pressed') === 'true') toolbar.measure.click();
+    return;
+  }
+  const typing = event.target instanceof HTMLElement && event.target.matches('input:not([type=range], [type=checkbox]), select');
+  if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
+  const act = keys[event.key.toLowerCase()];
+  if (!act) return;
+  event.preventDefault();
+  act[1]();
+});
+addEventListener('pointerdown', (event) => {
+  if (!(event.target instanceof Node)) return;
+  if (!menu.contains(event.target)) menu.hidden = true;
+  const opener = event.target instanceof HTMLElement && event.target.dataset['action'] === 'layers';
+  if (!toolbar.menu.contains(event.target) && !opener) toolbar.closeMenu();
+}, { capture: true });
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => stage.recolour());
+new MutationObserver(() => stage.recolour()).observe(document.body, { attributes: true, attributeFilter: ['class'] });
+
+// for tests, and for the curious in the console
+Object.assign(window, { xacroViewer: { stage, views, values, layers } });

@@ -1,0 +1,151 @@
+//! `xacro-lint preview`: the robot in a browser, following the files on the disk.
+
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::time::Duration;
+
+use serde_json::json;
+
+use super::args::PreviewArgs;
+use super::io::Io;
+use super::render::{shown_path, visible};
+use super::tree::file_and_arguments;
+use super::watch::State;
+use crate::analysis::{RootChoice, World};
+use crate::base::{CancelFlag, Encoding};
+use crate::preview::{FromViewer, Hub, Location, Names, Received, RootName, Views, file_uri};
+use crate::vfs::Environment;
+use crate::workspace::percent_decoded;
+
+/// Between two looks at the disk.
+const LOOK: Duration = Duration::from_millis(250);
+
+/// Run `preview`; it ends with the process.
+pub(super) fn run(args: &PreviewArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
+    match open(args, env) {
+        Ok(preview) => preview.run(env, io),
+        Err(message) => {
+            io.line(&format!("error: {}", visible(&message)));
+            2
+        }
+    }
+}
+
+struct Preview {
+    world: World,
+    views: Views,
+    hub: std::sync::Arc<Hub>,
+    said: Receiver<Received>,
+    id: u32,
+}
+
+fn open(args: &PreviewArgs, env: &Environment) -> Result<Preview, String> {
+    let (file, arguments) = file_and_arguments(&args.file)?;
+    let mut world = World::new(env.clone(), Vec::new());
+    if !args.package_path.is_empty() {
+        world.set_editor_settings(json!({ "packagePaths": args.package_path }));
+    }
+    let vfs = world.session().vfs.clone();
+    let path = vfs.absolute(Path::new(&file));
+    if !vfs.is_file(&path) {
+        return Err(format!("{file}: there is no such file"));
+    }
+    let mut views = Views::default();
+    let id = views.open(RootChoice { args: arguments, ..RootChoice::plain(&path) });
+    let (say, said) = mpsc::channel();
+    // the other end is gone only when the process ends
+    let receive = move |received| drop(say.send(received));
+    let hub = Hub::start(views.files().clone(), vfs, receive)
+        .map_err(|error| format!("the preview cannot be started: {error}"))?;
+    hub.open(id);
+    Ok(Preview { world, views, hub, said, id })
+}
+
+impl Preview {
+    fn run(mut self, env: &Environment, io: &mut Io<'_>) -> u8 {
+        io.out(&format!("{}\n", self.hub.url(self.id)));
+        io.line("open this address in a browser; Ctrl-C ends");
+        io.flush();
+        let mut state = State::new();
+        loop {
+            self.follow(&mut state);
+            match self.said.recv_timeout(LOOK) {
+                Ok(received) => self.answer(received, env, io),
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => return 0,
+            }
+        }
+    }
+
+    /// Send what became of changed files.
+    fn follow(&mut self, state: &mut State) {
+        let now = self.state();
+        let differs = |(path, one): &(&PathBuf, &u64)| state.get(*path).is_some_and(|known| known != *one);
+        let changed: Vec<PathBuf> = now.iter().filter(differs).map(|(path, _)| path.clone()).collect();
+        if !changed.is_empty() {
+            self.world.changed_on_disk(&changed);
+        }
+        let Self { world, views, hub, .. } = self;
+        let watched = |id| hub.is_watched(id);
+        let (messages, _) = with_names(|names| views.update(world, names, &watched, &CancelFlag::default()));
+        messages.iter().for_each(|message| hub.tell(message));
+        *state = self.state();
+    }
+
+    fn state(&self) -> State {
+        let vfs = &self.world.session().vfs;
+        self.views.reads().into_iter().map(|path| (path.clone(), vfs.state_on_disk(&path))).collect()
+    }
+
+    fn answer(&mut self, received: Received, env: &Environment, io: &mut Io<'_>) {
+        let Received { id, message } = received;
+        match message {
+            FromViewer::Ready | FromViewer::Mesh { .. } => {}
+            FromViewer::Select { link, joint, location } => {
+                let found = with_names(|names| self.views.place_of(id, link, joint, names));
+                let Some(selection) = found else { return };
+                self.hub.select(&selection);
+                if let Some(location) = location.or(selection.location) {
+                    say_place(&location, env, io);
+                }
+            }
+            FromViewer::Open { location } => say_place(&location, env, io),
+            FromViewer::Root { root, compare } => {
+                let Some(root) = self.chosen(root) else { return };
+                let compare = compare.and_then(|compare| self.chosen(compare));
+                if compare.is_none() {
+                    self.hub.end_compare(id);
+                }
+                self.views.show(id, root, compare);
+            }
+        }
+    }
+
+    /// A root that a page names: one that was offered, with any arguments.
+    fn chosen(&self, name: RootName) -> Option<RootChoice> {
+        let file = path_of(&name.uri)?;
+        let offered = self.views.root(self.id).is_some_and(|root| root.file == file)
+            || self.world.known_files().contains(&file);
+        let args = name.args.into_iter().collect();
+        offered.then_some(RootChoice { file, args, preset: name.preset })
+    }
+}
+
+/// Print the place of what was clicked, so that a terminal or an editor around it can go there.
+fn say_place(location: &Location, env: &Environment, io: &mut Io<'_>) {
+    let Some(path) = path_of(&location.uri) else { return };
+    let start = location.range.start;
+    let place = format!("{}:{}:{}", shown_path(&path, &env.cwd), start.line + 1, start.character + 1);
+    io.line(&visible(&place));
+    io.flush();
+}
+
+fn with_names<T>(work: impl FnOnce(&Names<'_>) -> T) -> T {
+    let uri = |path: &Path| Some(file_uri(path));
+    work(&Names { uri: &uri, path: &path_of, encoding: Encoding::Utf32 })
+}
+
+fn path_of(uri: &str) -> Option<PathBuf> {
+    let path = uri.strip_prefix("file://")?;
+    Some(PathBuf::from(percent_decoded(path).unwrap_or_else(|| path.to_owned())))
+}

@@ -1,0 +1,156 @@
+//! What browsers are told, and who may listen.
+
+use std::collections::BTreeMap;
+use std::io;
+use std::net::{Ipv4Addr, TcpListener};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use tokio::sync::watch;
+
+use super::crowd::Crowd;
+use super::serve;
+use crate::preview::Files;
+use crate::preview::messages::{FromViewer, ModelMessage, Selection, Side};
+use crate::vfs::Vfs;
+
+/// Connections that have not sent a whole request yet, at most.
+const MOST_CONNECTIONS: usize = 128;
+/// Sockets that have not named the token yet, at most.
+const MOST_STRANGERS: usize = 32;
+/// Pages that are open, at most.
+const MOST_PAGES: usize = 32;
+
+/// A message of a page about its view.
+#[derive(Clone, Debug)]
+pub struct Received {
+    /// The view.
+    pub id: u32,
+    /// What the page says.
+    pub message: FromViewer,
+}
+
+/// What a page is to know; newer texts take the place of older ones that were not sent yet.
+#[derive(Clone, Debug, Default)]
+pub(super) struct News {
+    pub main: Option<Arc<str>>,
+    pub compare: Option<Arc<str>>,
+    pub selection: Option<Arc<str>>,
+}
+
+/// The server for browsers: started once, ends with the process.
+pub struct Hub {
+    token: String,
+    port: u16,
+    views: Mutex<BTreeMap<u32, watch::Sender<News>>>,
+    pub(super) files: Arc<Files>,
+    pub(super) vfs: Arc<Vfs>,
+    pub(super) receive: Box<dyn Fn(Received) + Send + Sync>,
+    pub(super) connections: Arc<Crowd>,
+    pub(super) strangers: Arc<Crowd>,
+    pub(super) pages: Arc<Crowd>,
+}
+
+impl Hub {
+    /// Listen on a free port of 127.0.0.1. `receive` is told what pages say.
+    ///
+    /// # Errors
+    /// When there is no port or no source of random numbers.
+    pub fn start(
+        files: Arc<Files>,
+        vfs: Arc<Vfs>,
+        receive: impl Fn(Received) + Send + Sync + 'static,
+    ) -> io::Result<Arc<Self>> {
+        let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0))?;
+        listener.set_nonblocking(true)?;
+        let hub = Arc::new(Self {
+            token: token()?,
+            port: listener.local_addr()?.port(),
+            views: Mutex::default(),
+            files,
+            vfs,
+            receive: Box::new(receive),
+            connections: Crowd::new(MOST_CONNECTIONS),
+            strangers: Crowd::new(MOST_STRANGERS),
+            pages: Crowd::new(MOST_PAGES),
+        });
+        let served = hub.clone();
+        let thread = std::thread::Builder::new().name("preview".to_owned());
+        thread.spawn(move || serve::run(served, listener))?;
+        Ok(hub)
+    }
+
+    /// The address of the page of a view.
+    pub fn url(&self, id: u32) -> String {
+        format!("http://127.0.0.1:{}/#token={}&id={id}", self.port, self.token)
+    }
+
+    pub(super) fn port(&self) -> u16 {
+        self.port
+    }
+
+    pub(super) fn token(&self) -> &str {
+        &self.token
+    }
+
+    /// A view may be looked at.
+    pub fn open(&self, id: u32) {
+        self.views().entry(id).or_insert_with(|| watch::Sender::new(News::default()));
+    }
+
+    /// A view is no more: its pages are told.
+    pub fn close(&self, id: u32) {
+        self.views().remove(&id);
+    }
+
+    /// Whether a view may be looked at.
+    pub fn has(&self, id: u32) -> bool {
+        self.views().contains_key(&id)
+    }
+
+    /// Whether a page shows a view.
+    pub fn is_watched(&self, id: u32) -> bool {
+        self.views().get(&id).is_some_and(|view| view.receiver_count() > 0)
+    }
+
+    /// Tell the pages of a view about its robot.
+    pub fn tell(&self, message: &ModelMessage) {
+        let text = || serde_json::to_string(message).ok().map(Arc::from);
+        let side = message.side;
+        self.change(message.id, |news| match side {
+            Side::Main => news.main = text(),
+            Side::Compare => news.compare = text(),
+        });
+    }
+
+    /// Tell the pages of a view what is selected.
+    pub fn select(&self, selection: &Selection) {
+        let text = || serde_json::to_string(selection).ok().map(Arc::from);
+        self.change(selection.id, |news| news.selection = text());
+    }
+
+    /// Nothing is compared any more.
+    pub fn end_compare(&self, id: u32) {
+        self.change(id, |news| news.compare = None);
+    }
+
+    fn change(&self, id: u32, change: impl FnOnce(&mut News)) {
+        if let Some(view) = self.views().get(&id) {
+            view.send_modify(change);
+        }
+    }
+
+    pub(super) fn news(&self, id: u32) -> Option<watch::Receiver<News>> {
+        self.views().get(&id).map(watch::Sender::subscribe)
+    }
+
+    fn views(&self) -> std::sync::MutexGuard<'_, BTreeMap<u32, watch::Sender<News>>> {
+        self.views.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// 128 random bits.
+fn token() -> io::Result<String> {
+    let mut bytes = [0; 16];
+    getrandom::fill(&mut bytes).map_err(io::Error::other)?;
+    Ok(bytes.iter().map(|byte| format!("{byte:02x}")).collect())
+}

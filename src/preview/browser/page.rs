@@ -1,0 +1,30 @@
+//! The page: an empty one with the viewer, or a hint how to get one.
+
+use axum::http::header::CONTENT_TYPE;
+use axum::response::{Html, IntoResponse, Response};
+
+/// The viewer's script; none in a build from source without it.
+pub const VIEWER: Option<&[u8]> = include!(concat!(env!("OUT_DIR"), "/viewer.rs"));
+
+const PAGE: &str = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\
+    <meta name=\"viewport\" content=\"width=device-width\"><title>xacro preview</title></head>\
+    <body><script src=\"/viewer.js\"></script></body></html>\n";
+
+const HINT: &str = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>xacro preview</title></head>\
+    <body><h1>The viewer is not part of this build</h1>\
+    <p>This program was built from source without the viewer. To add it, run</p>\
+    <pre>cd editors/viewer\nnpm ci\nnpm run build\ncd ../..\ncargo build --release</pre>\
+    <p>in the source folder and start the program again. Released programs have the viewer inside.</p></body></html>\n";
+
+/// `/`
+pub(super) async fn page() -> Html<&'static str> {
+    Html(if VIEWER.is_some() { PAGE } else { HINT })
+}
+
+/// `/viewer.js`
+pub(super) async fn script() -> Response {
+    match VIEWER {
+        Some(script) => ([(CONTENT_TYPE, "text/javascript; charset=utf-8")], script).into_response(),
+        None => axum::http::StatusCode::NOT_FOUND.into_response(),
+    }
+}

@@ -1,0 +1,96 @@
+//! Connections and what is found at which path.
+
+use std::net::TcpListener;
+use std::sync::Arc;
+use std::time::Duration;
+
+use axum::Router;
+use axum::extract::{Path, State};
+use axum::http::StatusCode;
+use axum::http::header::{CONTENT_TYPE, HeaderMap};
+use axum::response::{IntoResponse, Response};
+use axum::routing::get;
+use hyper::server::conn::http1;
+use hyper_util::rt::{TokioIo, TokioTimer};
+use hyper_util::service::TowerToHyperService;
+use tokio::runtime::Builder;
+
+use super::hub::Hub;
+use super::{guard, page, socket};
+
+/// A request has this long to arrive.
+const REQUEST_TIME: Duration = Duration::from_secs(5);
+/// And its answer this long to leave.
+const ANSWER_TIME: Duration = Duration::from_secs(120);
+/// Bytes of the head of a request at most.
+const MOST_HEAD: usize = 16 << 10;
+/// Bytes of a file that are sent at most.
+const MOST_BYTES: u64 = 256_000_000;
+
+/// Serve until the process ends.
+pub(super) fn run(hub: Arc<Hub>, listener: TcpListener) {
+    if let Ok(runtime) = Builder::new_current_thread().enable_all().build() {
+        runtime.block_on(accept(hub, listener));
+    }
+}
+
+async fn accept(hub: Arc<Hub>, listener: TcpListener) {
+    let Ok(listener) = tokio::net::TcpListener::from_std(listener) else { return };
+    let router = routes(hub.clone());
+    loop {
+        let Ok((stream, peer)) = listener.accept().await else {
+            // out of file handles: those there are will be given back soon
+            tokio::time::sleep(Duration::from_millis(50)).await;
+            continue;
+        };
+        if !peer.ip().is_loopback() {
+            continue;
+        }
+        let pass = hub.connections.enter();
+        let service = TowerToHyperService::new(router.clone());
+        tokio::spawn(async move {
+            let connection = http1::Builder::new()
+                .timer(TokioTimer::new())
+                .header_read_timeout(REQUEST_TIME)
+                .keep_alive(false)
+                .max_buf_size(MOST_HEAD)
+                .serve_connection(TokioIo::new(stream), service)
+                .with_upgrades();
+            tokio::select! {
+                _ = connection => {}
+                () = pass.lost() => {}
+                () = tokio::time::sleep(ANSWER_TIME) => {}
+            }
+        });
+    }
+}
+
+fn routes(hub: Arc<Hub>) -> Router {
+    Router::new()
+        .route("/", get(page::page))
+        .route("/viewer.js", get(page::script))
+        .route("/mesh/{id}", get(mesh))
+        .route("/socket", get(socket::open))
+        .fallback(|| async { (StatusCode::NOT_FOUND, "there is nothing here") })
+        .layer(axum::middleware::from_fn_with_state(hub.clone(), guard::guard))
+        .with_state(hub)
+}
+
+/// `/mesh/ID`: the bytes of a file of a model.
+async fn mesh(State(hub): State<Arc<Hub>>, Path(id): Path<String>, headers: HeaderMap) -> Response {
+    let given = headers.get("x-xacro-token").and_then(|token| token.to_str().ok()).unwrap_or("");
+    if !guard::same(given, hub.token()) {
+        return (StatusCode::FORBIDDEN, "the token is missing or wrong").into_response();
+    }
+    let Some(path) = hub.files.path(&id) else {
+        return (StatusCode::NOT_FOUND, "no robot that is shown has such a file").into_response();
+    };
+    let vfs = hub.vfs.clone();
+    match tokio::task::spawn_blocking(move || vfs.bytes(&path, MOST_BYTES)).await {
+        Ok(Ok(bytes)) => ([(CONTENT_TYPE, "application/octet-stream")], bytes).into_response(),
+        Ok(Err(error)) => {
+            (StatusCode::NOT_FOUND, format!("it cannot be read: {}", error.strerror)).into_response()
+        }
+        Err(_) => StatusCode::INTERNAL_SERVER_ERROR.into_response(),
+    }
+}

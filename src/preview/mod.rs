@@ -1,0 +1,25 @@
+//! The preview: the robot of a root as a model to draw, kept up to date while its text is edited.
+//!
+//! What is here does not know who draws it. [`Views`] makes the messages, for editors and browsers alike; with the
+//! feature `preview`, [`Hub`] hands them to browsers on this machine.
+
+#[cfg(feature = "preview")]
+mod browser;
+mod choices;
+mod files;
+mod messages;
+mod model;
+mod places;
+mod select;
+mod shapes;
+#[cfg(test)]
+mod tests;
+mod views;
+
+#[cfg(feature = "preview")]
+pub use browser::{Hub, Received, VIEWER};
+pub use files::Files;
+pub use messages::{FromViewer, ModelError, ModelMessage, RootName, Selection, Side};
+pub use model::Model;
+pub use places::{Location, Names, Point, Stretch, file_uri};
+pub use views::{MeshBytes, Views};

@@ -1,0 +1,221 @@
+//! The robot as a viewer needs it: plain numbers and names, each with the place it comes from.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use super::files::MeshFile;
+use super::places::{Location, Places};
+use super::shapes::{Shape, Shapes};
+use crate::expand::XId;
+use crate::model::{self, Robot, tag_start};
+
+/// Metres, and radians about fixed axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Pose {
+    /// The translation.
+    pub xyz: [f64; 3],
+    /// Roll, pitch and yaw.
+    pub rpy: [f64; 3],
+}
+
+impl Pose {
+    /// The pose of an origin; what is absent or unknown is zero.
+    pub(super) fn of(origin: Option<&model::Pose>) -> Self {
+        let Some(origin) = origin else { return Self::default() };
+        Self { xyz: origin.translation().unwrap_or_default(), rpy: origin.angles().unwrap_or_default() }
+    }
+}
+
+/// A robot.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Model {
+    /// Its name.
+    pub robot: String,
+    /// Its links in document order.
+    pub links: Vec<Link>,
+    /// Its joints in document order.
+    pub joints: Vec<Joint>,
+    /// The files of its meshes and textures, by opaque id.
+    pub meshes: BTreeMap<String, MeshFile>,
+}
+
+/// A link.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Link {
+    /// Its name.
+    pub name: String,
+    /// Its inertia.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub inertial: Option<Inertial>,
+    /// What is seen of it.
+    pub visuals: Vec<Body>,
+    /// What it collides with.
+    pub collisions: Vec<Body>,
+    /// Where its element starts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub origin: Option<Location>,
+    /// The outermost macro call that made it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub call: Option<Location>,
+}
+
+/// A visual or a collision.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Body {
+    /// Its name.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Where it stands in its link.
+    pub pose: Pose,
+    /// Its shape.
+    pub shape: Shape,
+    /// Red, green, blue and opacity, 0 to 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub color: Option<[f64; 4]>,
+    /// Id of the file of its texture.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub texture: Option<String>,
+    /// Where its element starts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub origin: Option<Location>,
+}
+
+/// An inertia, about the centre of mass.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Inertial {
+    /// The frame of the inertia in the link; its translation is the centre of mass.
+    pub pose: Pose,
+    /// kg
+    pub mass: f64,
+    /// `ixx ixy ixz iyy iyz izz`, kg m^2.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub inertia: Option<[f64; 6]>,
+}
+
+/// A joint.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Joint {
+    /// Its name.
+    pub name: String,
+    /// Its type; `fixed` where it is not one of URDF's.
+    #[serde(rename = "type")]
+    pub kind: String,
+    /// The link it hangs on.
+    pub parent: String,
+    /// The link that hangs on it.
+    pub child: String,
+    /// Where the child stands in the parent at position zero.
+    pub pose: Pose,
+    /// Its axis, in the frame of the joint.
+    pub axis: [f64; 3],
+    /// How far it goes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limit: Option<Limit>,
+    /// Which joint it goes with.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mimic: Option<Mimic>,
+    /// Where its element starts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub origin: Option<Location>,
+    /// The outermost macro call that made it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub call: Option<Location>,
+}
+
+/// Radians or metres, N m or N, rad/s or m/s.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[allow(missing_docs)]
+pub struct Limit {
+    pub lower: f64,
+    pub upper: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub effort: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub velocity: Option<f64>,
+}
+
+/// Position = multiplier * position of the joint + offset.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[allow(missing_docs)]
+pub struct Mimic {
+    pub joint: String,
+    pub multiplier: f64,
+    pub offset: f64,
+}
+
+/// Make the model of a robot. Links without a name and joints without known ends are left out.
+pub(super) fn model(robot: &Robot, places: &Places<'_>, shapes: &mut Shapes<'_>) -> Model {
+    let links = robot.links.iter().filter_map(|link| one_link(link, places, shapes)).collect();
+    let joints = robot.joints.iter().filter_map(|joint| one_joint(joint, places)).collect();
+    let name = robot.name.as_ref().map_or("", |name| name.value.as_str());
+    Model { robot: name.to_owned(), links, joints, meshes: shapes.take_files() }
+}
+
+fn start(places: &Places<'_>, element: XId) -> Option<Location> {
+    places.of(tag_start(places.expansion, element))
+}
+
+fn call(places: &Places<'_>, element: XId) -> Option<Location> {
+    places.call(places.expansion.tree.get(element).origin)
+}
+
+fn one_link(link: &model::Link, places: &Places<'_>, shapes: &mut Shapes<'_>) -> Option<Link> {
+    let inertial = link.inertial.as_ref().and_then(|inertial| {
+        let pose = Pose::of(inertial.origin.as_ref());
+        Some(Inertial { pose, mass: inertial.mass()?, inertia: inertial.entries() })
+    });
+    let mut bodies = |list: &[model::Body], seen: bool| {
+        list.iter().map(|body| one_body(body, seen, places, shapes)).collect::<Vec<_>>()
+    };
+    Some(Link {
+        name: link.name.as_ref()?.name()?.to_string(),
+        inertial,
+        visuals: bodies(&link.visuals, true),
+        collisions: bodies(&link.collisions, false),
+        origin: start(places, link.element),
+        call: call(places, link.element),
+    })
+}
+
+fn one_body(body: &model::Body, seen: bool, places: &Places<'_>, shapes: &mut Shapes<'_>) -> Body {
+    let look = if seen { shapes.look(body.material.as_ref()) } else { Default::default() };
+    Body {
+        name: body.name.as_ref().and_then(|name| Some(name.name()?.to_string())),
+        pose: Pose::of(body.origin.as_ref()),
+        shape: shapes.shape(body),
+        color: look.color,
+        texture: look.texture,
+        origin: start(places, body.element),
+    }
+}
+
+fn one_joint(joint: &model::Joint, places: &Places<'_>) -> Option<Joint> {
+    let (parent, child) = joint.ends()?;
+    let number = |text: &Option<model::Text>| text.as_ref().and_then(model::Text::number);
+    let limit = joint.limit.as_ref().and_then(|limit| {
+        let (lower, upper) = limit.range()?;
+        Some(Limit { lower, upper, effort: number(&limit.effort), velocity: number(&limit.velocity) })
+    });
+    let mimic = joint.mimic.as_ref().and_then(|mimic| {
+        let leader = mimic.joint.as_ref()?.name()?.to_string();
+        let or = |text: &Option<model::Text>, default| number(text).unwrap_or(default);
+        Some(Mimic { joint: leader, multiplier: or(&mimic.multiplier, 1.0), offset: or(&mimic.offset, 0.0) })
+    });
+    let kind = joint.joint_type().and_then(|kind| {
+        let mut known = model::JointType::ALL.iter();
+        known.find(|(_, one)| *one == kind).map(|(name, _)| *name)
+    });
+    Some(Joint {
+        name: joint.name.as_ref()?.name()?.to_string(),
+        kind: kind.unwrap_or("fixed").to_owned(),
+        parent: parent.to_string(),
+        child: child.to_string(),
+        pose: Pose::of(joint.origin.as_ref()),
+        axis: joint.axis().unwrap_or([1.0, 0.0, 0.0]),
+        limit,
+        mimic,
+        origin: start(places, joint.element),
+        call: call(places, joint.element),
+    })
+}

@@ -1,0 +1,110 @@
+//! Places of the source as messages write them.
+
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use crate::base::{Encoding, LineCol, TextRange};
+use crate::expand::{Expansion, FrameKind, Origin, Place};
+
+/// A line and a column, both from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Point {
+    /// The line.
+    pub line: u32,
+    /// The column, in the units agreed with the client.
+    pub character: u32,
+}
+
+/// A stretch of a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Stretch {
+    /// Its first character.
+    pub start: Point,
+    /// Behind its last one.
+    pub end: Point,
+}
+
+/// A stretch of a file, as the language server protocol writes it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Location {
+    /// The file.
+    pub uri: String,
+    /// Where in it.
+    pub range: Stretch,
+}
+
+impl Location {
+    /// The first character of a file.
+    pub fn start(uri: String) -> Self {
+        let first = Point { line: 0, character: 0 };
+        Self { uri, range: Stretch { start: first, end: first } }
+    }
+}
+
+/// How a client names files and counts columns.
+pub struct Names<'a> {
+    /// The URI of a path.
+    pub uri: &'a dyn Fn(&Path) -> Option<String>,
+    /// The path of a URI.
+    pub path: &'a dyn Fn(&str) -> Option<PathBuf>,
+    /// The unit of columns.
+    pub encoding: Encoding,
+}
+
+/// Places in one expansion.
+pub(super) struct Places<'a> {
+    pub names: &'a Names<'a>,
+    pub expansion: &'a Expansion,
+}
+
+impl Places<'_> {
+    /// Where an origin stands.
+    pub fn of(&self, origin: Origin) -> Option<Location> {
+        self.place(self.expansion.place(origin)?)
+    }
+
+    /// A place in a file of the expansion, in the text that was expanded.
+    pub fn place(&self, place: Place) -> Option<Location> {
+        let source = &self.expansion.files.get(place.file.0 as usize)?.source;
+        let point = |offset| {
+            let LineCol { line, col } = source.document.line_col(offset, self.names.encoding);
+            Point { line, character: col }
+        };
+        let range = Stretch { start: point(place.range.start), end: point(place.range.end) };
+        Some(Location { uri: (self.names.uri)(&source.path)?, range })
+    }
+
+    /// The outermost macro call that led to an origin.
+    pub fn call(&self, origin: Origin) -> Option<Location> {
+        let calls = self.expansion.frames_of(origin).filter(|frame| frame.kind == FrameKind::Macro);
+        self.of(calls.last()?.call)
+    }
+
+    /// The path and the text range that a location names in a file of the expansion.
+    pub fn range(&self, location: &Location) -> Option<(crate::expand::FileIdx, TextRange)> {
+        let path = (self.names.path)(&location.uri)?;
+        let index = self.expansion.files.iter().position(|file| *file.source.path == *path)?;
+        let document = &self.expansion.files.get(index)?.source.document;
+        let offset = |point: Point| {
+            document.offset(LineCol { line: point.line, col: point.character }, self.names.encoding)
+        };
+        let (start, end) = (offset(location.range.start), offset(location.range.end));
+        let range = TextRange::new(start.min(end), start.max(end));
+        Some((crate::expand::FileIdx(index as u32), range))
+    }
+}
+
+/// The URI of an absolute path, for hosts that have no names of their own.
+pub fn file_uri(path: &Path) -> String {
+    let mut uri = String::from("file://");
+    for byte in path.to_string_lossy().bytes() {
+        match byte {
+            b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'/' | b'-' | b'_' | b'.' | b'~' | b'+' => {
+                uri.push(char::from(byte));
+            }
+            other => uri.push_str(&format!("%{other:02X}")),
+        }
+    }
+    uri
+}

@@ -1,0 +1,196 @@
+//! Shapes and colours: meshes found on the disk, materials looked up by name.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use ecow::EcoString;
+use serde::Serialize;
+
+use super::files::{Files, MeshFile};
+use crate::analysis::Session;
+use crate::base::FastMap;
+use crate::expand::{Expansion, Origin};
+use crate::model::{self, Material, Meshes, Robot, ShapeKind};
+use crate::workspace::UriOutcome;
+
+/// What a body looks like; lengths in metres.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+pub enum Shape {
+    /// Centred, full lengths.
+    Box {
+        /// Along x, y and z.
+        size: [f64; 3],
+    },
+    /// Along z, centred.
+    Cylinder {
+        /// Radius.
+        radius: f64,
+        /// Length.
+        length: f64,
+    },
+    /// Centred.
+    Sphere {
+        /// Radius.
+        radius: f64,
+    },
+    /// A file.
+    Mesh {
+        /// Its name as it is written.
+        uri: String,
+        /// Factors along x, y and z.
+        scale: [f64; 3],
+        /// Its id.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        mesh: Option<String>,
+        /// Why it has none.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        problem: Option<String>,
+    },
+    /// Nothing that can be drawn.
+    Unknown {
+        /// Why.
+        problem: String,
+    },
+}
+
+/// The colour of a body.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Look {
+    pub color: Option<[f64; 4]>,
+    pub texture: Option<String>,
+}
+
+/// Where shapes and colours are looked up.
+pub(super) struct Shapes<'a> {
+    session: &'a Session,
+    meshes: &'a Meshes,
+    expansion: &'a Expansion,
+    table: &'a Files,
+    /// Materials with a colour or a texture: the first of each name.
+    materials: FastMap<EcoString, &'a Material>,
+    /// Files named so far.
+    files: BTreeMap<String, MeshFile>,
+}
+
+impl<'a> Shapes<'a> {
+    pub fn new(
+        session: &'a Session,
+        meshes: &'a Meshes,
+        expansion: &'a Expansion,
+        robot: &'a Robot,
+        table: &'a Files,
+    ) -> Self {
+        let inside = robot.links.iter().flat_map(|link| &link.visuals);
+        let inside = inside.filter_map(|visual| visual.material.as_ref());
+        let mut materials = FastMap::default();
+        for material in robot.materials.iter().chain(inside) {
+            let name = material.name.as_ref().and_then(|name| name.name());
+            if let Some(name) = name.filter(|_| material.rgba.is_some() || material.texture_file.is_some()) {
+                materials.entry(name.clone()).or_insert(material);
+            }
+        }
+        Self { session, meshes, expansion, table, materials, files: BTreeMap::new() }
+    }
+
+    /// The files that were named.
+    pub fn take_files(&mut self) -> BTreeMap<String, MeshFile> {
+        std::mem::take(&mut self.files)
+    }
+
+    /// The colour that a material gives, by itself or by its name.
+    pub fn look(&mut self, material: Option<&Material>) -> Look {
+        let Some(own) = material else { return Look::default() };
+        let name = own.name.as_ref().and_then(|name| name.name());
+        let named = name.and_then(|name| self.materials.get(name).copied());
+        let has_own = own.rgba.is_some() || own.texture_file.is_some();
+        let Some(material) = Some(own).filter(|_| has_own).or(named) else { return Look::default() };
+        let texture = material.texture_file.as_ref().and_then(|file| {
+            let path = self.find(file).ok()?;
+            Some(self.file(&path))
+        });
+        Look { color: material.rgba.as_ref().and_then(|rgba| rgba.numbers()), texture }
+    }
+
+    /// The shape of a body.
+    pub fn shape(&mut self, body: &model::Body) -> Shape {
+        let Some(shape) = body.shape() else {
+            return Shape::Unknown { problem: "it has no geometry".to_owned() };
+        };
+        let number = |text: &Option<model::Text>| text.as_ref().and_then(model::Text::number);
+        let found = match &shape.kind {
+            ShapeKind::Box { size } => {
+                size.as_ref().and_then(|size| Some(Shape::Box { size: size.numbers()? }))
+            }
+            ShapeKind::Cylinder { radius, length } => {
+                number(radius).zip(number(length)).map(|(radius, length)| Shape::Cylinder { radius, length })
+            }
+            ShapeKind::Sphere { radius } => number(radius).map(|radius| Shape::Sphere { radius }),
+            ShapeKind::Mesh { filename, scale } => {
+                let scale = scale.as_ref().map_or(Some([1.0; 3]), model::Text::numbers);
+                filename.as_ref().map(|file| self.mesh(file, scale.unwrap_or([1.0; 3])))
+            }
+            ShapeKind::Other => None,
+        };
+        found.unwrap_or_else(|| Shape::Unknown { problem: "its dimensions are not known".to_owned() })
+    }
+
+    fn mesh(&mut self, name: &model::Text, scale: [f64; 3]) -> Shape {
+        let (mesh, problem) = match self.find(name) {
+            Ok(path) => (Some(self.mesh_file(&path)), None),
+            Err(problem) => (None, Some(problem)),
+        };
+        Shape::Mesh { uri: name.value.to_string(), scale, mesh, problem }
+    }
+
+    /// The file that a name leads to.
+    fn find(&self, name: &model::Text) -> Result<PathBuf, String> {
+        let from = self.file_of(name.origin).ok_or("its file is not known")?;
+        let uri = name.name().ok_or("its name is not known")?;
+        match self.session.packages.resolve_uri(uri, from).outcome {
+            UriOutcome::Found(path) if self.session.vfs.is_file(&path) => Ok(path),
+            UriOutcome::Found(path) => Err(format!("{} is no file", path.display())),
+            UriOutcome::Missing(path) => Err(format!("there is no {}", path.display())),
+            UriOutcome::UnknownPackage(_) => Err("its package is not known".to_owned()),
+            UriOutcome::Malformed(why) => Err(why.to_owned()),
+            UriOutcome::Elsewhere => Err("it is not on this machine".to_owned()),
+        }
+    }
+
+    fn file_of(&self, origin: Origin) -> Option<&Path> {
+        let place = self.expansion.place(origin)?;
+        Some(&self.expansion.files.get(place.file.0 as usize)?.source.path)
+    }
+
+    fn mesh_file(&mut self, path: &Path) -> String {
+        let id = self.table.id(path, self.session.vfs.state_on_disk(path));
+        if self.files.contains_key(&id) {
+            return id;
+        }
+        let mesh = self.meshes.get(&self.session.vfs, path);
+        let beside = self.meshes.files(&self.session.vfs, path, &mesh);
+        let files = beside.into_iter().map(|(name, path)| (name, self.file(&path))).collect();
+        let bounds = mesh.surface.map(|surface| [surface.bounds.min, surface.bounds.max]);
+        self.files.insert(id.clone(), MeshFile { bounds, files, ..self.plain(path) });
+        id
+    }
+
+    /// A file that is no mesh.
+    fn file(&mut self, path: &Path) -> String {
+        let id = self.table.id(path, self.session.vfs.state_on_disk(path));
+        if !self.files.contains_key(&id) {
+            self.files.insert(id.clone(), self.plain(path));
+        }
+        id
+    }
+
+    fn plain(&self, path: &Path) -> MeshFile {
+        MeshFile {
+            name: path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+            format: path.extension().unwrap_or_default().to_string_lossy().to_lowercase(),
+            bytes: self.session.vfs.size(path).unwrap_or(0),
+            bounds: None,
+            files: BTreeMap::new(),
+        }
+    }
+}

@@ -1,0 +1,313 @@
+//! The views that are open, and what they show.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::choices::choices;
+use super::files::Files;
+use super::messages::{Argument, ModelError, ModelMessage, RootName, Selection, Side};
+use super::model::{Model, model};
+use super::places::{Location, Names, Places};
+use super::select;
+use super::shapes::Shapes;
+use crate::analysis::{Analyzed, RootChoice, World};
+use crate::base::{CancelFlag, FastSet};
+use crate::expand::{Read, Severity};
+
+/// Errors that are sent at most.
+const MOST_ERRORS: usize = 100;
+
+/// Bytes of a file that are sent at most.
+const MOST_BYTES: u64 = 256_000_000;
+
+/// All views.
+#[derive(Default)]
+pub struct Views {
+    last_id: u32,
+    views: BTreeMap<u32, View>,
+    files: Arc<Files>,
+}
+
+/// One view: a robot, or two side by side.
+struct View {
+    revision: u64,
+    sides: BTreeMap<Side, Shown>,
+}
+
+/// What one side shows.
+struct Shown {
+    root: RootChoice,
+    /// What was sent last.
+    sent: Option<Arc<Analyzed>>,
+    /// What was sent last without errors, with its revision.
+    good: Option<(Arc<Model>, Option<u64>)>,
+    /// The model that was sent last.
+    current: Option<Arc<Model>>,
+    /// What else could be shown, and how many files were known then.
+    choices: Option<(usize, Vec<RootName>)>,
+}
+
+/// A file of a model.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MeshBytes {
+    /// Its name without folders.
+    pub name: String,
+    /// Its content.
+    pub bytes: Vec<u8>,
+}
+
+impl Shown {
+    fn new(root: RootChoice) -> Self {
+        Self { root, sent: None, good: None, current: None, choices: None }
+    }
+}
+
+impl Views {
+    /// Whether nobody looks.
+    pub fn is_empty(&self) -> bool {
+        self.views.is_empty()
+    }
+
+    /// The files that may be asked for.
+    pub fn files(&self) -> &Arc<Files> {
+        &self.files
+    }
+
+    /// Open a view; its number.
+    pub fn open(&mut self, root: RootChoice) -> u32 {
+        self.last_id += 1;
+        let sides = BTreeMap::from([(Side::Main, Shown::new(root))]);
+        self.views.insert(self.last_id, View { revision: 0, sides });
+        self.last_id
+    }
+
+    /// Close a view; whether there was one.
+    pub fn close(&mut self, id: u32) -> bool {
+        let closed = self.views.remove(&id).is_some();
+        self.forget_files();
+        closed
+    }
+
+    /// Show something else; whether there is such a view.
+    pub fn show(&mut self, id: u32, root: RootChoice, compare: Option<RootChoice>) -> bool {
+        let Some(view) = self.views.get_mut(&id) else { return false };
+        for (side, root) in [(Side::Main, Some(root)), (Side::Compare, compare)] {
+            match root {
+                Some(root) if view.sides.get(&side).is_some_and(|shown| shown.root == root) => {}
+                Some(root) => drop(view.sides.insert(side, Shown::new(root))),
+                None => drop(view.sides.remove(&side)),
+            }
+        }
+        true
+    }
+
+    /// Whether a view shows two robots; none when there is no such view.
+    pub fn compares(&self, id: u32) -> Option<bool> {
+        self.views.get(&id).map(|view| view.sides.contains_key(&Side::Compare))
+    }
+
+    /// What a view shows.
+    pub fn root(&self, id: u32) -> Option<&RootChoice> {
+        self.views.get(&id)?.sides.get(&Side::Main).map(|shown| &shown.root)
+    }
+
+    /// The views that are open.
+    pub fn ids(&self) -> Vec<u32> {
+        self.views.keys().copied().collect()
+    }
+
+    /// Have a view sent again whole.
+    pub fn forget(&mut self, id: u32) {
+        let sides = self.views.get_mut(&id).into_iter().flat_map(|view| view.sides.values_mut());
+        sides.for_each(|shown| (shown.sent, shown.choices) = (None, None));
+    }
+
+    /// What changed in the views that somebody looks at. False when it was cancelled: the rest comes the next time.
+    pub fn update(
+        &mut self,
+        world: &mut World,
+        names: &Names<'_>,
+        wanted: &dyn Fn(u32) -> bool,
+        cancel: &CancelFlag,
+    ) -> (Vec<ModelMessage>, bool) {
+        let mut messages = Vec::new();
+        let files = self.files.clone();
+        let mut finished = true;
+        for (&id, view) in self.views.iter_mut().filter(|(id, _)| wanted(**id)) {
+            for (&side, shown) in &mut view.sides {
+                let Some(analyzed) = world.analyzed(&shown.root, cancel) else {
+                    finished = false;
+                    continue;
+                };
+                if shown.sent.as_ref().is_some_and(|sent| Arc::ptr_eq(sent, &analyzed)) {
+                    continue;
+                }
+                view.revision += 1;
+                let made = shown.message(world, names, &files, analyzed);
+                messages.extend(made.map(|message| ModelMessage {
+                    id,
+                    side,
+                    revision: view.revision,
+                    ..message
+                }));
+                shown.numbered(view.revision);
+            }
+        }
+        if !messages.is_empty() {
+            self.forget_files();
+        }
+        (messages, finished)
+    }
+
+    /// The files that the robots shown depend on.
+    pub fn reads(&self) -> BTreeSet<PathBuf> {
+        let sides = self.views.values().flat_map(|view| view.sides.values());
+        let analyzed = sides.filter_map(|shown| shown.sent.as_ref());
+        let reads = analyzed.flat_map(|analyzed| analyzed.expansion.record.iter());
+        let files = reads.filter_map(|read| match read {
+            Read::File(path, _) | Read::Missing(path) => Some(path.clone()),
+            _ => None,
+        });
+        files.chain(self.files.paths()).collect()
+    }
+
+    /// The bytes of a file that a model names.
+    pub fn mesh(&self, world: &World, id: &str) -> Result<MeshBytes, String> {
+        let path = self.files.path(id).ok_or("no robot that is shown has such a file")?;
+        let bytes = world.session().vfs.bytes(&path, MOST_BYTES);
+        let bytes = bytes.map_err(|error| format!("it cannot be read: {}", error.strerror))?;
+        Ok(MeshBytes { name: path.file_name().unwrap_or_default().to_string_lossy().into_owned(), bytes })
+    }
+
+    /// The links and joints that the text at a place makes.
+    pub fn made_by(&self, id: u32, location: &Location, names: &Names<'_>) -> Option<Selection> {
+        let analyzed = self.analyzed(id)?;
+        let places = Places { names, expansion: &analyzed.expansion };
+        let robot = analyzed.robot.as_ref()?;
+        Some(Selection { id, ..select::made_by(robot, &places, location) })
+    }
+
+    /// Where a link or a joint stands.
+    pub fn place_of(
+        &self,
+        id: u32,
+        link: Option<String>,
+        joint: Option<String>,
+        names: &Names<'_>,
+    ) -> Option<Selection> {
+        let analyzed = self.analyzed(id)?;
+        let places = Places { names, expansion: &analyzed.expansion };
+        let robot = analyzed.robot.as_ref()?;
+        let location = select::location_of(robot, &places, link.as_deref(), joint.as_deref());
+        let (links, joints) = (link.clone().into_iter().collect(), joint.clone().into_iter().collect());
+        Some(Selection { id, link, joint, links, joints, location })
+    }
+
+    fn analyzed(&self, id: u32) -> Option<&Arc<Analyzed>> {
+        self.views.get(&id)?.sides.get(&Side::Main)?.sent.as_ref()
+    }
+
+    /// Files that no model names any more can no longer be asked for.
+    fn forget_files(&mut self) {
+        let sides = self.views.values().flat_map(|view| view.sides.values());
+        let models =
+            sides.flat_map(|shown| shown.current.iter().chain(shown.good.iter().map(|good| &good.0)));
+        let named: FastSet<&str> = models.flat_map(|model| model.meshes.keys().map(String::as_str)).collect();
+        self.files.keep(&named);
+    }
+}
+
+impl Shown {
+    /// The message about an expansion; its numbers are still to be given.
+    fn message(
+        &mut self,
+        world: &mut World,
+        names: &Names<'_>,
+        files: &Files,
+        analyzed: Arc<Analyzed>,
+    ) -> Option<ModelMessage> {
+        let expansion = &analyzed.expansion;
+        let ok = !expansion.has_errors() && expansion.root_error.is_none();
+        self.current = Some(Arc::new(drawn(world, names, files, &analyzed)));
+        if ok {
+            self.good = self.current.clone().map(|model| (model, None));
+        } else if self.good.is_none() {
+            let last = world.last_good(&self.root);
+            self.good = last.map(|last| (Arc::new(drawn(world, names, files, &last)), None));
+        }
+        let good = self.good.clone().filter(|_| !ok);
+        let arguments = expansion.arguments.iter();
+        let message = ModelMessage {
+            id: 0,
+            side: Side::Main,
+            revision: 0,
+            ok,
+            model: self.current.clone().filter(|_| good.is_none()),
+            errors: errors(names, &analyzed, &self.root),
+            good_revision: good.as_ref().and_then(|(_, revision)| *revision),
+            last_good: good.map(|(model, _)| model),
+            root: RootName::of(&self.root, (names.uri)(&self.root.file)?),
+            args: arguments.map(|(n, v)| Argument { name: n.to_string(), value: v.to_string() }).collect(),
+            choices: self.choices(world, names),
+        };
+        self.sent = Some(analyzed);
+        Some(message)
+    }
+
+    /// What else could be shown; looked for again when files came or went.
+    fn choices(&mut self, world: &mut World, names: &Names<'_>) -> Vec<RootName> {
+        let count = world.known_files().len();
+        match &self.choices {
+            Some((known, choices)) if *known == count => choices.clone(),
+            _ => {
+                let found = choices(world, &self.root, names);
+                self.choices = Some((world.known_files().len(), found.clone()));
+                found
+            }
+        }
+    }
+
+    /// What was just made went out with a number.
+    fn numbered(&mut self, revision: u64) {
+        let ok = self.sent.as_ref().is_some_and(|sent| !sent.expansion.has_errors());
+        if let Some((_, number)) = self.good.as_mut().filter(|_| ok) {
+            *number = Some(revision);
+        }
+    }
+}
+
+/// The model of an expansion.
+fn drawn(world: &World, names: &Names<'_>, files: &Files, analyzed: &Analyzed) -> Model {
+    let Some(robot) = &analyzed.robot else {
+        return Model {
+            robot: String::new(),
+            links: Vec::new(),
+            joints: Vec::new(),
+            meshes: BTreeMap::new(),
+        };
+    };
+    let session = world.session();
+    let settings = session.settings(&analyzed.root.file);
+    let around = session.surroundings(&settings.config);
+    let places = Places { names, expansion: &analyzed.expansion };
+    let mut shapes = Shapes::new(session, around.meshes, &analyzed.expansion, robot, files);
+    model(robot, &places, &mut shapes)
+}
+
+fn errors(names: &Names<'_>, analyzed: &Analyzed, root: &RootChoice) -> Vec<ModelError> {
+    let expansion = &analyzed.expansion;
+    let places = Places { names, expansion };
+    let problems = expansion.problems.iter().filter(|p| p.severity == Severity::Error && !p.probed);
+    let listed = problems.filter_map(|problem| {
+        let code = crate::rules::by_code(problem.code).map_or(problem.code, |rule| rule.name);
+        let location = places.place(problem.place)?;
+        Some(ModelError { message: problem.message.clone(), code: code.to_owned(), location })
+    });
+    let unreadable = expansion.root_error.as_ref().and_then(|error| {
+        let message = format!("the file cannot be read: {}", error.strerror);
+        let location = Location::start((names.uri)(&root.file)?);
+        Some(ModelError { message, code: "unreadable-file".to_owned(), location })
+    });
+    unreadable.into_iter().chain(listed).take(MOST_ERRORS).collect()
+}

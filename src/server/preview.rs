@@ -1,0 +1,341 @@
+//! `xacro/preview/*` and the command `xacro.preview`: the robot in 3D.
+//!
+//! Clients with requests of their own subscribe and pass messages on to the viewer; all others open the address that
+//! the command answers. Models are made when no job waits, so that a burst of edits costs one of them.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+use base64::Engine as _;
+use lsp_types::{TextDocumentIdentifier, Url};
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+use super::convert;
+use super::engine::Engine;
+use super::expansion::Root;
+use super::failure::Failure;
+use super::outbox::Message;
+use crate::analysis::RootChoice;
+use crate::base::{CancelFlag, Encoding};
+use crate::preview::{Location, ModelMessage, Names, Selection, Views};
+
+/// Views that may be open.
+const MOST_VIEWS: usize = 32;
+
+/// The views of the client and of browsers.
+#[derive(Default)]
+pub(super) struct Previews {
+    pub views: Views,
+    /// Something changed since the last models.
+    pub due: bool,
+    /// The views that the client subscribed to.
+    pub subscribed: BTreeSet<u32>,
+    #[cfg(feature = "preview")]
+    pub hub: Option<std::sync::Arc<crate::preview::Hub>>,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct SubscribeParams {
+    pub root: Option<Root>,
+    pub text_document: Option<TextDocumentIdentifier>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Subscribed {
+    pub id: u32,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct ViewParams {
+    pub id: u32,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct ShowParams {
+    pub id: u32,
+    pub root: Root,
+    pub compare: Option<Root>,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct MeshParams {
+    pub mesh: String,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Mesh {
+    pub name: String,
+    /// In base64.
+    pub data: String,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct SelectParams {
+    /// The view; all of them when absent.
+    pub id: Option<u32>,
+    pub link: Option<String>,
+    pub joint: Option<String>,
+    pub location: Option<Location>,
+}
+
+/// How the client names files, taken out of the engine.
+struct ClientNames {
+    uris: BTreeMap<PathBuf, String>,
+    encoding: Encoding,
+}
+
+impl ClientNames {
+    fn with<T>(&self, work: impl FnOnce(&Names<'_>) -> T) -> T {
+        let uri = |path: &Path| {
+            let open = self.uris.get(path).cloned();
+            open.or_else(|| Some(Url::from_file_path(path).ok()?.to_string()))
+        };
+        let path = |uri: &str| Some(convert::path(&Url::parse(uri).ok()?));
+        work(&Names { uri: &uri, path: &path, encoding: self.encoding })
+    }
+}
+
+impl Engine {
+    pub fn subscribe(&mut self, params: SubscribeParams, _: &CancelFlag) -> Result<Subscribed, Failure> {
+        let id = self.open_view(params)?;
+        self.previews.subscribed.insert(id);
+        Ok(Subscribed { id })
+    }
+
+    pub fn unsubscribe(&mut self, params: ViewParams, _: &CancelFlag) -> Result<Value, Failure> {
+        self.previews.subscribed.remove(&params.id);
+        if !self.previews.views.close(params.id) {
+            return Err(no_view(params.id));
+        }
+        #[cfg(feature = "preview")]
+        if let Some(hub) = &self.previews.hub {
+            hub.close(params.id);
+        }
+        Ok(Value::Null)
+    }
+
+    pub fn show_root(&mut self, params: ShowParams, _: &CancelFlag) -> Result<Value, Failure> {
+        let root = self.chosen(params.root)?;
+        let compare = params.compare.map(|root| self.chosen(root)).transpose()?;
+        let compares = compare.is_some();
+        if !self.previews.views.show(params.id, root, compare) {
+            return Err(no_view(params.id));
+        }
+        #[cfg(feature = "preview")]
+        if let Some(hub) = self.previews.hub.as_ref().filter(|_| !compares) {
+            hub.end_compare(params.id);
+        }
+        let _ = compares;
+        self.previews.due = true;
+        Ok(Value::Null)
+    }
+
+    pub fn preview_mesh(&mut self, params: MeshParams, _: &CancelFlag) -> Result<Mesh, Failure> {
+        let mesh = self.previews.views.mesh(&self.world, &params.mesh).map_err(Failure::Invalid)?;
+        let data = base64::engine::general_purpose::STANDARD.encode(mesh.bytes);
+        Ok(Mesh { name: mesh.name, data })
+    }
+
+    /// The client selects: the cursor moved, or a link was clicked in its viewer.
+    pub fn selected(&mut self, params: SelectParams) {
+        let names = self.client_names();
+        let ids = match params.id {
+            Some(id) => vec![id],
+            None => self.previews.views.ids(),
+        };
+        for id in ids {
+            let views = &self.previews.views;
+            let found = names.with(|names| match (&params.location, &params.link, &params.joint) {
+                (Some(location), None, None) => views.made_by(id, location, names),
+                _ => views.place_of(id, params.link.clone(), params.joint.clone(), names),
+            });
+            if let Some(selection) = found {
+                self.tell_selection(&selection);
+            }
+        }
+    }
+
+    fn tell_selection(&self, selection: &Selection) {
+        #[cfg(feature = "preview")]
+        if let Some(hub) = &self.previews.hub {
+            hub.select(selection);
+        }
+        if self.previews.subscribed.contains(&selection.id) {
+            let params = serde_json::to_value(selection).unwrap_or_default();
+            self.outbox.send(Message::Custom("xacro/preview/select", params));
+        }
+    }
+
+    /// Make the models of what changed, and send them.
+    pub fn make_previews(&mut self) {
+        self.previews.due = false;
+        let names = self.client_names();
+        let cancel = self.pressure.background();
+        #[cfg(feature = "preview")]
+        let hub = self.previews.hub.clone();
+        let Previews { views, subscribed, .. } = &mut self.previews;
+        #[cfg(feature = "preview")]
+        let watched = |id| hub.as_ref().is_some_and(|hub| hub.is_watched(id));
+        #[cfg(not(feature = "preview"))]
+        let watched = |_| false;
+        let wanted = |id: u32| subscribed.contains(&id) || watched(id);
+        let (messages, finished) = names.with(|names| views.update(&mut self.world, names, &wanted, &cancel));
+        // given up because a job came in: after it
+        self.previews.due |= !finished;
+        for message in &messages {
+            self.tell_model(message);
+        }
+    }
+
+    fn tell_model(&self, message: &ModelMessage) {
+        #[cfg(feature = "preview")]
+        if let Some(hub) = &self.previews.hub {
+            hub.tell(message);
+        }
+        if self.previews.subscribed.contains(&message.id) {
+            let params = serde_json::to_value(message).unwrap_or_default();
+            self.outbox.send(Message::Custom("xacro/preview/model", params));
+        }
+    }
+
+    fn open_view(&mut self, params: SubscribeParams) -> Result<u32, Failure> {
+        let root = self.view_root(params)?;
+        if self.previews.views.ids().len() >= MOST_VIEWS {
+            return Err(Failure::Refused(format!("{MOST_VIEWS} previews are open: close one first")));
+        }
+        self.previews.due = true;
+        Ok(self.previews.views.open(root))
+    }
+
+    /// The root that is asked for: named, or that of a document.
+    fn view_root(&mut self, params: SubscribeParams) -> Result<RootChoice, Failure> {
+        match (params.root, params.text_document) {
+            (Some(root), _) => self.chosen(root),
+            (None, Some(document)) => {
+                let (path, _) = self.source(&document.uri)?;
+                Ok(self.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path)))
+            }
+            (None, None) => Err(Failure::Invalid("name a `root` or a `textDocument`".to_owned())),
+        }
+    }
+
+    fn client_names(&self) -> ClientNames {
+        let open = self.documents.iter();
+        let uris = open.map(|(path, document)| (path.clone(), document.uri.to_string())).collect();
+        ClientNames { uris, encoding: self.encoding }
+    }
+
+    /// The command `xacro.preview`: the address of a page that shows a robot.
+    #[cfg(feature = "preview")]
+    pub fn preview_page(&mut self, argument: Value) -> Result<Value, Failure> {
+        let params = match argument {
+            Value::String(uri) => json!({ "textDocument": { "uri": uri } }),
+            other => other,
+        };
+        let params: SubscribeParams =
+            serde_json::from_value(params).map_err(|error| Failure::Invalid(error.to_string()))?;
+        let hub = self.hub()?;
+        let root = self.view_root(params)?;
+        let views = &self.previews.views;
+        let same = |id: &u32| views.root(*id) == Some(&root) && hub.has(*id);
+        let known = views.ids().into_iter().find(same);
+        let id = match known {
+            Some(id) => id,
+            None => {
+                let root = self.named(&root)?;
+                self.open_view(SubscribeParams { root: Some(root), text_document: None })?
+            }
+        };
+        hub.open(id);
+        Ok(json!({ "url": hub.url(id), "id": id }))
+    }
+
+    /// There is no server for browsers in this build.
+    #[cfg(not(feature = "preview"))]
+    pub fn preview_page(&mut self, _: Value) -> Result<Value, Failure> {
+        Err(Failure::Refused("this build has no preview: build it with the feature `preview`".to_owned()))
+    }
+}
+
+#[cfg(feature = "preview")]
+mod pages {
+    //! What pages say.
+
+    use std::sync::Arc;
+
+    use super::{Engine, Failure, Location, Message, Root, ShowParams, Url, convert};
+    use crate::base::CancelFlag;
+    use crate::preview::{FromViewer, Hub, Received, RootName};
+
+    impl Engine {
+        /// The server for browsers, started when it is needed first.
+        pub(super) fn hub(&mut self) -> Result<Arc<Hub>, Failure> {
+            if let Some(hub) = &self.previews.hub {
+                return Ok(hub.clone());
+            }
+            let Some(letterbox) = self.letterbox.clone() else {
+                return Err(Failure::Refused("the preview cannot be started here".to_owned()));
+            };
+            let files = self.previews.views.files().clone();
+            let vfs = self.world.session().vfs.clone();
+            let receive = move |received| letterbox.tell(received, Engine::page_said);
+            let hub = Hub::start(files, vfs, receive)
+                .map_err(|error| Failure::Refused(format!("the preview cannot be started: {error}")))?;
+            self.previews.hub = Some(hub.clone());
+            Ok(hub)
+        }
+
+        /// A page said something.
+        pub fn page_said(&mut self, received: Received) {
+            let id = received.id;
+            match received.message {
+                FromViewer::Ready => self.previews.due = true,
+                FromViewer::Select { link, joint, location } => {
+                    let names = self.client_names();
+                    let views = &self.previews.views;
+                    let Some(mut selection) = names.with(|names| views.place_of(id, link, joint, names))
+                    else {
+                        return;
+                    };
+                    selection.location = location.or(selection.location);
+                    self.show_location(selection.location.as_ref());
+                    self.tell_selection(&selection);
+                }
+                FromViewer::Open { location } => self.show_location(Some(&location)),
+                FromViewer::Root { root, compare } => {
+                    let named = |name: RootName| {
+                        let uri = Url::parse(&name.uri).ok()?;
+                        Some(Root { uri, args: name.args, preset: name.preset })
+                    };
+                    let Some(root) = named(root) else { return };
+                    let params = ShowParams { id, root, compare: compare.and_then(named) };
+                    if let Err(Failure::Invalid(why)) = self.show_root(params, &CancelFlag::default()) {
+                        self.outbox.log(format!("the preview cannot show that: {why}"));
+                    }
+                }
+                // pages ask for files in another way
+                FromViewer::Mesh { .. } => {}
+            }
+        }
+
+        /// Have the editor show a place.
+        fn show_location(&self, location: Option<&Location>) {
+            let uri = location.and_then(|location| Url::parse(&location.uri).ok());
+            let (Some(location), Some(uri)) = (location, uri) else { return };
+            if self.client.shows_documents && self.may_read(&convert::path(&uri)) {
+                let range = lsp_types::Range::new(point(location.range.start), point(location.range.end));
+                self.outbox.send(Message::ShowDocument(uri, range));
+            }
+        }
+    }
+
+    fn point(point: crate::preview::Point) -> lsp_types::Position {
+        lsp_types::Position::new(point.line, point.character)
+    }
+}
+
+fn no_view(id: u32) -> Failure {
+    Failure::Invalid(format!("there is no preview {id}"))
+}
