@@ -65,8 +65,15 @@ struct Head<'a> {
     #[serde(borrow)]
     method: Option<Cow<'a, str>>,
     id: Option<Value>,
-    result: Option<IgnoredAny>,
-    error: Option<IgnoredAny>,
+    /// Whether there is one: `null` is the usual result of what only has to be acknowledged.
+    #[serde(default, deserialize_with = "present")]
+    result: bool,
+    #[serde(default, deserialize_with = "present")]
+    error: bool,
+}
+
+fn present<'de, D: serde::Deserializer<'de>>(value: D) -> Result<bool, D::Error> {
+    IgnoredAny::deserialize(value).map(|_| true)
 }
 
 /// The body, mended where it can be; a note about it where it is no message.
@@ -80,7 +87,7 @@ fn checked(body: &[u8]) -> Vec<u8> {
     };
     let id_fits = head.id.as_ref().is_none_or(|id| id.is_string() || id.is_i64() || id.is_null());
     let is_reply =
-        head.method.is_none() && head.id.is_some() && (head.result.is_some() || head.error.is_some());
+        head.method.is_none() && head.id.is_some() && (head.result || head.error);
     if head.jsonrpc.as_deref() != Some("2.0") || !id_fits || !(head.method.is_some() || is_reply) {
         return bad("it is no message of JSON-RPC 2.0".to_owned()).to_string().into_bytes();
     }
