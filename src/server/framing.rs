@@ -177,6 +177,13 @@ mod tests {
     }
 
     #[test]
+    fn replies_without_a_value_are_replies() {
+        let body = r#"{"jsonrpc":"2.0","id":1,"result":null}"#;
+        let message = format!("Content-Length: {}\r\n\r\n{body}", body.len());
+        assert_eq!(pumped(&message), message);
+    }
+
+    #[test]
     fn lone_surrogates_are_replaced() {
         let mend =
             |text: &str| String::from_utf8(without_lone_surrogates(text.as_bytes()).into_owned()).unwrap();

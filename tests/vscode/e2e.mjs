@@ -1,7 +1,7 @@
 // The extension in a real VS Code.
 //   node e2e.mjs --code-server DIR --vsix FILE --out DIR [--only NAME[,NAME]] [--shots]
 import assert from "node:assert/strict";
-import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
@@ -56,9 +56,224 @@ test("problems", "broken_cell", async (window) => {
   const file = source(window, BROKEN);
   await window.file("broken_cell.xacro");
   const shown = await window.problem("reference_bals");
-  const [line, column] = file.find("reference_bals");
+  const [line, column] = file.find("<xacro:reference_bals");
   assert.match(shown, /undefined-macro/);
   assert.ok(shown.includes(`[Ln ${line}, Col ${column}]`), `${shown}: not at ${line}:${column}`);
+});
+
+test("quick-fix", "broken_cell", async (window) => {
+  const file = source(window, BROKEN);
+  await window.file("broken_cell.xacro");
+  await window.problem("reference_bals");
+  await window.editor.click();
+  await window.go(...file.find("reference_bals", 3));
+  await window.press("Control+.");
+  // the certain fix comes first
+  await window.page.locator(".action-widget .monaco-list-row.focused", { hasText: "reference_balls" }).waitFor();
+  await window.press("Enter");
+  await window.save();
+  await file.has("<xacro:reference_balls");
+  await window.page.locator(".markers-panel .monaco-list-row", { hasText: "reference_bals" }).first().waitFor({ state: "hidden" });
+});
+
+test("completion", "measuring_cell", async (window) => {
+  const file = source(window, CELL);
+  await window.file("measuring_cell.xacro");
+  await window.status("measuring_cell.xacro");
+  const [line] = file.find('<link name="world"/>');
+  await window.go(line, 3 + '<link name="world"/>'.length);
+  await window.press("Enter");
+  await window.page.keyboard.type("<xacro:gauge");
+  const row = window.page.locator(".suggest-widget.visible .monaco-list-row", { hasText: "gauge_probe" }).first();
+  await row.waitFor();
+  await until("the call with its parameters", async () => {
+    if (await row.isVisible()) await row.click({ timeout: 2000 }).catch(() => undefined);
+    await window.save();
+    return /^ {2}<xacro:gauge_probe prefix="[^"]*" connected_to="[^"]*"/.test(file.text().split("\n")[line]);
+  });
+});
+
+test("definition", "measuring_cell", async (window) => {
+  await window.file("measuring_cell.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.go(...source(window, CELL).find("<xacro:measuring_table", 12));
+  await until("the definition in the included file", async () => {
+    await window.press("F12");
+    const tab = window.page.locator('.tab.active[data-resource-name="furniture.xacro"]');
+    return tab.waitFor({ timeout: 3000 }).then(() => true, () => false);
+  });
+  const [line] = source(window, FURNITURE).find('<xacro:macro name="measuring_table"');
+  await window.at(line);
+});
+
+test("rename", "two_joint_gripper", async (window) => {
+  const [arm, robot] = [source(window, ARM), source(window, GRIPPER)];
+  await window.file("arm.xacro");
+  await window.status("two_joint_gripper.urdf.xacro");
+  await window.go(...arm.find('name="beam_width"', 8));
+  const box = window.page.locator(".rename-box input, input.rename-input").first();
+  await until("the box for the new name", async () => {
+    await window.press("F2");
+    return box.waitFor({ timeout: 3000 }).then(() => true, () => false);
+  });
+  await box.fill("beam_side");
+  await window.press("Enter");
+  await window.page.locator('.tab[data-resource-name="arm.xacro"].dirty').waitFor();
+  await window.command("File: Save All");
+  await arm.has('<xacro:property name="beam_side"');
+  await robot.has("beam_side / 2");
+  for (const file of [arm, robot]) assert.ok(!file.text().includes("beam_width"), file.file);
+});
+
+test("hover", "measuring_cell", async (window) => {
+  const file = source(window, FURNITURE);
+  await window.file("furniture.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.go(...file.find("${table_height - top_size[2]}", 16));
+  await window.hover("0.67");
+});
+
+test("outline", "two_joint_gripper", async (window) => {
+  await window.file("arm.xacro");
+  await window.status("two_joint_gripper.urdf.xacro");
+  await window.press("Control+Shift+O");
+  for (const name of ["beam_width", "hinge", "two_joint_arm"]) await window.row(name).waitFor();
+  await window.press("Escape");
+});
+
+test("format", "measuring_cell", async (window) => {
+  const file = source(window, CELL);
+  const good = file.text();
+  file.write((text) => text.replace('  <link name="world"/>', '<link     name="world"/>').replace('    <origin xyz="-0.25', '\t\t\t<origin    xyz="-0.25'));
+  await window.file("measuring_cell.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.command("Format Document");
+  await window.page.locator('.tab[data-resource-name="measuring_cell.xacro"].dirty').waitFor();
+  await window.save();
+  await until("the text as it was", () => file.text() === good);
+});
+
+test("expanded", "measuring_cell", async (window) => {
+  const file = source(window, FURNITURE);
+  const before = file.text();
+  await window.file("furniture.xacro");
+  await window.status("measuring_cell.xacro");
+  const [line, column] = file.find('name="table_height" value="0.75"', 29);
+  await window.go(...file.find('${table_height}"', 2));
+  await window.command("Xacro: Open Expanded URDF to the Side");
+  const shows = (part) => until(`the expanded robot shows ${part}`, async () => (await window.drawn("measuring_cell.urdf")).some((text) => text.includes(part)));
+  // the cursor leads there
+  await shows('xyz="0 0 0.75"');
+  await window.editor.click();
+  await window.go(line, column);
+  await window.press("Delete");
+  await window.page.keyboard.type("9");
+  await window.go(...file.find('${table_height}"', 2));
+  await shows('xyz="0 0 0.95"');
+  assert.equal(file.text(), before, "nothing was saved");
+  // broken text keeps the last good robot, with a banner
+  await window.go(1, 1);
+  await window.page.keyboard.type("<");
+  await window.page.locator(".codelens-decoration", { hasText: "this is the robot as of" }).first().waitFor();
+  await shows('xyz="0 0 0.95"');
+  await window.press("Backspace");
+  await window.page.locator(".codelens-decoration", { hasText: "this is the robot as of" }).first().waitFor({ state: "hidden" });
+  // and back: the cursor in the expanded text leads to the source
+  const group = window.page.locator(".editor-group-container", { has: window.page.locator('.tab.active[aria-label*="measuring_cell.urdf"]') });
+  await group.locator(".view-line", { hasText: '<link name="leg_front_left">' }).first().click();
+  await window.page.locator(".editor-group-container .cdr.wordHighlightStrong, .editor-group-container [class*=ced-]").first().waitFor();
+});
+
+test("root", "measuring_cell", async (window) => {
+  const file = source(window, "src/fenn_support/urdf/fenn_macro.xacro");
+  await window.file("fenn_macro.xacro");
+  await window.status("fenn.xacro");
+  await window.go(...file.find('"${prefix}base_link"', 4));
+  assert.doesNotMatch(await window.hover("prefix"), /arm_/);
+  await window.command("Xacro: Select Root");
+  await window.row("measuring_cell.xacro").click();
+  await window.status("measuring_cell.xacro");
+  await window.editor.click();
+  await window.go(...file.find('"${prefix}base_link"', 4));
+  await window.hover("arm_");
+  // arguments of the root
+  await window.command("Xacro: Set Arguments");
+  await window.row("stylus").click();
+  await window.input.fill("0.07");
+  await window.press("Enter");
+  await window.status("stylus:=0.07");
+  const probe = source(window, "src/gauge_probe_support/urdf/gauge_probe_macro.xacro");
+  await window.file("gauge_probe_macro.xacro");
+  await window.go(...probe.find("${stylus", 3));
+  await window.hover("0.07");
+});
+
+test("views", "measuring_cell", async (window) => {
+  const file = source(window, FURNITURE);
+  await window.file("furniture.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.command("Focus on Kinematic Tree View");
+  const row = (name) => window.page.locator(".sidebar .monaco-list-row", { hasText: name }).first();
+  await row("arm_link_1").waitFor();
+  await window.page.locator(".sidebar .pane-header", { hasText: "Roots" }).waitFor();
+  await row("stylus").waitFor();
+  await window.editor.click();
+  await window.go(...file.find('name="table_height"', 8));
+  await window.go(...file.find('<link name="table_top">', 8));
+  await window.page.locator(".sidebar .monaco-list-row.selected", { hasText: "table_top" }).first().waitFor();
+  await window.command("Xacro: Show Include Graph");
+  await window.webview.locator(".node", { hasText: "joints" }).or(window.webview.locator(".node", { hasText: "fenn_macro.xacro" })).first().waitFor();
+  await window.webview.locator(".node", { hasText: "fenn_macro.xacro" }).first().click();
+  await window.page.locator('.tab.active[data-resource-name="fenn_macro.xacro"]').waitFor();
+  await window.command("Xacro: Copy Diagnostic Report");
+  await window.notification("clipboard");
+  const report = await window.page.evaluate(() => navigator.clipboard.readText());
+  assert.match(report, /server: xacro-lsp \d+\.\d+\.\d+, running/);
+});
+
+test("untrusted", "broken_cell", async (window, server) => {
+  mkdirSync(join(window.folder, ".vscode"), { recursive: true });
+  const trap = join(window.folder, "started");
+  const program = join(window.folder, "server.sh");
+  writeFileSync(program, `#!/bin/sh\ntouch ${trap}\n`, { mode: 0o755 });
+  writeFileSync(join(window.folder, ".vscode", "settings.json"), JSON.stringify({ "xacro.server.path": program }));
+  await window.page.reload();
+  await window.page.locator(".explorer-folders-view .monaco-list-row").first().waitFor();
+  await window.page.locator(".part.banner", { hasText: "Restricted Mode" }).or(window.page.locator(".statusbar-item", { hasText: "Restricted Mode" })).first().waitFor();
+  await window.file("broken_cell.xacro");
+  await window.problem("reference_bals");
+  assert.equal(server.servers().length, 1);
+  assert.ok(!existsSync(trap), "a program of the workspace was started");
+}, { trust: true });
+
+test("restart", "broken_cell", async (window, server) => {
+  await window.file("broken_cell.xacro");
+  await window.problem("reference_bals");
+  const [first] = server.servers();
+  process.kill(first, "SIGKILL");
+  await window.notification("ended unexpectedly and was restarted");
+  const second = await until("another server", () => server.servers().find((id) => id !== first));
+  await window.command("Notifications: Clear All Notifications");
+  // it answers: a new mistake is found
+  await window.editor.click();
+  await window.go(...source(window, BROKEN).find("xacro:broken_probe", 12));
+  await window.page.keyboard.type("x");
+  await window.problem("brokenx_probe");
+  process.kill(second, "SIGKILL");
+  await window.notification("ended twice");
+  assert.equal(server.servers().length, 0);
+});
+
+test("activation", "measuring_cell", async (window, server) => {
+  await window.file("measuring_cell.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.command("Developer: Show Running Extensions");
+  const row = window.page.locator(".runtime-extensions-editor .monaco-list-row", { hasText: "Xacro and URDF" }).first();
+  await row.waitFor();
+  const shown = (await row.innerText()).replace(/\s+/g, " ");
+  const time = /Activation: (\d+)ms/.exec(shown);
+  assert.ok(time, shown);
+  console.log(`     activation: ${time[1]} ms; ${/activated in [\d.]+ ms/.exec(server.extensionLog())?.[0]}`);
 });
 
 async function main() {

@@ -223,11 +223,15 @@ export class Window {
     await this.page.locator(".statusbar-item", { hasText: text }).first().waitFor();
   }
 
-  /** Rows of the problems panel, once there is one with this text. */
+  /** The row of the problems panel with a text, once there is one. */
   async problem(text) {
-    const row = this.page.locator(".markers-panel .monaco-list-row", { hasText: text }).first();
-    if (!(await this.page.locator(".markers-panel").isVisible())) await this.press("Control+Shift+M");
-    await row.waitFor();
+    const row = this.page.locator(".markers-panel .monaco-list-row", { hasText: text }).last();
+    const filter = this.page.locator(".part.panel").getByPlaceholder(/^Filter/).first();
+    await until(`a problem with ${text}`, async () => {
+      if (!(await filter.isVisible())) await this.press("Control+Shift+M");
+      await filter.fill(text, { timeout: 3000 }).catch(() => undefined);
+      return row.waitFor({ timeout: 1500 }).then(() => true, () => false);
+    });
     return (await row.innerText()).replace(/\s+/g, " ");
   }
 

@@ -2,6 +2,7 @@
  * The extension: puts the parts together.
  */
 import * as vscode from "vscode";
+import { Companions } from "./companions";
 import { Contexts } from "./contexts";
 import { ExpandedDocuments } from "./expanded";
 import { Follower } from "./follow";
@@ -34,6 +35,7 @@ export function activate(context: vscode.ExtensionContext): void {
   for (const [name, handler] of serverCommands(server)) commands.set(name, handler);
   context.subscriptions.push(
     server,
+    new Companions(server),
     contexts,
     documents,
     graph,

@@ -6,6 +6,7 @@ import { RequestType } from "vscode-languageclient";
 import type { DocumentLink } from "vscode-languageclient";
 import { rootLabel } from "./contexts";
 import type { Contexts } from "./contexts";
+import { includesOf } from "./includes";
 import { baseName } from "./languages";
 import type { Server } from "./server";
 import { webviewPage } from "./webviewPage";
@@ -28,28 +29,6 @@ export interface Graph {
   title: string;
   nodes: GraphNode[];
   edges: [from: string, to: string][];
-}
-
-/** An include in a text: what its file name says, and where the value stands. */
-interface Include {
-  filename: string;
-  line: number;
-  start: number;
-  end: number;
-}
-
-/** The includes of a text, those in comments left out. */
-export function includesOf(text: string): Include[] {
-  const visible = text.replace(/<!--[^]*?(?:-->|$)/g, (comment) => comment.replace(/[^\n]/g, " "));
-  const found: Include[] = [];
-  for (const match of visible.matchAll(/<[\w-]+:include\b[^>]*?\bfilename\s*=\s*(["'])([^]*?)\1/g)) {
-    const filename = match[2] ?? "";
-    const at = match.index + match[0].length - 1 - filename.length;
-    const before = visible.slice(0, at);
-    const start = at - (before.lastIndexOf("\n") + 1);
-    found.push({ filename, line: before.split("\n").length - 1, start, end: start + filename.length });
-  }
-  return found;
 }
 
 export class IncludeGraph implements vscode.Disposable {

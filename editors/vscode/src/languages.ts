@@ -11,6 +11,17 @@ export function isRobotDescription(document: vscode.TextDocument): boolean {
   return document.uri.scheme === "file" && LANGUAGES.includes(document.languageId);
 }
 
+/** Whether a document is another file that robots are made from. */
+export function isCompanion(document: vscode.TextDocument): boolean {
+  if (document.uri.scheme !== "file") return false;
+  return document.languageId === "yaml" || isCompanionName(document.uri.path);
+}
+
+/** Whether a file has the name of such a file. */
+export function isCompanionName(path: string): boolean {
+  return /\.ya?ml$/i.test(path) || ["package.xml", "xacro-lint.toml", ".xacro-lint.toml"].includes(baseName(path));
+}
+
 /** The last part of a path or URI. */
 export function baseName(uri: string): string {
   const path = uri.split(/[?#]/, 1)[0] ?? uri;

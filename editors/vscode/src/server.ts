@@ -13,7 +13,7 @@ import type {
   RequestType,
   ServerOptions,
 } from "vscode-languageclient/node";
-import { LANGUAGES } from "./languages";
+import { LANGUAGES, isCompanionName } from "./languages";
 import { locateServer } from "./locate";
 import type { Found } from "./locate";
 import { chosenSettings } from "./settings";
@@ -192,7 +192,9 @@ export class Server implements vscode.Disposable {
 
   private options(): LanguageClientOptions {
     return {
-      documentSelector: LANGUAGES.map((language) => ({ scheme: "file", language })),
+      documentSelector: ["file", "untitled"].flatMap((scheme) =>
+        LANGUAGES.map((language) => ({ scheme, language })),
+      ),
       outputChannel: this.output,
       traceOutputChannel: this.output,
       initializationOptions: this.settingsOf(undefined),
@@ -261,6 +263,11 @@ export class Server implements vscode.Disposable {
             return item.section === undefined || item.section === "xacro" ? this.settingsOf(scope) : null;
           }),
       },
+      // what the server knows for its text alone is not checked as a robot
+      provideWorkspaceDiagnostics: (known, token, report, next) =>
+        next(known, token, (some) => {
+          report(some && { ...some, items: some.items.filter(({ uri }) => !isCompanionName(uri.path)) });
+        }),
       executeCommand: (command, args, next) => {
         const handler = this.serverCommands.get(command);
         const inner = async (): Promise<unknown> => (await next(command, args)) as unknown;
