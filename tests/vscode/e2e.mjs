@@ -21,9 +21,12 @@ const out = resolve(values.out);
 const only = values.only?.split(",");
 const tests = [];
 
-/** A test on a copy of an example; `trust` runs it in a VS Code that asks for trust. */
-function test(name, example, run, { trust = false } = {}) {
-  tests.push({ name, example, run, trust });
+/**
+ * A test on a copy of an example. `trust` runs it in a VS Code that asks for trust; tests with the same `share` follow
+ * each other in one window, so they must leave the files alone.
+ */
+function test(name, example, run, { trust = false, needs, share = name } = {}) {
+  tests.push({ name, example, run, trust, needs, share });
 }
 
 /** A file of the example: where it is, and its text. */
@@ -104,7 +107,7 @@ test("definition", "measuring_cell", async (window) => {
   });
   const [line] = source(window, FURNITURE).find('<xacro:macro name="measuring_table"');
   await window.at(line);
-});
+}, { share: "reading" });
 
 test("rename", "two_joint_gripper", async (window) => {
   const [arm, robot] = [source(window, ARM), source(window, GRIPPER)];
@@ -131,15 +134,15 @@ test("hover", "measuring_cell", async (window) => {
   await window.status("measuring_cell.xacro");
   await window.go(...file.find("${table_height - top_size[2]}", 16));
   await window.hover("0.67");
-});
+}, { share: "reading" });
 
-test("outline", "two_joint_gripper", async (window) => {
-  await window.file("arm.xacro");
-  await window.status("two_joint_gripper.urdf.xacro");
+test("outline", "measuring_cell", async (window) => {
+  await window.file("furniture.xacro");
+  await window.status("measuring_cell.xacro");
   await window.press("Control+Shift+O");
-  for (const name of ["beam_width", "hinge", "two_joint_arm"]) await window.row(name).waitFor();
+  for (const name of ["table_height", "granite", "measuring_table"]) await window.row(name).waitFor();
   await window.press("Escape");
-});
+}, { share: "reading" });
 
 test("format", "measuring_cell", async (window) => {
   const file = source(window, CELL);
@@ -229,7 +232,7 @@ test("views", "measuring_cell", async (window) => {
   await window.notification("clipboard");
   const report = await window.page.evaluate(() => navigator.clipboard.readText());
   assert.match(report, /server: xacro-lsp \d+\.\d+\.\d+, running/);
-});
+}, { share: "reading" });
 
 test("untrusted", "broken_cell", async (window, server) => {
   mkdirSync(join(window.folder, ".vscode"), { recursive: true });
@@ -274,42 +277,128 @@ test("activation", "measuring_cell", async (window, server) => {
   const time = /Activation: (\d+)ms/.exec(shown);
   assert.ok(time, shown);
   console.log(`     activation: ${time[1]} ms; ${/activated in [\d.]+ ms/.exec(server.extensionLog())?.[0]}`);
-});
+}, { share: "reading" });
+
+test("preview", "measuring_cell", async (window) => {
+  const file = source(window, FURNITURE);
+  await window.file("furniture.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.go(...file.find('name="table_height"', 8));
+  await window.command("Xacro: Open Preview");
+  const page = window.webview;
+  const body = (name) => page.locator("body").getAttribute(`data-${name}`);
+  await until("the robot with its meshes", async () => (await body("ok")) === "true" && (await body("loading")) === "0");
+  const canvas = page.locator("canvas").first();
+  // pixels that changed since the last look; the first look sees none
+  const changed = () =>
+    canvas.evaluate((element) => {
+      const { width, height } = element;
+      const copy = new OffscreenCanvas(width, height).getContext("2d");
+      copy.drawImage(element, 0, 0);
+      const { data } = copy.getImageData(0, 0, width, height);
+      const before = window.pixelsBefore ?? data;
+      window.pixelsBefore = data;
+      let count = 0;
+      for (let at = 0; at < data.length; at += 4) {
+        const differs = [0, 1, 2].some((channel) => Math.abs(data[at + channel] - before[at + channel]) > 8);
+        if (differs) count++;
+      }
+      return data.length === before.length ? count : -1;
+    });
+  await changed();
+  await until("a still picture", async () => (await changed()) === 0);
+  // a slider moves the arm
+  const slider = page.locator('[data-joint="arm_joint_2"] input[type=range]');
+  await slider.evaluate((input) => {
+    input.value = String(Number(input.min) + 0.8 * (Number(input.max) - Number(input.min)));
+    input.dispatchEvent(new Event("input", { bubbles: true }));
+  });
+  await until("other pixels", async () => (await changed()) > 200);
+  await until("a still picture again", async () => (await changed()) === 0);
+  // typing moves it too, without saving
+  const revision = Number(await body("revision"));
+  await window.editor.click();
+  await window.go(...file.find('name="table_height" value="0.75"', 29));
+  await window.press("Delete");
+  await window.page.keyboard.type("9");
+  await until("the next revision", async () => Number(await body("revision")) > revision);
+  await until("pixels of a higher table", async () => (await changed()) > 200);
+  // a click on a link leads to its source
+  await until("the leg under the pointer", async () => {
+    const position = await canvas.evaluate((element) => {
+      const { stage, views } = window.xacroViewer;
+      const view = views.get("main");
+      const center = view.box("leg_front_right").getCenter(stage.camera.position.clone()).project(stage.camera);
+      const { width, height } = element.getBoundingClientRect();
+      return { x: ((center.x + 1) / 2) * width, y: ((1 - center.y) / 2) * height };
+    });
+    await canvas.click({ position });
+    return (await body("selected"))?.includes("leg_front_right");
+  });
+  const [line] = file.find('<link name="${name}">');
+  await window.at(line);
+  // the cursor outlines what the text makes
+  await window.editor.click();
+  await window.go(...file.find('<link name="${ball.name}">', 8));
+  await until("the balls outlined", async () => (await body("selected"))?.includes("ball_near"));
+}, { needs: "viewer/viewer.js" });
 
 async function main() {
   const program = resolve(values["code-server"]);
   const browser = await openBrowser();
   const chosen = tests.filter(({ name }) => !only || only.includes(name));
   let failed = 0;
+  let skipped = 0;
   for (const trust of [false, true]) {
     const own = chosen.filter((each) => each.trust === trust);
     if (own.length === 0) continue;
     const server = new CodeServer(program, fresh(join(out, trust ? "profile-trust" : "profile")), { trust });
     await server.install(resolve(values.vsix));
     await server.start();
-    for (const { name, example, run } of own) {
-      const begin = Date.now();
-      const folder = join(fresh(join(out, "workspaces", name)), example);
-      cpSync(join(examples, example), folder, { recursive: true });
-      let window;
-      try {
-        window = await Window.open(browser, server, folder);
-        await run(window, server);
-        console.log(`ok   ${name} (${((Date.now() - begin) / 1000).toFixed(1)} s)`);
-        if (values.shots) await window.shot(shot(`${name}.png`));
-      } catch (error) {
-        failed++;
-        console.log(`FAIL ${name} (${((Date.now() - begin) / 1000).toFixed(1)} s)\n${error.stack}`);
-        await window?.shot(shot(`${name}-failed.png`)).catch(() => undefined);
+    for (const share of new Set(own.map((each) => each.share))) {
+      const group = own.filter((each) => each.share === share);
+      const lacking = group.find(({ needs }) => needs && !server.hasInside(needs));
+      if (lacking) {
+        skipped += group.length;
+        console.log(`skip ${share}: the extension has no ${lacking.needs}`);
+        continue;
       }
-      await window?.close();
+      failed += await runGroup(browser, server, share, group);
     }
     writeFileSync(join(out, trust ? "extension-trust.log" : "extension.log"), server.extensionLog());
     await server.stop();
   }
   await browser.close();
-  console.log(`vscode: ${chosen.length - failed} passed, ${failed} failed`);
+  console.log(`vscode: ${chosen.length - failed - skipped} passed, ${failed} failed${skipped > 0 ? `, ${skipped} skipped` : ""}`);
   process.exitCode = failed === 0 && chosen.length > 0 ? 0 : 1;
+}
+
+/** Runs tests in one window; the number of those that failed. */
+async function runGroup(browser, server, share, group) {
+  const [{ example }] = group;
+  const folder = join(fresh(join(out, "workspaces", share)), example);
+  cpSync(join(examples, example), folder, { recursive: true });
+  let begin = Date.now();
+  let failed = 0;
+  let window;
+  for (const { name, run } of group) {
+    try {
+      window ??= await Window.open(browser, server, folder);
+      await run(window, server);
+      console.log(`ok   ${name} (${((Date.now() - begin) / 1000).toFixed(1)} s)`);
+      if (values.shots) await window.shot(shot(`${name}.png`));
+    } catch (error) {
+      failed++;
+      console.log(`FAIL ${name} (${((Date.now() - begin) / 1000).toFixed(1)} s)\n${error.stack}`);
+      await window?.shot(shot(`${name}-failed.png`)).catch(() => undefined);
+      // what the failed one left must not disturb the next
+      await window?.close();
+      window = undefined;
+    }
+    begin = Date.now();
+  }
+  await window?.close();
+  return failed;
 }
 
 function shot(name) {

@@ -39,7 +39,7 @@ echo "types and style"
 (cd editors/vscode && npm run --silent check)
 echo "grammars and units"
 node --test --test-reporter=dot tests/vscode/grammar.test.mjs
-(cd editors/vscode && npm run --silent test -- --test-reporter=dot)
+(cd editors/vscode && npm run --silent test)
 
 server=${XACRO_LSP:-}
 if [ -z "$server" ]; then

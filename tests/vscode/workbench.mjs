@@ -102,6 +102,12 @@ export class CodeServer {
     await ended;
   }
 
+  /** Whether the installed extension holds a file. */
+  hasInside(file) {
+    const own = readdirSync(this.extensions).find((name) => name.startsWith("xacro-lsp.xacro-lsp-"));
+    return own !== undefined && existsSync(join(this.extensions, own, file));
+  }
+
   /** Process ids of language servers that were started from this profile. */
   servers() {
     const found = [];

@@ -30,6 +30,8 @@ export class Contexts implements vscode.Disposable {
   readonly onChange = this.changed.event;
   private shown: vscode.TextDocument | undefined;
   private answer: Roots | undefined;
+  /** What the server wants to have in the status bar, by file. */
+  private readonly texts = new Map<string, string>();
   private asked = 0;
   private timer: NodeJS.Timeout | undefined;
   private readonly subscriptions: vscode.Disposable[] = [];
@@ -39,11 +41,17 @@ export class Contexts implements vscode.Disposable {
     private readonly memory: vscode.Memento,
   ) {
     this.shown = activeDescription();
-    server.on(protocol.contextChanged, () => this.refreshSoon());
+    server.on(protocol.contextChanged, ({ textDocument, text }) => {
+      this.texts.set(textDocument.uri, text);
+      this.refreshSoon();
+    });
     this.subscriptions.push(
       this.changed,
       server.onReady(() => void this.reapply()),
-      server.onGone(() => this.take(undefined)),
+      server.onGone(() => {
+        this.texts.clear();
+        this.take(undefined);
+      }),
       vscode.window.onDidChangeActiveTextEditor(() => this.look()),
       vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
         if (contentChanges.length > 0 && isRobotDescription(document)) this.refreshSoon();
@@ -70,6 +78,12 @@ export class Contexts implements vscode.Disposable {
   /** The active root of the file that is looked at. */
   get active(): Root | undefined {
     return this.answer?.active ?? undefined;
+  }
+
+  /** The call that the file is looked at in, when one was picked: `leg @ robot.urdf.xacro:41`. */
+  get instance(): string | undefined {
+    const text = this.texts.get(this.shown?.uri.toString() ?? "");
+    return text?.includes(" @ ") === true ? text : undefined;
   }
 
   /** Pick a root, for the file that is looked at and all open files that it reaches; none: automatically. */

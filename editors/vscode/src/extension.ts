@@ -70,6 +70,7 @@ export function activate(context: vscode.ExtensionContext): void {
     void vscode.window.showInformationMessage("The diagnostic report is in the clipboard.");
   });
 
+  openByItself(preview, contexts, context);
   server.output.info(`activated in ${(performance.now() - begin).toFixed(1)} ms`);
   void server.start();
 }
@@ -77,6 +78,18 @@ export function activate(context: vscode.ExtensionContext): void {
 export async function deactivate(): Promise<void> {
   await running?.stop();
   running = undefined;
+}
+
+/** With `xacro.preview.autoOpen`, the first robot of a window is shown in the preview without being asked for. */
+function openByItself(preview: Preview, contexts: Contexts, context: vscode.ExtensionContext): void {
+  const waiting = contexts.onChange(() => {
+    if (!contexts.active || contexts.roots?.candidates.length === 0) return;
+    waiting.dispose();
+    if (vscode.workspace.getConfiguration("xacro").get<boolean>("preview.autoOpen", false) && !preview.isOpen) {
+      void preview.open();
+    }
+  });
+  context.subscriptions.push(waiting);
 }
 
 /** The file that a command of an editor's title is about, or the one that is looked at. */

@@ -181,6 +181,7 @@ export class Preview implements vscode.WebviewPanelSerializer, vscode.Disposable
         await this.memory.update("xacro.preview.root", message.root);
         if (this.id === undefined) return;
         await this.server.askForUser(changeRoot, { id: this.id, root: message.root, compare: message.compare });
+        if (message.compare === null) this.post("closed", { side: "compare" });
         return;
       case "mesh":
         return this.sendMesh(message.mesh);

@@ -58,7 +58,8 @@ export class Status implements vscode.Disposable {
       return;
     }
     this.root.command = "xacro.pickRoot";
-    this.root.text = active ? `$(type-hierarchy) ${rootLabel(active)}` : "$(type-hierarchy) no root";
+    const { instance } = this.contexts;
+    this.root.text = `$(type-hierarchy) ${instance ?? (active ? rootLabel(active) : "no root")}`;
     this.root.tooltip = active
       ? tooltip(`**${rootLabel(active)}** is the robot that this file is shown in.`, roots?.reason)
       : tooltip("No root includes this file: only what it says by itself is checked.", undefined);
