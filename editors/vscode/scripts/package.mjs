@@ -2,7 +2,7 @@
 //   node scripts/package.mjs --server FILE [--target linux-x64] [--viewer FILE] [--out FILE.vsix]
 // Without --server the result is the universal extension, which looks for the server on the search path.
 import { execFileSync } from "node:child_process";
-import { chmodSync, copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, statSync } from "node:fs";
+import { chmodSync, copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
@@ -37,9 +37,20 @@ if (existsSync(viewer)) {
   console.warn(`no viewer at ${viewer}: the package has no 3D preview (npm ci && npm run build in editors/viewer)`);
 }
 
+// Pictures of the documentation go along, and the README names them where they are then.
+const shots = join(root, "images", "shots");
+rmSync(shots, { recursive: true, force: true });
+mkdirSync(shots);
+const readme = readFileSync(join(root, "README.md"), "utf8").replaceAll(/\.\.\/\.\.\/docs\/images\/([\w-]+\.png)/g, (_, name) => {
+  copyFileSync(join(root, "..", "..", "docs", "images", name), join(shots, name));
+  return `images/shots/${name}`;
+});
+mkdirSync(join(root, "build"), { recursive: true });
+writeFileSync(join(root, "build", "README.md"), readme);
+
 const out = resolve(values.out ?? join(root, `xacro-lsp-${target ?? "universal"}-${version}.vsix`));
 mkdirSync(dirname(out), { recursive: true });
-const args = ["package", "--no-dependencies", "--no-rewrite-relative-links", "--allow-missing-repository", "--out", out];
+const args = ["package", "--no-dependencies", "--no-rewrite-relative-links", "--allow-missing-repository", "--readme-path", "build/README.md", "--out", out];
 if (target) args.push("--target", target);
 execFileSync(join(root, "node_modules", ".bin", "vsce"), args, { cwd: root, stdio: "inherit" });
 console.log(`${out}: ${(statSync(out).size / 1e6).toFixed(2)} MB`);

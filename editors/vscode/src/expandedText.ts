@@ -35,6 +35,11 @@ function childOfJoint(lines: readonly string[], from: number): string | undefine
   return undefined;
 }
 
+/** The first link in an expanded text. */
+export function firstLink(text: string): string | undefined {
+  return /<link\s[^>]*?\bname="([^"]*)"/.exec(text)?.[1];
+}
+
 /** The line in words that says what is wrong with a text that is older than its sources. */
 export function bannerText(errors: number, time: Date): string {
   const clock = [time.getHours(), time.getMinutes(), time.getSeconds()]

@@ -4,7 +4,7 @@
 import * as vscode from "vscode";
 import { argumentsText, rootLabel } from "./contexts";
 import type { Contexts } from "./contexts";
-import { isRobotDescription } from "./languages";
+import { EXPANDED_SCHEME, isRobotDescription } from "./languages";
 import type { Server } from "./server";
 
 const LONGEST = 32;
@@ -103,7 +103,8 @@ export class Status implements vscode.Disposable {
   private isLookedAt(): boolean {
     const editor = vscode.window.activeTextEditor;
     // a panel such as the preview has the focus: what was shown stays
-    return editor ? isRobotDescription(editor.document) : this.contexts.document !== undefined;
+    if (!editor) return this.contexts.document !== undefined;
+    return isRobotDescription(editor.document) || editor.document.uri.scheme === EXPANDED_SCHEME;
   }
 }
 

@@ -5,7 +5,7 @@ import * as vscode from "vscode";
 import { argumentsText, rootLabel } from "./contexts";
 import type { Contexts } from "./contexts";
 import type { ExpandedDocuments } from "./expanded";
-import { linkOfLine } from "./expandedText";
+import { firstLink, linkOfLine } from "./expandedText";
 import { toRange } from "./follow";
 import { isRobotDescription } from "./languages";
 import { plain } from "./pickers";
@@ -120,17 +120,26 @@ export class KinematicTree implements vscode.TreeDataProvider<TreeNode>, vscode.
   /** Select the link that the text at the cursor makes. */
   private async follow(editor: vscode.TextEditor): Promise<void> {
     const turn = this.turn;
-    const answer = await this.server.ask(protocol.toExpanded, {
+    const link = await this.linkAt({
       textDocument: { uri: editor.document.uri.toString() },
       position: plain(editor.selection.active),
     });
-    const [first] = answer?.instances ?? [];
-    if (!answer || !first) return;
-    const text = await this.documents.textOf(answer.root.uri);
-    if (text === undefined || turn !== this.turn) return;
-    const link = linkOfLine(text.split("\n"), first.range.start.line);
+    if (turn !== this.turn) return;
     const node = link === undefined ? undefined : this.byLink.get(link);
     if (node && this.view.visible) await this.view.reveal(node, { select: true, focus: false });
+  }
+
+  /** The first link that a place makes. */
+  private async linkAt(at: protocol.ExpandAtParams): Promise<string | undefined> {
+    const answer = await this.server.ask(protocol.toExpanded, at);
+    const [first] = answer?.instances ?? [];
+    if (answer && first) {
+      const text = await this.documents.textOf(answer.root.uri);
+      return text === undefined ? undefined : linkOfLine(text.split("\n"), first.range.start.line);
+    }
+    // a macro call makes nothing by its own text
+    const call = await this.server.ask(protocol.expandAt, at);
+    return call?.kind === "macro" ? firstLink(call.expanded) : undefined;
   }
 }
 

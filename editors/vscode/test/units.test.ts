@@ -3,7 +3,7 @@ import { chmodSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:f
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { bannerText, linkOfLine } from "../src/expandedText";
+import { bannerText, firstLink, linkOfLine } from "../src/expandedText";
 import { includesOf } from "../src/includes";
 import { locateServer } from "../src/locate";
 import { fromViewer } from "../src/previewMessages";
@@ -110,6 +110,11 @@ describe("the link of a line", () => {
   for (const [line, link] of table) {
     test(`line ${line} is ${link ?? "none"}`, () => assert.equal(linkOfLine(lines, line), link));
   }
+
+  test("the first link of a text", () => {
+    assert.equal(firstLink(lines.slice(2).join("\n")), "arm");
+    assert.equal(firstLink("<joint/>"), undefined);
+  });
 
   test("a line behind the end counts as the last one", () => {
     assert.equal(linkOfLine(['<link name="a"/>'], 9), "a");
