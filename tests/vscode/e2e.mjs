@@ -234,6 +234,29 @@ test("views", "measuring_cell", async (window) => {
   assert.match(report, /server: xacro-lsp \d+\.\d+\.\d+, running/);
 }, { share: "reading" });
 
+// a server may be older than these requests; then the extension says so
+test("one-call", "measuring_cell", async (window) => {
+  const file = source(window, FURNITURE);
+  await window.file("furniture.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.go(...file.find('name="leg_back_left"', 8));
+  await window.command("Xacro: Expand Macro at Cursor");
+  const expanded = window.page.locator('.tab[aria-label*="table_leg"]');
+  const unknown = window.page.locator(".notification-list-item", { hasText: "has no `xacro/expandAt` yet" });
+  await expanded.or(unknown).first().waitFor();
+  if (await unknown.isVisible()) return;
+  await until("one leg", async () => (await window.drawn("table_leg")).some((text) => text.includes('name="leg_back_left_joint"')));
+  await window.editor.click();
+  await window.go(...file.find('<origin xyz="0 0 ${-height / 2}"', 3));
+  await window.command("Xacro: Select Instance");
+  const [line] = file.find('name="leg_back_left"');
+  await window.row(`furniture.xacro:${line}`).click();
+  await window.status(`table_leg @ furniture.xacro:${line}`);
+  await until("the value of the call that was picked alone", async () =>
+    (await window.drawn("furniture.xacro")).some((text) => /<link name="\$\{name\} ?= leg_back_left ?"/.test(text)),
+  );
+});
+
 test("untrusted", "broken_cell", async (window, server) => {
   mkdirSync(join(window.folder, ".vscode"), { recursive: true });
   const trap = join(window.folder, "started");

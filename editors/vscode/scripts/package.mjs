@@ -37,13 +37,10 @@ if (existsSync(viewer)) {
   console.warn(`no viewer at ${viewer}: the package has no 3D preview (npm ci && npm run build in editors/viewer)`);
 }
 
-// Pictures of the documentation go along, and the README names them where they are then.
-const shots = join(root, "images", "shots");
-rmSync(shots, { recursive: true, force: true });
-mkdirSync(shots);
+// The page of an extension that was installed from a file can show only pictures that are in its text.
 const readme = readFileSync(join(root, "README.md"), "utf8").replaceAll(/\.\.\/\.\.\/docs\/images\/([\w-]+\.png)/g, (_, name) => {
-  copyFileSync(join(root, "..", "..", "docs", "images", name), join(shots, name));
-  return `images/shots/${name}`;
+  const picture = readFileSync(join(root, "..", "..", "docs", "images", name));
+  return `data:image/png;base64,${picture.toString("base64")}`;
 });
 mkdirSync(join(root, "build"), { recursive: true });
 writeFileSync(join(root, "build", "README.md"), readme);

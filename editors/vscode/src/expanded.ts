@@ -123,7 +123,7 @@ export class ExpandedDocuments
 
   /** Show what one place expands to. */
   async showFragment(expanded: ExpandedAt): Promise<void> {
-    const name = expanded.title.replace(/[^\w.-]+/g, "_").slice(0, 60) || expanded.kind;
+    const name = expanded.title.replace(/[^\w.-]+/g, "_").replace(/^_+|_+$/g, "").slice(0, 60) || expanded.kind;
     this.fragments.set(name, expanded.expanded);
     const uri = vscode.Uri.from({
       scheme: EXPANDED_SCHEME,

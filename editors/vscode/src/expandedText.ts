@@ -35,6 +35,12 @@ function childOfJoint(lines: readonly string[], from: number): string | undefine
   return undefined;
 }
 
+/** A call of a macro for a list, from a title such as "macro `leg` in `leg` at robot.xacro:7". */
+export function callText(title: string): string {
+  const [, name, place] = /^macro `([^`]*)` in .*? at (\S+)$/.exec(title) ?? [];
+  return name === undefined || place === undefined ? title : `${name} @ ${place}`;
+}
+
 /** The first link in an expanded text. */
 export function firstLink(text: string): string | undefined {
   return /<link\s[^>]*?\bname="([^"]*)"/.exec(text)?.[1];

@@ -4,12 +4,15 @@
 import * as vscode from "vscode";
 import { argumentsText, rootLabel } from "./contexts";
 import type { Contexts } from "./contexts";
+import { callText } from "./expandedText";
 import { isRobotDescription } from "./languages";
 import * as protocol from "./protocol";
 import type { Argument, Root } from "./protocol";
 import type { Server } from "./server";
 
 const PRESETS = "xacro.presets";
+/** Calls of a macro that are listed, at most. */
+const MOST_INSTANCES = 200;
 
 /** Sets of arguments with names, by root. */
 type Presets = Record<string, Record<string, Record<string, string>>>;
@@ -85,26 +88,28 @@ export class Pickers {
   async pickInstance(): Promise<void> {
     const editor = vscode.window.activeTextEditor;
     if (!editor || !isRobotDescription(editor.document)) return;
-    const at = {
-      textDocument: { uri: editor.document.uri.toString() },
-      position: plain(editor.selection.active),
-    };
-    const answer = await this.server.askForUser(protocol.toExpanded, at);
-    if (!answer) return;
+    const place = (await enclosingMacro(editor)) ?? editor.selection.active;
+    const at = { textDocument: { uri: editor.document.uri.toString() }, position: plain(place) };
+    const first = await this.server.askForUser(protocol.expandAt, { ...at, instance: 0 });
+    if (first === undefined) return;
+    if (first?.kind !== "macro" || first.instances === 0) {
+      void vscode.window.showInformationMessage("Put the cursor into a macro that the robot calls, or on a call.");
+      return;
+    }
     const set = async (instance: number | null): Promise<void> => {
       await this.server.askForUser(protocol.setInstance, { ...at, instance });
       await this.contexts.refresh();
     };
-    const choices: Choice[] = answer.instances.map((instance, index) => ({
-      label: instance.label === "" ? `instance ${index + 1}` : instance.label,
-      description: `line ${instance.range.start.line + 1} of the expanded robot`,
-      run: () => set(index),
-    }));
-    if (choices.length === 0) {
-      void vscode.window.showInformationMessage("Nothing of the robot is made here.");
-      return;
+    const choices: Choice[] = [
+      { label: "$(list-unordered) All calls", run: () => set(null) },
+      { label: "", kind: vscode.QuickPickItemKind.Separator },
+    ];
+    for (let instance = 0; instance < Math.min(first.instances, MOST_INSTANCES); instance++) {
+      const one = instance === 0 ? first : await this.server.ask(protocol.expandAt, { ...at, instance });
+      if (!one) continue;
+      const description = `${instance + 1} of ${first.instances}`;
+      choices.push({ label: callText(one.title), description, run: () => set(instance) });
     }
-    choices.unshift({ label: "$(list-unordered) All calls", run: () => set(null) });
     await choose(choices, "The call whose values are shown", "Select Instance");
   }
 
@@ -165,6 +170,24 @@ export class Pickers {
 /** A position as the protocol has it. */
 export function plain(position: vscode.Position): { line: number; character: number } {
   return { line: position.line, character: position.character };
+}
+
+/** The macro around the cursor, where its element begins. */
+async function enclosingMacro(editor: vscode.TextEditor): Promise<vscode.Position | undefined> {
+  const symbols = await vscode.commands.executeCommand<vscode.DocumentSymbol[] | undefined>(
+    "vscode.executeDocumentSymbolProvider",
+    editor.document.uri,
+  );
+  let found: vscode.Position | undefined;
+  const walk = (list: readonly vscode.DocumentSymbol[]): void => {
+    for (const symbol of list.filter(({ range }) => range.contains(editor.selection.active))) {
+      // behind the `<`, where the tag's name is
+      if (symbol.kind === vscode.SymbolKind.Function) found = symbol.range.start.translate(0, 1);
+      walk(symbol.children);
+    }
+  };
+  walk(symbols ?? []);
+  return found;
 }
 
 function rootOf(candidate: Root): Root {

@@ -3,7 +3,7 @@ import { chmodSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:f
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { bannerText, firstLink, linkOfLine } from "../src/expandedText";
+import { bannerText, callText, firstLink, linkOfLine } from "../src/expandedText";
 import { includesOf } from "../src/includes";
 import { locateServer } from "../src/locate";
 import { fromViewer } from "../src/previewMessages";
@@ -119,6 +119,11 @@ describe("the link of a line", () => {
   test("a line behind the end counts as the last one", () => {
     assert.equal(linkOfLine(['<link name="a"/>'], 9), "a");
   });
+});
+
+test("calls of a macro in a list", () => {
+  assert.equal(callText("macro `leg` in `leg` at robot.xacro:7"), "leg @ robot.xacro:7");
+  assert.equal(callText("call of `leg`"), "call of `leg`");
 });
 
 test("the banner counts errors and says when", () => {
