@@ -21,12 +21,18 @@ const out = resolve(values.out);
 const only = values.only?.split(",");
 const tests = [];
 
+const PROFILES = {
+  plain: {},
+  trust: { trust: true },
+  missing: { settings: { "xacro.server.path": "/no/such/program" } },
+};
+
 /**
- * A test on a copy of an example. `trust` runs it in a VS Code that asks for trust; tests with the same `share` follow
- * each other in one window, so they must leave the files alone.
+ * A test on a copy of an example, in a VS Code with a profile of PROFILES. Tests with the same `share` follow each other
+ * in one window, so they must leave the files alone.
  */
-function test(name, example, run, { trust = false, needs, share = name } = {}) {
-  tests.push({ name, example, run, trust, needs, share });
+function test(name, example, run, { profile = "plain", needs, share = name } = {}) {
+  tests.push({ name, example, run, profile, needs, share });
 }
 
 /** A file of the example: where it is, and its text. */
@@ -94,6 +100,28 @@ test("completion", "measuring_cell", async (window) => {
     await window.save();
     return /^ {2}<xacro:gauge_probe prefix="[^"]*" connected_to="[^"]*"/.test(file.text().split("\n")[line]);
   });
+});
+
+test("typing", "measuring_cell", async (window) => {
+  const file = source(window, CELL);
+  await window.file("measuring_cell.xacro");
+  await window.status("measuring_cell.xacro");
+  const [line] = file.find('<link name="world"/>');
+  await window.go(line, 3 + '<link name="world"/>'.length);
+  const shows = (part) => until(`the text ${part}`, async () => (await window.drawn("measuring_cell.xacro")).some((text) => text.includes(part)));
+  await window.press("Enter");
+  await window.page.keyboard.type("<link name='q'>");
+  await shows("<link name='q'></link>");
+  await window.press("Enter");
+  await until("the end tag in a line of its own", async () => (await window.drawn("measuring_cell.xacro")).some((text) => /^ {2}<\/link>/.test(text)));
+  await window.page.keyboard.type("<visual>");
+  await shows("    <visual></visual>");
+  // tags are edited together
+  await window.go(line + 2, 8);
+  await window.page.keyboard.type("x");
+  await shows("<vixsual></vixsual>");
+  await window.save();
+  await file.has("  <link name='q'>\n    <vixsual></vixsual>\n  </link>\n");
 });
 
 test("definition", "measuring_cell", async (window) => {
@@ -184,7 +212,10 @@ test("expanded", "measuring_cell", async (window) => {
   // and back: the cursor in the expanded text leads to the source
   const group = window.page.locator(".editor-group-container", { has: window.page.locator('.tab.active[aria-label*="measuring_cell.urdf"]') });
   await group.locator(".view-line", { hasText: '<link name="leg_front_left">' }).first().click();
-  await window.page.locator(".editor-group-container .cdr.wordHighlightStrong, .editor-group-container [class*=ced-]").first().waitFor();
+  await window.page.locator(".editor-group-container [class*=ced-]").first().waitFor();
+  await window.command("Xacro: Compare Expanded URDF with Saved Version");
+  await window.page.locator(".tab.active", { hasText: "saved ↔ now" }).waitFor();
+  await window.page.locator(".modified .line-insert").first().waitFor();
 });
 
 test("root", "measuring_cell", async (window) => {
@@ -270,7 +301,16 @@ test("untrusted", "broken_cell", async (window, server) => {
   await window.problem("reference_bals");
   assert.equal(server.servers().length, 1);
   assert.ok(!existsSync(trap), "a program of the workspace was started");
-}, { trust: true });
+}, { profile: "trust" });
+
+test("no-server", "measuring_cell", async (window, server) => {
+  await window.file("measuring_cell.xacro");
+  await window.notification("/no/such/program, which is no program");
+  await window.page.locator(".notification-list-item .monaco-button", { hasText: "Open Settings" }).first().waitFor();
+  assert.equal(server.servers().length, 0);
+  // colours are there all the same
+  await window.page.locator(".view-line span[class*=mtk]", { hasText: "measuring_table" }).first().waitFor();
+}, { profile: "missing" });
 
 test("restart", "broken_cell", async (window, server) => {
   await window.file("broken_cell.xacro");
@@ -372,10 +412,10 @@ async function main() {
   const chosen = tests.filter(({ name }) => !only || only.includes(name));
   let failed = 0;
   let skipped = 0;
-  for (const trust of [false, true]) {
-    const own = chosen.filter((each) => each.trust === trust);
+  for (const [profile, options] of Object.entries(PROFILES)) {
+    const own = chosen.filter((each) => each.profile === profile);
     if (own.length === 0) continue;
-    const server = new CodeServer(program, fresh(join(out, trust ? "profile-trust" : "profile")), { trust });
+    const server = new CodeServer(program, fresh(join(out, `profile-${profile}`)), options);
     await server.install(resolve(values.vsix));
     await server.start();
     for (const share of new Set(own.map((each) => each.share))) {
@@ -388,7 +428,7 @@ async function main() {
       }
       failed += await runGroup(browser, server, share, group);
     }
-    writeFileSync(join(out, trust ? "extension-trust.log" : "extension.log"), server.extensionLog());
+    writeFileSync(join(out, `extension-${profile}.log`), server.extensionLog());
     await server.stop();
   }
   await browser.close();

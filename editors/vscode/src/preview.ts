@@ -103,6 +103,10 @@ export class Preview implements vscode.WebviewPanelSerializer, vscode.Disposable
       if (!sameRoot(root, this.root)) await this.show(root);
       return;
     }
+    if (!(await this.hasViewer())) {
+      void vscode.window.showWarningMessage("This package of the extension was built without the 3D viewer.");
+      return;
+    }
     const panel = vscode.window.createWebviewPanel(
       VIEW_TYPE,
       "Preview",
@@ -124,6 +128,14 @@ export class Preview implements vscode.WebviewPanelSerializer, vscode.Disposable
     clearTimeout(this.timer);
     this.panel?.dispose();
     vscode.Disposable.from(...this.subscriptions).dispose();
+  }
+
+  private async hasViewer(): Promise<boolean> {
+    const viewer = vscode.Uri.joinPath(this.extensionUri, ...VIEWER);
+    return vscode.workspace.fs.stat(viewer).then(
+      () => true,
+      () => false,
+    );
   }
 
   private options(): vscode.WebviewOptions {

@@ -268,6 +268,10 @@ export class Server implements vscode.Disposable {
         next(known, token, (some) => {
           report(some && { ...some, items: some.items.filter(({ uri }) => !isCompanionName(uri.path)) });
         }),
+      provideOnTypeFormattingEdits: async (document, position, character, options, token, next) => {
+        const edits = await next(document, position, character, options, token);
+        return character === ">" && (await closeTag(document, position, edits)) ? [] : edits;
+      },
       executeCommand: (command, args, next) => {
         const handler = this.serverCommands.get(command);
         const inner = async (): Promise<unknown> => (await next(command, args)) as unknown;
@@ -288,4 +292,20 @@ export class Server implements vscode.Disposable {
     };
     return manifest.contributes.configuration.flatMap((page) => Object.keys(page.properties));
   }
+}
+
+/**
+ * Inserts an end tag behind the cursor; whether it did. As an ordinary edit it would take the cursor along.
+ */
+async function closeTag(
+  document: vscode.TextDocument,
+  position: vscode.Position,
+  edits: vscode.TextEdit[] | null | undefined,
+): Promise<boolean> {
+  const [edit] = edits ?? [];
+  const editor = vscode.window.activeTextEditor;
+  if (!edit || edits?.length !== 1 || editor?.document !== document) return false;
+  if (!edit.range.isEmpty || !edit.range.start.isEqual(position) || !edit.newText.startsWith("</")) return false;
+  const snippet = new vscode.SnippetString().appendTabstop(0).appendText(edit.newText);
+  return editor.insertSnippet(snippet, position, { undoStopBefore: false, undoStopAfter: false });
 }
