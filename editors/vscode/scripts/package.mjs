@@ -49,5 +49,5 @@ const out = resolve(values.out ?? join(root, `xacro-lsp-${target ?? "universal"}
 mkdirSync(dirname(out), { recursive: true });
 const args = ["package", "--no-dependencies", "--no-rewrite-relative-links", "--allow-missing-repository", "--readme-path", "build/README.md", "--out", out];
 if (target) args.push("--target", target);
-execFileSync(join(root, "node_modules", ".bin", "vsce"), args, { cwd: root, stdio: "inherit" });
+execFileSync(process.execPath, [join(root, "node_modules", "@vscode", "vsce", "vsce"), ...args], { cwd: root, stdio: "inherit" });
 console.log(`${out}: ${(statSync(out).size / 1e6).toFixed(2)} MB`);
