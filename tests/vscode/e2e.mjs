@@ -233,13 +233,26 @@ test("root", "measuring_cell", async (window) => {
   // arguments of the root
   await window.command("Xacro: Set Arguments");
   await window.row("stylus").click();
-  await window.input.fill("0.07");
-  await window.press("Enter");
+  await window.answer("stylus", "0.07");
   await window.status("stylus:=0.07");
   const probe = source(window, "src/gauge_probe_support/urdf/gauge_probe_macro.xacro");
   await window.file("gauge_probe_macro.xacro");
   await window.go(...probe.find("${stylus", 3));
   await window.hover("0.07");
+  // kept as a preset, taken back, taken again
+  await window.command("Xacro: Set Arguments");
+  await window.row("Save as preset").click();
+  await window.answer("Save as Preset", "long stylus");
+  await window.command("Xacro: Set Arguments");
+  await window.row("Defaults of the file").click();
+  await window.status("2 args");
+  await window.command("Xacro: Set Arguments");
+  await window.row("long stylus").click();
+  await window.status("stylus:=0.07");
+  // a server that is started anew gets told
+  await window.command("Xacro: Restart Server");
+  await window.page.locator(".statusbar-item", { hasText: "stylus:=0.07" }).waitFor({ state: "hidden" });
+  await window.status("stylus:=0.07");
 });
 
 test("views", "measuring_cell", async (window) => {
@@ -287,6 +300,20 @@ test("one-call", "measuring_cell", async (window) => {
     (await window.drawn("furniture.xacro")).some((text) => text.includes('<link name="${name}') && /leg_back_left\W*$/.test(text)),
   );
 });
+
+test("lenses", "measuring_cell", async (window) => {
+  await window.file("furniture.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.go(1, 1);
+  const lens = (text) => window.page.locator(".editor-group-container.active .codelens-decoration a", { hasText: text }).first();
+  await lens("4 calls in").click();
+  await window.page.locator(".peekview-widget .monaco-list-row").first().waitFor();
+  await window.press("Escape");
+  await window.page.locator(".peekview-widget").first().waitFor({ state: "hidden" });
+  await window.file("measuring_cell.xacro");
+  await lens("Expand").click();
+  await window.page.locator('.tab[aria-label*="measuring_cell.urdf"]').waitFor();
+}, { share: "reading" });
 
 test("untrusted", "broken_cell", async (window, server) => {
   mkdirSync(join(window.folder, ".vscode"), { recursive: true });
@@ -404,6 +431,11 @@ test("preview", "measuring_cell", async (window) => {
   await window.editor.click();
   await window.go(...file.find('<link name="${ball.name}">', 8));
   await until("the balls outlined", async () => (await body("selected"))?.includes("ball_near"));
+  // a window that is loaded anew shows it again
+  await window.save();
+  await window.page.locator('.tab[data-resource-name="furniture.xacro"]:not(.dirty)').waitFor();
+  await window.page.reload();
+  await until("the robot after a reload", async () => (await body("ok").catch(() => null)) === "true");
 }, { needs: "viewer/viewer.js" });
 
 async function main() {

@@ -196,6 +196,16 @@ export class Window {
     await this.editor.locator(".view-line").first().waitFor();
   }
 
+  /** Answers an input box that has this title. */
+  async answer(title, text) {
+    await this.page.locator(".quick-input-widget .quick-input-title", { hasText: title }).waitFor();
+    await until(`the input box ${title}`, async () => {
+      await this.input.fill(text);
+      return (await this.input.inputValue()) === text && (await this.page.locator(".quick-input-widget .monaco-list-row").count()) === 0;
+    });
+    await this.press("Enter");
+  }
+
   /** Runs a command by its title. */
   async command(title) {
     await this.press("F1");
@@ -241,15 +251,14 @@ export class Window {
     return (await row.innerText()).replace(/\s+/g, " ");
   }
 
-  /** The hover at the cursor, once it shows the text. */
+  /** The text of the hover at the cursor, once it holds a text. */
   async hover(text) {
     const shown = this.page.locator(".monaco-hover:visible", { hasText: text }).first();
-    await until(`a hover with ${text}`, async () => {
+    return until(`a hover with ${text}`, async () => {
       await this.press("Control+K");
       await this.press("Control+I");
-      return shown.waitFor({ timeout: 2000 }).then(() => true, () => false);
+      return shown.innerText({ timeout: 2000 }).catch(() => undefined);
     });
-    return shown.innerText();
   }
 
   /** Text of the editors that are seen, as far as it is drawn, each line with plain spaces. */

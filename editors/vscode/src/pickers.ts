@@ -149,9 +149,9 @@ export class Pickers {
     const name = await vscode.window.showInputBox({
       title: "Save as Preset",
       prompt: argumentsText(root.args),
-      validateInput: (text) => (text.trim() === "" ? "A preset needs a name" : undefined),
+      placeHolder: "name of the preset",
     });
-    if (name === undefined) return;
+    if (name === undefined || name.trim() === "") return;
     const all = this.presets();
     const own = { ...all[root.uri], [name.trim()]: root.args ?? {} };
     await this.memory.update(PRESETS, { ...all, [root.uri]: own });
