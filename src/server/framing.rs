@@ -86,8 +86,7 @@ fn checked(body: &[u8]) -> Vec<u8> {
         Err(error) => return bad(error.to_string()).to_string().into_bytes(),
     };
     let id_fits = head.id.as_ref().is_none_or(|id| id.is_string() || id.is_i64() || id.is_null());
-    let is_reply =
-        head.method.is_none() && head.id.is_some() && (head.result || head.error);
+    let is_reply = head.method.is_none() && head.id.is_some() && (head.result || head.error);
     if head.jsonrpc.as_deref() != Some("2.0") || !id_fits || !(head.method.is_some() || is_reply) {
         return bad("it is no message of JSON-RPC 2.0".to_owned()).to_string().into_bytes();
     }

@@ -55,7 +55,7 @@ function expandHome(file: string, home: string): string {
 
 function onPath(name: string, around: Surroundings): string | undefined {
   const variable = around.environment.PATH ?? around.environment.Path ?? "";
-  // rustup puts programs here, which desktop sessions often do not know of
+  // cargo installs programs here; editors started from a menu often do not have it on the path
   const folders = [...variable.split(around.windows ? ";" : ":"), path.join(around.home, ".cargo", "bin")];
   return folders
     .filter((folder) => path.isAbsolute(folder))
