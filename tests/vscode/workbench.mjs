@@ -189,11 +189,26 @@ export class Window {
 
   /** Opens a file by its name and waits for its text. */
   async file(name) {
-    await this.press("Control+P");
-    await this.input.fill(name);
-    await this.row(name).click();
-    await this.page.locator(`.editor-group-container.active .tab.active[data-resource-name="${name}"]`).waitFor();
+    const tab = this.page.locator(`.editor-group-container.active .tab.active[data-resource-name="${name}"]`);
+    await until(`the file ${name}`, async () => {
+      await this.press("Control+P");
+      await this.#choose(name, name);
+      return tab.waitFor({ timeout: 3000 }).then(() => true, () => false);
+    });
     await this.editor.locator(".view-line").first().waitFor();
+  }
+
+  /** Runs a command by its title. */
+  async command(title) {
+    await this.press("F1");
+    await this.#choose(`>${title}`, title);
+  }
+
+  /** Types into the open list and takes the first row, once that is the one that is meant. */
+  async #choose(typed, text) {
+    await this.input.fill(typed);
+    await this.page.locator(".quick-input-widget .monaco-list-row.focused", { hasText: text }).first().waitFor();
+    await this.press("Enter");
   }
 
   /** Answers an input box that has this title. */
