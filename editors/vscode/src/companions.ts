@@ -1,0 +1,61 @@
+/**
+ * Unsaved text of files that robots are made from besides xacro: YAML, package.xml, xacro-lint.toml. The server has to
+ * know it, but gives no features in these files, so they are no part of the client's document selector.
+ */
+import * as vscode from "vscode";
+import {
+  DidChangeTextDocumentNotification,
+  DidCloseTextDocumentNotification,
+  DidOpenTextDocumentNotification,
+} from "vscode-languageclient";
+import { isCompanion } from "./languages";
+import type { Server } from "./server";
+
+export class Companions implements vscode.Disposable {
+  /** Documents that the server has been told of. */
+  private readonly told = new Set<string>();
+  private readonly subscriptions: vscode.Disposable[];
+
+  constructor(private readonly server: Server) {
+    this.subscriptions = [
+      server.onReady(() => {
+        this.told.clear();
+        vscode.workspace.textDocuments.forEach((document) => this.opened(document));
+      }),
+      vscode.workspace.onDidOpenTextDocument((document) => this.opened(document)),
+      vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
+        if (contentChanges.length > 0) this.changed(document);
+      }),
+      vscode.workspace.onDidCloseTextDocument((document) => this.closed(document)),
+    ];
+  }
+
+  dispose(): void {
+    vscode.Disposable.from(...this.subscriptions).dispose();
+  }
+
+  private opened(document: vscode.TextDocument): void {
+    if (!isCompanion(document) || !this.server.isRunning) return;
+    const uri = document.uri.toString();
+    this.told.add(uri);
+    const { languageId, version } = document;
+    const textDocument = { uri, languageId, version, text: document.getText() };
+    void this.server.tell(DidOpenTextDocumentNotification.type, { textDocument });
+  }
+
+  private changed(document: vscode.TextDocument): void {
+    const uri = document.uri.toString();
+    if (!this.told.has(uri)) return;
+    void this.server.tell(DidChangeTextDocumentNotification.type, {
+      textDocument: { uri, version: document.version },
+      contentChanges: [{ text: document.getText() }],
+    });
+  }
+
+  private closed(document: vscode.TextDocument): void {
+    const uri = document.uri.toString();
+    if (this.told.delete(uri)) {
+      void this.server.tell(DidCloseTextDocumentNotification.type, { textDocument: { uri } });
+    }
+  }
+}

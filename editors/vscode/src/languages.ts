@@ -1,0 +1,34 @@
+import * as vscode from "vscode";
+
+/** The languages of robot descriptions. */
+export const LANGUAGES: readonly string[] = ["xacro", "urdf"];
+
+/** The scheme of expanded documents. */
+export const EXPANDED_SCHEME = "xacro-expanded";
+
+/** Whether a document is a robot description that the server works on. */
+export function isRobotDescription(document: vscode.TextDocument): boolean {
+  return document.uri.scheme === "file" && LANGUAGES.includes(document.languageId);
+}
+
+/** Whether a document is another file that robots are made from. */
+export function isCompanion(document: vscode.TextDocument): boolean {
+  if (document.uri.scheme !== "file") return false;
+  return document.languageId === "yaml" || isCompanionName(document.uri.path);
+}
+
+/** Whether a file has the name of such a file. */
+export function isCompanionName(path: string): boolean {
+  return /\.ya?ml$/i.test(path) || ["package.xml", "xacro-lint.toml", ".xacro-lint.toml"].includes(baseName(path));
+}
+
+/** The last part of a path or URI. */
+export function baseName(uri: string): string {
+  const path = uri.split(/[?#]/, 1)[0] ?? uri;
+  const name = path.slice(path.lastIndexOf("/") + 1);
+  try {
+    return decodeURIComponent(name);
+  } catch {
+    return name;
+  }
+}

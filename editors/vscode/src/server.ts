@@ -1,0 +1,311 @@
+/**
+ * The language server: started, watched, restarted once when it dies.
+ */
+import * as os from "node:os";
+import * as vscode from "vscode";
+import { CloseAction, ErrorAction, LanguageClient, State, Trace } from "vscode-languageclient/node";
+import type {
+  CloseHandlerResult,
+  ErrorHandler,
+  LanguageClientOptions,
+  Middleware,
+  NotificationType,
+  RequestType,
+  ServerOptions,
+} from "vscode-languageclient/node";
+import { LANGUAGES, isCompanionName } from "./languages";
+import { locateServer } from "./locate";
+import type { Found } from "./locate";
+import { chosenSettings } from "./settings";
+
+/** A second end within this time is not followed by another start. */
+const RESTART_WINDOW_MS = 3 * 60_000;
+/** JSON-RPC: the other side has no such request. */
+const METHOD_NOT_FOUND = -32601;
+
+/** Handlers of commands that the server puts into code lenses. */
+export type CommandHandler = (args: unknown[], next: () => Promise<unknown>) => Promise<unknown>;
+
+export class Server implements vscode.Disposable {
+  readonly output: vscode.LogOutputChannel;
+  private client: LanguageClient | undefined;
+  private found: Found | undefined;
+  private starting: Promise<void> = Promise.resolve();
+  private lastEnd = Number.NEGATIVE_INFINITY;
+  private readonly ready = new vscode.EventEmitter<LanguageClient>();
+  private readonly gone = new vscode.EventEmitter<void>();
+  /** Each time a server is ready to be asked. */
+  readonly onReady = this.ready.event;
+  /** Each time it ended. */
+  readonly onGone = this.gone.event;
+
+  constructor(
+    private readonly context: vscode.ExtensionContext,
+    private readonly serverCommands: ReadonlyMap<string, CommandHandler>,
+  ) {
+    this.output = vscode.window.createOutputChannel("Xacro", { log: true });
+  }
+
+  /** Whether requests are answered. */
+  get isRunning(): boolean {
+    return this.client?.isRunning() === true;
+  }
+
+  /** Which program runs and what it says of itself. */
+  get about(): string {
+    const info = this.client?.initializeResult?.serverInfo;
+    const program = this.found ? `${this.found.command} (${this.found.from})` : "no program";
+    return `${info?.name ?? "xacro-lsp"} ${info?.version ?? "?"}, ${this.isRunning ? "running" : "not running"}, ${program}`;
+  }
+
+  start(): Promise<void> {
+    this.starting = this.starting.then(() => this.startNow());
+    return this.starting;
+  }
+
+  restart(): Promise<void> {
+    this.lastEnd = Number.NEGATIVE_INFINITY;
+    this.starting = this.starting.then(async () => {
+      await this.stopNow();
+      await this.startNow();
+    });
+    return this.starting;
+  }
+
+  stop(): Promise<void> {
+    this.starting = this.starting.then(() => this.stopNow());
+    return this.starting;
+  }
+
+  /** Asks the server; `undefined` when there is none, when it does not know the request, or when it failed. */
+  async ask<P, R>(
+    type: RequestType<P, R, void>,
+    params: P,
+    token?: vscode.CancellationToken,
+  ): Promise<R | undefined> {
+    try {
+      return await this.askStrictly(type, params, token);
+    } catch (error) {
+      this.output.debug(`${type.method}: ${String(error)}`);
+      return undefined;
+    }
+  }
+
+  /** Asks the server; an error of the server is thrown. */
+  async askStrictly<P, R>(
+    type: RequestType<P, R, void>,
+    params: P,
+    token?: vscode.CancellationToken,
+  ): Promise<R | undefined> {
+    const client = this.client;
+    if (client?.isRunning() !== true) return undefined;
+    return client.sendRequest(type, params, token);
+  }
+
+  /** Asks in a command of the user: `undefined` after the reason was shown. */
+  async askForUser<P, R>(type: RequestType<P, R, void>, params: P): Promise<R | undefined> {
+    if (!this.isRunning) {
+      void vscode.window.showWarningMessage("The xacro language server is not running.");
+      return undefined;
+    }
+    try {
+      return await this.askStrictly(type, params);
+    } catch (error) {
+      const unknown = (error as { code?: unknown }).code === METHOD_NOT_FOUND;
+      void vscode.window.showWarningMessage(
+        unknown
+          ? `This xacro language server has no \`${type.method}\` yet; a newer one may.`
+          : `xacro: ${error instanceof Error ? error.message : String(error)}`,
+      );
+      return undefined;
+    }
+  }
+
+  async tell<P>(type: NotificationType<P>, params: P): Promise<void> {
+    if (this.client?.isRunning() === true) await this.client.sendNotification(type, params);
+  }
+
+  on<P>(type: NotificationType<P>, handler: (params: P) => void): void {
+    const listen = (client: LanguageClient): void => {
+      client.onNotification(type, handler);
+    };
+    this.context.subscriptions.push(this.onReady(listen));
+    if (this.client) listen(this.client);
+  }
+
+  dispose(): void {
+    this.output.dispose();
+    this.ready.dispose();
+    this.gone.dispose();
+  }
+
+  private async startNow(): Promise<void> {
+    const settings = vscode.workspace.getConfiguration("xacro.server");
+    const found = locateServer({
+      setting: settings.get("path", ""),
+      extensionPath: this.context.extensionPath,
+      environment: process.env,
+      home: os.homedir(),
+      windows: process.platform === "win32",
+    });
+    if (!("command" in found)) {
+      this.found = undefined;
+      this.output.error(found.message);
+      void this.tellMissing(found.message);
+      return;
+    }
+    this.found = found;
+    this.output.info(`server: ${found.command} (${found.from})`);
+    const serverOptions: ServerOptions = {
+      command: found.command,
+      args: settings.get<string[]>("args", []),
+      options: { env: { ...process.env, ...settings.get<Record<string, string>>("env", {}) } },
+    };
+    const client = new LanguageClient("xacro", "Xacro", serverOptions, this.options());
+    this.client = client;
+    client.onDidChangeState(({ newState }) => {
+      // also after the restart that the client makes by itself
+      if (newState === State.Running) this.ready.fire(client);
+      if (newState === State.Stopped) this.gone.fire();
+    });
+    try {
+      await client.start();
+      const trace = vscode.workspace.getConfiguration("xacro").get<string>("trace.server", "off");
+      await client.setTrace(Trace.fromString(trace));
+    } catch (error) {
+      this.output.error(`the server could not be started: ${String(error)}`);
+      void this.tellMissing(`${found.command} could not be started`);
+    }
+  }
+
+  private async stopNow(): Promise<void> {
+    const client = this.client;
+    this.client = undefined;
+    if (!client) return;
+    try {
+      await client.stop();
+    } catch {
+      // it is gone already
+    }
+    await client.dispose().catch(() => undefined);
+  }
+
+  private options(): LanguageClientOptions {
+    return {
+      documentSelector: ["file", "untitled"].flatMap((scheme) =>
+        LANGUAGES.map((language) => ({ scheme, language })),
+      ),
+      outputChannel: this.output,
+      traceOutputChannel: this.output,
+      initializationOptions: this.settingsOf(undefined),
+      errorHandler: this.errorHandler(),
+      middleware: this.middleware(),
+      markdown: { isTrusted: false, supportHtml: false },
+    };
+  }
+
+  private errorHandler(): ErrorHandler {
+    return {
+      error: () => ({ action: ErrorAction.Continue }),
+      closed: (): CloseHandlerResult => {
+        const now = Date.now();
+        const again = now - this.lastEnd < RESTART_WINDOW_MS;
+        this.lastEnd = now;
+        if (again) {
+          void this.tellStopped();
+          return { action: CloseAction.DoNotRestart, handled: true };
+        }
+        this.output.warn("the server ended unexpectedly and is started again");
+        void vscode.window.showWarningMessage(
+          "The xacro language server ended unexpectedly and was restarted.",
+        );
+        return { action: CloseAction.Restart, handled: true };
+      },
+    };
+  }
+
+  private async tellStopped(): Promise<void> {
+    this.output.error("the server ended again and stays stopped");
+    const again = "Restart";
+    const output = "Show Output";
+    const picked = await vscode.window.showErrorMessage(
+      "The xacro language server ended twice within three minutes and stays stopped.",
+      again,
+      output,
+    );
+    if (picked === again) await this.restart();
+    if (picked === output) this.output.show();
+  }
+
+  private async tellMissing(reason: string): Promise<void> {
+    const open = "Open Settings";
+    const how = "How to Install";
+    const picked = await vscode.window.showErrorMessage(
+      `xacro: ${reason}. Install the extension for your platform, or build the program with \`cargo install\` and name it in \`xacro.server.path\`. Until then, only syntax is coloured.`,
+      open,
+      how,
+    );
+    if (picked === open) {
+      await vscode.commands.executeCommand("workbench.action.openSettings", "xacro.server.path");
+    }
+    if (picked === how) {
+      const readme = vscode.Uri.joinPath(this.context.extensionUri, "README.md");
+      await vscode.commands.executeCommand("markdown.showPreview", readme);
+    }
+  }
+
+  private middleware(): Middleware {
+    return {
+      workspace: {
+        configuration: (params) =>
+          params.items.map((item) => {
+            const scope = item.scopeUri === undefined ? undefined : vscode.Uri.parse(item.scopeUri);
+            return item.section === undefined || item.section === "xacro" ? this.settingsOf(scope) : null;
+          }),
+      },
+      // what the server knows for its text alone is not checked as a robot
+      provideWorkspaceDiagnostics: (known, token, report, next) =>
+        next(known, token, (some) => {
+          report(some && { ...some, items: some.items.filter(({ uri }) => !isCompanionName(uri.path)) });
+        }),
+      provideOnTypeFormattingEdits: async (document, position, character, options, token, next) => {
+        const edits = await next(document, position, character, options, token);
+        return character === ">" && (await closeTag(document, position, edits)) ? [] : edits;
+      },
+      executeCommand: (command, args, next) => {
+        const handler = this.serverCommands.get(command);
+        const inner = async (): Promise<unknown> => (await next(command, args)) as unknown;
+        return handler ? handler(args as unknown[], inner) : inner();
+      },
+    };
+  }
+
+  /** The settings that somebody chose, for a folder. */
+  private settingsOf(scope: vscode.Uri | undefined): Record<string, unknown> {
+    const configuration = vscode.workspace.getConfiguration(undefined, scope ?? null);
+    return chosenSettings(this.keys(), (key) => configuration.inspect(key));
+  }
+
+  private keys(): string[] {
+    const manifest = this.context.extension.packageJSON as {
+      contributes: { configuration: { properties: object }[] };
+    };
+    return manifest.contributes.configuration.flatMap((page) => Object.keys(page.properties));
+  }
+}
+
+/**
+ * Inserts an end tag behind the cursor; whether it did. As an ordinary edit it would take the cursor along.
+ */
+async function closeTag(
+  document: vscode.TextDocument,
+  position: vscode.Position,
+  edits: vscode.TextEdit[] | null | undefined,
+): Promise<boolean> {
+  const [edit] = edits ?? [];
+  const editor = vscode.window.activeTextEditor;
+  if (!edit || edits?.length !== 1 || editor?.document !== document) return false;
+  if (!edit.range.isEmpty || !edit.range.start.isEqual(position) || !edit.newText.startsWith("</")) return false;
+  const snippet = new vscode.SnippetString().appendTabstop(0).appendText(edit.newText);
+  return editor.insertSnippet(snippet, position, { undoStopBefore: false, undoStopAfter: false });
+}

@@ -1,0 +1,210 @@
+import assert from "node:assert/strict";
+import { chmodSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { bannerText, callText, firstLink, linkOfLine } from "../src/expandedText";
+import { includesOf } from "../src/includes";
+import { locateServer } from "../src/locate";
+import { fromViewer } from "../src/previewMessages";
+import { chosenSettings } from "../src/settings";
+import { layout } from "../src/webview/layout";
+
+describe("the server is found", () => {
+  let folder = "";
+  const around = (setting: string, environment: Record<string, string> = {}, extension = "none") => ({
+    setting,
+    extensionPath: join(folder, extension),
+    environment,
+    home: join(folder, "home"),
+    windows: false,
+  });
+  const program = (...parts: string[]): string => {
+    const file = join(folder, ...parts);
+    mkdirSync(join(file, ".."), { recursive: true });
+    writeFileSync(file, "");
+    chmodSync(file, 0o755);
+    return file;
+  };
+
+  before(() => {
+    folder = mkdtempSync(join(tmpdir(), "xacro-locate-"));
+  });
+  after(() => rmSync(folder, { recursive: true }));
+
+  test("by the setting, then in the extension, then on the search path, then where cargo puts it", () => {
+    assert.ok("message" in locateServer(around("")));
+    const cargo = program("home", ".cargo", "bin", "xacro-lsp");
+    assert.deepEqual(locateServer(around("")), { command: cargo, from: "PATH" });
+    const onPath = program("bin", "xacro-lsp");
+    const path = { PATH: `relative:${join(folder, "bin")}` };
+    assert.deepEqual(locateServer(around("", path)), { command: onPath, from: "PATH" });
+    const bundled = program("extension", "server", "xacro-lsp");
+    assert.deepEqual(locateServer(around("", path, "extension")), { command: bundled, from: "extension" });
+    const own = program("home", "own");
+    assert.deepEqual(locateServer(around("~/own", path, "extension")), { command: own, from: "setting" });
+    assert.deepEqual(locateServer(around("xacro-lsp", path)), { command: onPath, from: "setting" });
+  });
+
+  test("a setting that names nothing is an error, never passed over", () => {
+    program("bin", "xacro-lsp");
+    const found = locateServer(around("/no/such/program", { PATH: join(folder, "bin") }));
+    assert.ok("message" in found && found.message.includes("/no/such/program"));
+    const plain = join(folder, "plain");
+    writeFileSync(plain, "");
+    chmodSync(plain, 0o644);
+    assert.ok("message" in locateServer(around(plain)), "a file that cannot be started is no program");
+  });
+});
+
+describe("settings", () => {
+  test("only what somebody chose is sent", () => {
+    const values: Record<string, object> = {
+      "xacro.target": {},
+      "xacro.format.lineWidth": { globalValue: 90, workspaceFolderValue: 100 },
+      "xacro.format.selfClose": { workspaceValue: true },
+      "xacro.diagnostics.rules": { globalValue: { a: "off", b: "hint" }, workspaceValue: { b: "error" } },
+      "xacro.server.path": { globalValue: "/x" },
+    };
+    assert.deepEqual(
+      chosenSettings(Object.keys(values), (key) => values[key]),
+      {
+        format: { lineWidth: 100, selfClose: true },
+        diagnostics: { rules: { a: "off", b: "error" } },
+      },
+    );
+  });
+});
+
+describe("the link of a line", () => {
+  const lines = `<robot name="r">
+  <link name="world"/>
+  <link name="arm">
+    <visual>
+      <origin xyz="0 0 1"/>
+    </visual>
+  </link>
+  <joint name="shoulder" type="revolute">
+    <parent link="world"/>
+    <child link="arm"/>
+  </joint>
+  <gazebo reference="arm">
+    <mu1>0.3</mu1>
+  </gazebo>
+  <ros2_control name="c" type="system">
+    <joint name="shoulder">
+      <param name="min">0</param>
+    </joint>
+  </ros2_control>
+</robot>`.split("\n");
+  const table: [line: number, link: string | undefined][] = [
+    [0, undefined],
+    [1, "world"],
+    [4, "arm"],
+    [7, "arm"],
+    [8, "arm"],
+    [12, "arm"],
+    [14, undefined],
+    [16, undefined],
+  ];
+  for (const [line, link] of table) {
+    test(`line ${line} is ${link ?? "none"}`, () => assert.equal(linkOfLine(lines, line), link));
+  }
+
+  test("the first link of a text", () => {
+    assert.equal(firstLink(lines.slice(2).join("\n")), "arm");
+    assert.equal(firstLink("<joint/>"), undefined);
+  });
+
+  test("a line behind the end counts as the last one", () => {
+    assert.equal(linkOfLine(['<link name="a"/>'], 9), "a");
+  });
+});
+
+test("calls of a macro in a list", () => {
+  assert.equal(callText("macro `leg` in `leg` at robot.xacro:7"), "leg @ robot.xacro:7");
+  assert.equal(callText("call of `leg`"), "call of `leg`");
+});
+
+test("the banner counts errors and says when", () => {
+  const time = new Date(2026, 0, 2, 3, 4, 5);
+  assert.equal(bannerText(1, time), "1 error in the sources: this is the robot as of 03:04:05");
+  assert.match(bannerText(2, time), /^2 errors /);
+});
+
+describe("messages of the viewer", () => {
+  const range = { start: { line: 1, character: 2 }, end: { line: 3, character: 4 } };
+  const location = { uri: "file:///a.xacro", range };
+
+  test("known ones come through, with nothing besides what is known", () => {
+    assert.deepEqual(fromViewer({ type: "ready", more: 1 }), { type: "ready" });
+    assert.deepEqual(fromViewer({ type: "open", location }), { type: "open", location });
+    assert.deepEqual(fromViewer({ type: "select", link: "a", joint: 3 }), { type: "select", link: "a" });
+    assert.deepEqual(fromViewer({ type: "mesh", mesh: "m1" }), { type: "mesh", mesh: "m1" });
+    assert.deepEqual(fromViewer({ type: "root", root: { uri: "file:///a", args: { x: "1", y: 2 } }, compare: null }), {
+      type: "root",
+      root: { uri: "file:///a", args: { x: "1" } },
+      compare: null,
+    });
+  });
+
+  test("others do not", () => {
+    const others = [
+      null,
+      "ready",
+      [],
+      {},
+      { type: "eval" },
+      { type: "mesh", mesh: 1 },
+      { type: "open", location: { uri: "command:rm", range } },
+      { type: "open", location: { uri: "file:///a", range: { start: { line: -1, character: 0 }, end: range.end } } },
+      { type: "root", root: { uri: "https://example.org" } },
+    ];
+    for (const message of others) assert.equal(fromViewer(message), undefined, JSON.stringify(message));
+  });
+});
+
+test("includes of a text, with the places of their file names", () => {
+  const text = `<robot>
+  <!-- <xacro:include filename="no.xacro"/> -->
+  <xacro:include filename="a.xacro"/>
+  <xacro:include ns="x"
+                 filename='$(find p)/b.xacro'/>
+  <include filename="no.xacro"/>
+</robot>`;
+  assert.deepEqual(includesOf(text), [
+    { filename: "a.xacro", line: 2, start: 27, end: 34 },
+    { filename: "$(find p)/b.xacro", line: 4, start: 27, end: 44 },
+  ]);
+});
+
+describe("the layout of graphs", () => {
+  test("each node stands behind all that point to it", () => {
+    const places = layout(
+      ["a", "b", "c", "d"],
+      [
+        ["a", "b"],
+        ["a", "c"],
+        ["b", "c"],
+        ["a", "d"],
+      ],
+    );
+    assert.deepEqual(
+      ["a", "b", "c", "d"].map((id) => places.get(id)?.column),
+      [0, 1, 2, 1],
+    );
+    assert.notEqual(places.get("b")?.row, places.get("d")?.row);
+  });
+
+  test("circles end", () => {
+    const places = layout(
+      ["a", "b"],
+      [
+        ["a", "b"],
+        ["b", "a"],
+        ["a", "a"],
+      ],
+    );
+    assert.equal(places.size, 2);
+  });
+});

@@ -1,0 +1,505 @@
+// The extension in a real VS Code.
+//   node e2e.mjs --code-server DIR --vsix FILE --out DIR [--only NAME[,NAME]] [--shots]
+import assert from "node:assert/strict";
+import { cpSync, existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+import { parseArgs } from "node:util";
+import { CodeServer, Window, fresh, openBrowser, until } from "./workbench.mjs";
+
+const { values } = parseArgs({
+  options: {
+    "code-server": { type: "string" },
+    vsix: { type: "string" },
+    out: { type: "string" },
+    only: { type: "string" },
+    shots: { type: "boolean", default: false },
+  },
+});
+const examples = join(dirname(fileURLToPath(import.meta.url)), "..", "..", "docs", "examples");
+const out = resolve(values.out);
+const only = values.only?.split(",");
+const tests = [];
+
+const PROFILES = {
+  plain: {},
+  trust: { trust: true },
+  missing: { settings: { "xacro.server.path": "/no/such/program" } },
+};
+
+/**
+ * A test on a copy of an example, in a VS Code with a profile of PROFILES. Tests with the same `share` follow each other
+ * in one window, so they must leave the files alone.
+ */
+function test(name, example, run, { profile = "plain", needs, share = name } = {}) {
+  tests.push({ name, example, run, profile, needs, share });
+}
+
+/** A file of the example: where it is, and its text. */
+function source(window, path) {
+  const file = join(window.folder, path);
+  const text = () => readFileSync(file, "utf8");
+  return {
+    file,
+    text,
+    write: (change) => writeFileSync(file, change(text())),
+    /** Line and column, from one, of the n-th place where the text stands, behind its first `offset` characters. */
+    find(part, offset = 0, nth = 1) {
+      let at = -1;
+      for (let left = nth; left > 0; left--) at = text().indexOf(part, at + 1);
+      assert.ok(at >= 0, `${path} has no ${part}`);
+      const before = text().slice(0, at + offset).split("\n");
+      return [before.length, before.at(-1).length + 1];
+    },
+    has: (part) => until(`${path} holds ${part}`, () => text().includes(part)),
+  };
+}
+
+const CELL = "src/measuring_cell/urdf/measuring_cell.xacro";
+const FURNITURE = "src/measuring_cell/urdf/furniture.xacro";
+const BROKEN = "src/broken_cell/urdf/broken_cell.xacro";
+const GRIPPER = "src/two_joint_gripper_description/urdf/two_joint_gripper.urdf.xacro";
+const ARM = "src/two_joint_gripper_description/urdf/arm.xacro";
+
+test("problems", "broken_cell", async (window) => {
+  const file = source(window, BROKEN);
+  await window.file("broken_cell.xacro");
+  const shown = await window.problem("reference_bals");
+  const [line, column] = file.find("<xacro:reference_bals");
+  assert.match(shown, /undefined-macro/);
+  assert.ok(shown.includes(`[Ln ${line}, Col ${column}]`), `${shown}: not at ${line}:${column}`);
+});
+
+test("quick-fix", "broken_cell", async (window) => {
+  const file = source(window, BROKEN);
+  await window.file("broken_cell.xacro");
+  await window.problem("reference_bals");
+  await window.editor.click();
+  await window.go(...file.find("reference_bals", 3));
+  await window.press("Control+.");
+  // the certain fix comes first
+  await window.page.locator(".action-widget .monaco-list-row.focused", { hasText: "reference_balls" }).waitFor();
+  await window.press("Enter");
+  await window.save();
+  await file.has("<xacro:reference_balls");
+  await window.page.locator(".markers-panel .monaco-list-row", { hasText: "reference_bals" }).first().waitFor({ state: "hidden" });
+});
+
+test("completion", "measuring_cell", async (window) => {
+  const file = source(window, CELL);
+  await window.file("measuring_cell.xacro");
+  await window.status("measuring_cell.xacro");
+  const [line] = file.find('<link name="world"/>');
+  await window.go(line, 3 + '<link name="world"/>'.length);
+  await window.press("Enter");
+  await window.page.keyboard.type("<xacro:gauge");
+  const row = window.page.locator(".suggest-widget.visible .monaco-list-row", { hasText: "gauge_probe" }).first();
+  await row.waitFor();
+  await until("the call with its parameters", async () => {
+    if (await row.isVisible()) await row.click({ timeout: 2000 }).catch(() => undefined);
+    await window.save();
+    return /^ {2}<xacro:gauge_probe prefix="[^"]*" connected_to="[^"]*"/.test(file.text().split("\n")[line]);
+  });
+});
+
+test("typing", "measuring_cell", async (window) => {
+  const file = source(window, CELL);
+  await window.file("measuring_cell.xacro");
+  await window.status("measuring_cell.xacro");
+  const [line] = file.find('<link name="world"/>');
+  await window.go(line, 3 + '<link name="world"/>'.length);
+  const shows = (part) => until(`the text ${part}`, async () => (await window.drawn("measuring_cell.xacro")).some((text) => text.includes(part)));
+  await window.press("Enter");
+  await window.page.keyboard.type("<link name='q'>");
+  await shows("<link name='q'></link>");
+  await window.press("Enter");
+  await until("the end tag in a line of its own", async () => (await window.drawn("measuring_cell.xacro")).some((text) => /^ {2}<\/link>/.test(text)));
+  await window.page.keyboard.type("<visual>");
+  await shows("    <visual></visual>");
+  // tags are edited together
+  await window.go(line + 2, 8);
+  await window.page.keyboard.type("x");
+  await shows("<vixsual></vixsual>");
+  await window.save();
+  await file.has("  <link name='q'>\n    <vixsual></vixsual>\n  </link>\n");
+});
+
+test("definition", "measuring_cell", async (window) => {
+  await window.file("measuring_cell.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.go(...source(window, CELL).find("<xacro:measuring_table", 12));
+  await until("the definition in the included file", async () => {
+    await window.press("F12");
+    const tab = window.page.locator('.tab.active[data-resource-name="furniture.xacro"]');
+    return tab.waitFor({ timeout: 3000 }).then(() => true, () => false);
+  });
+  const [line] = source(window, FURNITURE).find('<xacro:macro name="measuring_table"');
+  await window.at(line);
+}, { share: "reading" });
+
+test("rename", "two_joint_gripper", async (window) => {
+  const [arm, robot] = [source(window, ARM), source(window, GRIPPER)];
+  await window.file("arm.xacro");
+  await window.status("two_joint_gripper.urdf.xacro");
+  await window.go(...arm.find('name="beam_width"', 8));
+  const box = window.page.locator(".rename-box input, input.rename-input").first();
+  await until("the box for the new name", async () => {
+    await window.press("F2");
+    return box.waitFor({ timeout: 3000 }).then(() => true, () => false);
+  });
+  await box.fill("beam_side");
+  await window.press("Enter");
+  await window.page.locator('.tab[data-resource-name="arm.xacro"].dirty').waitFor();
+  await window.command("File: Save All");
+  await arm.has('<xacro:property name="beam_side"');
+  await robot.has("beam_side / 2");
+  for (const file of [arm, robot]) assert.ok(!file.text().includes("beam_width"), file.file);
+});
+
+test("hover", "measuring_cell", async (window) => {
+  const file = source(window, FURNITURE);
+  await window.file("furniture.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.go(...file.find("${table_height - top_size[2]}", 16));
+  await window.hover("0.67");
+}, { share: "reading" });
+
+test("outline", "measuring_cell", async (window) => {
+  await window.file("furniture.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.press("Control+Shift+O");
+  for (const name of ["table_height", "granite", "measuring_table"]) await window.row(name).waitFor();
+  await window.press("Escape");
+}, { share: "reading" });
+
+test("format", "measuring_cell", async (window) => {
+  const file = source(window, CELL);
+  const good = file.text();
+  file.write((text) => text.replace('  <link name="world"/>', '<link     name="world"/>').replace('    <origin xyz="-0.25', '\t\t\t<origin    xyz="-0.25'));
+  await window.file("measuring_cell.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.command("Format Document");
+  await window.page.locator('.tab[data-resource-name="measuring_cell.xacro"].dirty').waitFor();
+  await window.save();
+  await until("the text as it was", () => file.text() === good);
+});
+
+test("expanded", "measuring_cell", async (window) => {
+  const file = source(window, FURNITURE);
+  const before = file.text();
+  await window.file("furniture.xacro");
+  await window.status("measuring_cell.xacro");
+  const [line, column] = file.find('name="table_height" value="0.75"', 29);
+  await window.go(...file.find('${table_height}"', 2));
+  await window.command("Xacro: Open Expanded URDF to the Side");
+  const shows = (part) => until(`the expanded robot shows ${part}`, async () => (await window.drawn("measuring_cell.urdf")).some((text) => text.includes(part)));
+  // the cursor leads there
+  await shows('xyz="0 0 0.75"');
+  await window.editor.click();
+  await window.go(line, column);
+  await window.press("Delete");
+  await window.page.keyboard.type("9");
+  await window.go(...file.find('${table_height}"', 2));
+  await shows('xyz="0 0 0.95"');
+  assert.equal(file.text(), before, "nothing was saved");
+  // broken text keeps the last good robot, with a banner
+  await window.go(1, 1);
+  await window.page.keyboard.type("<");
+  await window.page.locator(".codelens-decoration", { hasText: "this is the robot as of" }).first().waitFor();
+  await shows('xyz="0 0 0.95"');
+  await window.press("Backspace");
+  await window.page.locator(".codelens-decoration", { hasText: "this is the robot as of" }).first().waitFor({ state: "hidden" });
+  // and back: the cursor in the expanded text leads to the source
+  const group = window.page.locator(".editor-group-container", { has: window.page.locator('.tab.active[aria-label*="measuring_cell.urdf"]') });
+  await group.locator(".view-line", { hasText: '<link name="leg_front_left">' }).first().click();
+  await window.page.locator(".editor-group-container [class*=ced-]").first().waitFor();
+  await window.command("Xacro: Compare Expanded URDF with Saved Version");
+  await window.page.locator(".tab.active", { hasText: "saved ↔ now" }).waitFor();
+  await window.page.locator(".modified .line-insert").first().waitFor();
+});
+
+test("root", "measuring_cell", async (window) => {
+  const file = source(window, "src/fenn_support/urdf/fenn_macro.xacro");
+  await window.file("fenn_macro.xacro");
+  await window.status("fenn.xacro");
+  await window.go(...file.find('"${prefix}base_link"', 4));
+  assert.doesNotMatch(await window.hover("prefix"), /arm_/);
+  await window.command("Xacro: Select Root");
+  await window.row("measuring_cell.xacro").click();
+  await window.status("measuring_cell.xacro");
+  await window.editor.click();
+  await window.go(...file.find('"${prefix}base_link"', 4));
+  await window.hover("arm_");
+  // arguments of the root
+  await window.command("Xacro: Set Arguments");
+  await window.row("stylus").click();
+  await window.answer("stylus", "0.07");
+  await window.status("stylus:=0.07");
+  const probe = source(window, "src/gauge_probe_support/urdf/gauge_probe_macro.xacro");
+  await window.file("gauge_probe_macro.xacro");
+  await window.go(...probe.find("${stylus", 3));
+  await window.hover("0.07");
+  // kept as a preset, taken back, taken again
+  await window.command("Xacro: Set Arguments");
+  await window.row("Save as preset").click();
+  await window.answer("Save as Preset", "long stylus");
+  await window.command("Xacro: Set Arguments");
+  await window.row("Defaults of the file").click();
+  await window.status("2 args");
+  await window.command("Xacro: Set Arguments");
+  await window.row("long stylus").click();
+  await window.status("stylus:=0.07");
+  // a server that is started anew gets told
+  await window.command("Xacro: Restart Server");
+  await window.page.locator(".statusbar-item", { hasText: "stylus:=0.07" }).waitFor({ state: "hidden" });
+  await window.status("stylus:=0.07");
+});
+
+test("views", "measuring_cell", async (window) => {
+  const file = source(window, FURNITURE);
+  await window.file("furniture.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.command("Focus on Kinematic Tree View");
+  const row = (name) => window.page.locator(".sidebar .monaco-list-row", { hasText: name }).first();
+  await row("arm_link_1").waitFor();
+  await window.page.locator(".sidebar .pane-header", { hasText: "Roots" }).waitFor();
+  await row("stylus").waitFor();
+  await window.editor.click();
+  await window.go(...file.find('name="table_height"', 8));
+  await window.go(...file.find('<link name="table_top">', 8));
+  await window.page.locator(".sidebar .monaco-list-row.selected", { hasText: "table_top" }).first().waitFor();
+  await window.command("Xacro: Show Include Graph");
+  await window.webview.locator(".node", { hasText: "joints" }).or(window.webview.locator(".node", { hasText: "fenn_macro.xacro" })).first().waitFor();
+  await window.webview.locator(".node", { hasText: "fenn_macro.xacro" }).first().click();
+  await window.page.locator('.tab.active[data-resource-name="fenn_macro.xacro"]').waitFor();
+  await window.command("Xacro: Copy Diagnostic Report");
+  await window.notification("clipboard");
+  const report = await window.page.evaluate(() => navigator.clipboard.readText());
+  assert.match(report, /server: xacro-lsp \d+\.\d+\.\d+, running/);
+}, { share: "reading" });
+
+// a server may be older than these requests; then the extension says so
+test("one-call", "measuring_cell", async (window) => {
+  const file = source(window, FURNITURE);
+  await window.file("furniture.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.go(...file.find('name="leg_back_left"', 8));
+  await window.command("Xacro: Expand Macro at Cursor");
+  const expanded = window.page.locator('.tab[aria-label*="table_leg"]');
+  const unknown = window.page.locator(".notification-list-item", { hasText: "has no `xacro/expandAt` yet" });
+  await expanded.or(unknown).first().waitFor();
+  if (await unknown.isVisible()) return;
+  await until("one leg", async () => (await window.drawn("table_leg")).some((text) => text.includes('name="leg_back_left_joint"')));
+  await window.editor.click();
+  await window.go(...file.find('<origin xyz="0 0 ${-height / 2}"', 3));
+  await window.command("Xacro: Select Instance");
+  const [line] = file.find('name="leg_back_left"');
+  await window.row(`furniture.xacro:${line}`).click();
+  await window.status(`table_leg @ furniture.xacro:${line}`);
+  await until("the value of the call that was picked alone", async () =>
+    (await window.drawn("furniture.xacro")).some((text) => text.includes('<link name="${name}') && /leg_back_left\W*$/.test(text)),
+  );
+});
+
+test("lenses", "measuring_cell", async (window) => {
+  await window.file("furniture.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.go(1, 1);
+  const lens = (text) => window.page.locator(".editor-group-container.active .codelens-decoration a", { hasText: text }).first();
+  await lens("4 calls in").click();
+  await window.page.locator(".peekview-widget .monaco-list-row").first().waitFor();
+  await window.press("Escape");
+  await window.page.locator(".peekview-widget").first().waitFor({ state: "hidden" });
+  await window.file("measuring_cell.xacro");
+  await lens("Expand").click();
+  await window.page.locator('.tab[aria-label*="measuring_cell.urdf"]').waitFor();
+}, { share: "reading" });
+
+test("untrusted", "broken_cell", async (window, server) => {
+  mkdirSync(join(window.folder, ".vscode"), { recursive: true });
+  const trap = join(window.folder, "started");
+  const program = join(window.folder, "server.sh");
+  writeFileSync(program, `#!/bin/sh\ntouch ${trap}\n`, { mode: 0o755 });
+  writeFileSync(join(window.folder, ".vscode", "settings.json"), JSON.stringify({ "xacro.server.path": program }));
+  await window.page.reload();
+  await window.page.locator(".explorer-folders-view .monaco-list-row").first().waitFor();
+  await window.page.locator(".part.banner", { hasText: "Restricted Mode" }).or(window.page.locator(".statusbar-item", { hasText: "Restricted Mode" })).first().waitFor();
+  await window.file("broken_cell.xacro");
+  await window.problem("reference_bals");
+  assert.equal(server.servers().length, 1);
+  assert.ok(!existsSync(trap), "a program of the workspace was started");
+}, { profile: "trust" });
+
+test("no-server", "measuring_cell", async (window, server) => {
+  await window.file("measuring_cell.xacro");
+  await window.notification("/no/such/program, which is no program");
+  await window.page.locator(".notification-list-item .monaco-button", { hasText: "Open Settings" }).first().waitFor();
+  assert.equal(server.servers().length, 0);
+  // colours are there all the same
+  await window.page.locator(".view-line span[class*=mtk]", { hasText: "measuring_table" }).first().waitFor();
+}, { profile: "missing" });
+
+test("restart", "broken_cell", async (window, server) => {
+  await window.file("broken_cell.xacro");
+  await window.problem("reference_bals");
+  const [first] = server.servers();
+  process.kill(first, "SIGKILL");
+  await window.notification("ended unexpectedly and was restarted");
+  const second = await until("another server", () => server.servers().find((id) => id !== first));
+  await window.command("Notifications: Clear All Notifications");
+  // it answers: a new mistake is found
+  await window.editor.click();
+  await window.go(...source(window, BROKEN).find("xacro:broken_probe", 12));
+  await window.page.keyboard.type("x");
+  await window.problem("brokenx_probe");
+  process.kill(second, "SIGKILL");
+  await window.notification("ended twice");
+  assert.equal(server.servers().length, 0);
+});
+
+test("activation", "measuring_cell", async (window, server) => {
+  await window.file("measuring_cell.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.command("Developer: Show Running Extensions");
+  const row = window.page.locator(".runtime-extensions-editor .monaco-list-row", { hasText: "Xacro and URDF" }).first();
+  await row.waitFor();
+  const shown = (await row.innerText()).replace(/\s+/g, " ");
+  const time = /Activation: (\d+)ms/.exec(shown);
+  assert.ok(time, shown);
+  console.log(`     activation: ${time[1]} ms; ${/activated in [\d.]+ ms/.exec(server.extensionLog())?.[0]}`);
+}, { share: "reading" });
+
+test("preview", "measuring_cell", async (window) => {
+  const file = source(window, FURNITURE);
+  await window.file("furniture.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.go(...file.find('name="table_height"', 8));
+  await window.command("Xacro: Open Preview");
+  const page = window.webview;
+  const body = (name) => page.locator("body").getAttribute(`data-${name}`);
+  await until("the robot with its meshes", async () => (await body("ok")) === "true" && (await body("loading")) === "0");
+  const canvas = page.locator("canvas").first();
+  // pixels that changed since the last look; the first look sees none
+  const changed = () =>
+    canvas.evaluate((element) => {
+      const { width, height } = element;
+      const copy = new OffscreenCanvas(width, height).getContext("2d");
+      copy.drawImage(element, 0, 0);
+      const { data } = copy.getImageData(0, 0, width, height);
+      const before = window.pixelsBefore ?? data;
+      window.pixelsBefore = data;
+      let count = 0;
+      for (let at = 0; at < data.length; at += 4) {
+        const differs = [0, 1, 2].some((channel) => Math.abs(data[at + channel] - before[at + channel]) > 8);
+        if (differs) count++;
+      }
+      return data.length === before.length ? count : -1;
+    });
+  await changed();
+  await until("a still picture", async () => (await changed()) === 0);
+  // a slider moves the arm
+  const slider = page.locator('[data-joint="arm_joint_2"] input[type=range]');
+  await slider.evaluate((input) => {
+    input.value = String(Number(input.min) + 0.8 * (Number(input.max) - Number(input.min)));
+    input.dispatchEvent(new Event("input", { bubbles: true }));
+  });
+  await until("other pixels", async () => (await changed()) > 200);
+  await until("a still picture again", async () => (await changed()) === 0);
+  // typing moves it too, without saving
+  const revision = Number(await body("revision"));
+  await window.editor.click();
+  await window.go(...file.find('name="table_height" value="0.75"', 29));
+  await window.press("Delete");
+  await window.page.keyboard.type("9");
+  await until("the next revision", async () => Number(await body("revision")) > revision);
+  await until("pixels of a higher table", async () => (await changed()) > 200);
+  // a click on a link leads to its source
+  await until("the leg under the pointer", async () => {
+    const position = await canvas.evaluate((element) => {
+      const { stage, views } = window.xacroViewer;
+      const view = views.get("main");
+      const center = view.box("leg_front_right").getCenter(stage.camera.position.clone()).project(stage.camera);
+      const { width, height } = element.getBoundingClientRect();
+      return { x: ((center.x + 1) / 2) * width, y: ((1 - center.y) / 2) * height };
+    });
+    await canvas.click({ position });
+    return (await body("selected"))?.includes("leg_front_right");
+  });
+  const [line] = file.find('<link name="${name}">');
+  await window.at(line);
+  // the cursor outlines what the text makes
+  await window.editor.click();
+  await window.go(...file.find('<link name="${ball.name}">', 8));
+  await until("the balls outlined", async () => (await body("selected"))?.includes("ball_near"));
+  // a window that is loaded anew shows it again
+  await window.save();
+  await window.page.locator('.tab[data-resource-name="furniture.xacro"]:not(.dirty)').waitFor();
+  await window.page.reload();
+  await until("the robot after a reload", async () => (await body("ok").catch(() => null)) === "true");
+}, { needs: "viewer/viewer.js" });
+
+async function main() {
+  const program = resolve(values["code-server"]);
+  const browser = await openBrowser();
+  const chosen = tests.filter(({ name }) => !only || only.includes(name));
+  let failed = 0;
+  let skipped = 0;
+  for (const [profile, options] of Object.entries(PROFILES)) {
+    const own = chosen.filter((each) => each.profile === profile);
+    if (own.length === 0) continue;
+    const server = new CodeServer(program, fresh(join(out, `profile-${profile}`)), options);
+    await server.install(resolve(values.vsix));
+    await server.start();
+    for (const share of new Set(own.map((each) => each.share))) {
+      const group = own.filter((each) => each.share === share);
+      const lacking = group.find(({ needs }) => needs && !server.hasInside(needs));
+      if (lacking) {
+        skipped += group.length;
+        console.log(`skip ${share}: the extension has no ${lacking.needs}`);
+        continue;
+      }
+      failed += await runGroup(browser, server, share, group);
+    }
+    writeFileSync(join(out, `extension-${profile}.log`), server.extensionLog());
+    await server.stop();
+  }
+  await browser.close();
+  console.log(`vscode: ${chosen.length - failed - skipped} passed, ${failed} failed${skipped > 0 ? `, ${skipped} skipped` : ""}`);
+  process.exitCode = failed === 0 && chosen.length > 0 ? 0 : 1;
+}
+
+/** Runs tests in one window; the number of those that failed. */
+async function runGroup(browser, server, share, group) {
+  const [{ example }] = group;
+  const folder = join(fresh(join(out, "workspaces", share)), example);
+  cpSync(join(examples, example), folder, { recursive: true });
+  let begin = Date.now();
+  let failed = 0;
+  let window;
+  for (const { name, run } of group) {
+    try {
+      window ??= await Window.open(browser, server, folder);
+      await run(window, server);
+      console.log(`ok   ${name} (${((Date.now() - begin) / 1000).toFixed(1)} s)`);
+      if (values.shots) await window.shot(shot(`${name}.png`));
+    } catch (error) {
+      failed++;
+      console.log(`FAIL ${name} (${((Date.now() - begin) / 1000).toFixed(1)} s)\n${error.stack}`);
+      await window?.shot(shot(`${name}-failed.png`)).catch(() => undefined);
+      // what the failed one left must not disturb the next
+      await window?.close();
+      window = undefined;
+    }
+    begin = Date.now();
+  }
+  await window?.close();
+  return failed;
+}
+
+function shot(name) {
+  const folder = join(out, "shots");
+  mkdirSync(folder, { recursive: true });
+  return join(folder, name);
+}
+
+await main();

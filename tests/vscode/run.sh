@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# The VS Code extension: types and style, grammars, units, and the whole in a real workbench.
+#
+#   tests/vscode/run.sh            installs what it needs (Debian packages, npm), builds, tests
+#
+# XACRO_LSP names the server to be put into the extension; without it, one is built. Arguments are passed on to
+# e2e.mjs (`--only NAME`, `--shots`).
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+root=$(pwd)
+work="$root/target/vscode"
+mkdir -p "$work"
+
+missing=""
+for need in chromium:chromium rg:ripgrep pkg-config:pkg-config g++:g++ make:make node:nodejs npm:npm; do
+    command -v "${need%%:*}" >/dev/null 2>&1 || missing="$missing ${need#*:}"
+done
+[ -e /usr/include/krb5.h ] || [ -e /usr/include/krb5/krb5.h ] || missing="$missing libkrb5-dev"
+pkg-config --exists libsecret-1 2>/dev/null || missing="$missing libsecret-1-dev"
+if [ -n "$missing" ]; then
+    echo "installing$missing"
+    apt-get update -qq
+    # shellcheck disable=SC2086
+    apt-get install -y -qq --no-install-recommends $missing >"$work/apt.log" 2>&1
+fi
+
+# Packages as the lock files have them, once for each state of a lock file.
+packages() {
+    local stamp="$1/node_modules/.of-$(sha256sum "$1/package-lock.json" | cut -c1-16)"
+    [ -e "$stamp" ] && return 0
+    (cd "$1" && npm ci --ignore-scripts --no-audit --no-fund --loglevel=error)
+    touch "$stamp"
+}
+packages tests/vscode
+packages editors/vscode
+tests/vscode/code-server.sh "$work/code-server"
+
+echo "types and style"
+(cd editors/vscode && npm run --silent check)
+echo "grammars and units"
+node --test --test-reporter=dot tests/vscode/grammar.test.mjs
+(cd editors/vscode && npm run --silent test)
+
+server=${XACRO_LSP:-}
+if [ -z "$server" ]; then
+    cargo build --release --quiet --bin xacro-lsp
+    server="${CARGO_TARGET_DIR:-target}/release/xacro-lsp"
+fi
+if [ -d editors/viewer ]; then
+    packages editors/viewer
+    (cd editors/viewer && npm run --silent build)
+fi
+node editors/vscode/scripts/package.mjs --server "$server" --out "$work/xacro-lsp.vsix" >"$work/package.log" 2>&1 ||
+    { cat "$work/package.log"; exit 1; }
+if grep -i warning "$work/package.log"; then echo "vsce warns"; exit 1; fi
+tail -1 "$work/package.log"
+
+node tests/vscode/e2e.mjs --code-server "$work/code-server" --vsix "$work/xacro-lsp.vsix" --out "$work/e2e" "$@"
