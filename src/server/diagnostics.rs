@@ -25,6 +25,9 @@ const MOST: usize = 1000;
 /// Related places of one diagnostic, at most.
 const MOST_RELATED: usize = 100;
 
+/// A diagnostic and the file it is shown in.
+type Shown = (PathBuf, Diagnostic);
+
 impl Engine {
     /// Make and publish diagnostics; given up when a job comes in meanwhile, and tried again later.
     pub fn make_diagnostics(&mut self) {
@@ -77,11 +80,13 @@ impl Engine {
             open.into_iter().map(|path| (path, Vec::new())).collect();
         self.with_calls.clear();
         for finding in &report.findings {
-            let shown = self.shown(&report, finding);
-            if let [(at_call, _), _] = shown.as_slice() {
-                self.with_calls.insert(at_call.clone());
-            }
-            for (path, diagnostic) in shown {
+            let (at_call, own) = self.shown(&report, finding);
+            // one error of a call is enough to lead there
+            let at_call = at_call.filter(|(path, at)| {
+                !found.get(path).is_some_and(|list| list.iter().any(|known| known.range == at.range))
+            });
+            self.with_calls.extend(at_call.iter().map(|(path, _)| path.clone()));
+            for (path, diagnostic) in at_call.into_iter().chain(own) {
                 let list = found.entry(path).or_default();
                 if list.len() < MOST {
                     list.push(diagnostic);
@@ -91,32 +96,28 @@ impl Engine {
         Some(found)
     }
 
-    /// A finding at its place. An error in a file that is not open, such as a macro of another package, is
-    /// shown at the call that led there as well: that is the text the author has changed.
-    fn shown(&self, report: &Report, finding: &Finding) -> Vec<(PathBuf, Diagnostic)> {
-        let path = report.path(finding.span.file);
-        let Some(own) = self.diagnostic(finding) else { return Vec::new() };
-        let mut all = Vec::new();
+    /// A finding at its place, which comes second. An error in a file that is not open, such as a macro of
+    /// another package, is shown at the call that led there as well: that is the text the author has changed.
+    fn shown(&self, report: &Report, finding: &Finding) -> (Option<Shown>, Option<Shown>) {
+        let own = self.diagnostic(finding).map(|own| (report.path(finding.span.file).to_path_buf(), own));
         let open = |file| self.documents.contains_key(report.path(file));
-        if finding.severity == Severity::Error && !open(finding.span.file) {
-            let call = finding.related.iter().find(|related| related.is_call && open(related.span.file));
-            all.extend(call.and_then(|call| {
-                let place = self.location(finding.span)?;
-                let cause =
-                    DiagnosticRelatedInformation { location: place, message: "caused here".to_owned() };
-                let related =
-                    std::iter::once(cause).chain(own.related_information.clone().unwrap_or_default());
-                let at_call = Diagnostic {
-                    range: self.location(call.span)?.range,
-                    related_information: Some(related.take(MOST_RELATED).collect()),
-                    data: None,
-                    ..own.clone()
-                };
-                Some((report.path(call.span.file).to_path_buf(), at_call))
-            }));
+        if finding.severity != Severity::Error || open(finding.span.file) {
+            return (None, own);
         }
-        all.push((path.to_path_buf(), own));
-        all
+        let call = finding.related.iter().find(|related| related.is_call && open(related.span.file));
+        let at_call = call.zip(own.as_ref()).and_then(|(call, (_, own))| {
+            let place = self.location(finding.span)?;
+            let cause = DiagnosticRelatedInformation { location: place, message: "caused here".to_owned() };
+            let related = std::iter::once(cause).chain(own.related_information.clone().unwrap_or_default());
+            let at_call = Diagnostic {
+                range: self.location(call.span)?.range,
+                related_information: Some(related.take(MOST_RELATED).collect()),
+                data: None,
+                ..own.clone()
+            };
+            Some((report.path(call.span.file).to_path_buf(), at_call))
+        });
+        (at_call, own)
     }
 
     /// Send what differs from what was sent before.
@@ -188,8 +189,17 @@ impl Engine {
 
     fn of_file(&mut self, path: &Path, cancel: &CancelFlag) -> Result<Vec<Diagnostic>, Failure> {
         let report = self.world.report(&[path.to_path_buf()], cancel).ok_or(Failure::Cancelled)?;
-        let shown = report.findings.iter().flat_map(|finding| self.shown(&report, finding));
-        Ok(shown.filter(|(at, _)| at == path).map(|(_, diagnostic)| diagnostic).take(MOST).collect())
+        let mut list: Vec<Diagnostic> = Vec::new();
+        for finding in &report.findings {
+            let (at_call, own) = self.shown(&report, finding);
+            let at_call = at_call.filter(|(_, at)| list.iter().all(|known| known.range != at.range));
+            let here = at_call.into_iter().chain(own).filter(|(at, _)| at == path);
+            list.extend(here.map(|(_, diagnostic)| diagnostic));
+            if list.len() >= MOST {
+                break;
+            }
+        }
+        Ok(list)
     }
 
     fn diagnostic(&self, finding: &Finding) -> Option<Diagnostic> {

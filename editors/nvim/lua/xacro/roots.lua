@@ -136,9 +136,8 @@ function M.instance(all)
   local here = talk.here(client)
   local function pin(number)
     local params = vim.tbl_extend('force', here, { instance = number or vim.NIL })
-    talk.ask(bufnr, 'xacro/setInstance', params, function()
-      status.ask(bufnr)
-    end)
+    -- the server tells what is shown then
+    talk.ask(bufnr, 'xacro/setInstance', params, function() end)
   end
   if all then
     return pin(nil)
