@@ -232,7 +232,7 @@ fn an_error_in_a_closed_macro_file_is_shown_at_the_call() {
     client.open(ROBOT);
     client.edit(ROBOT, "axis=\"0 1 0\"", "axis=\"0 0 0\"");
     let found = client.diagnostics(ROBOT);
-    assert_eq!(found.iter().map(short).collect::<Vec<_>>(), ["8:2-13 zero-axis"]);
+    assert_eq!(found.iter().map(short).collect::<Vec<_>>(), ["8:50-55 zero-axis"]);
     let cause = &found[0]["relatedInformation"][0]["location"];
     assert!(cause["uri"].as_str().unwrap().ends_with("unit.xacro"), "{cause}");
     client.open(UNIT);
