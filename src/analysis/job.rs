@@ -102,7 +102,7 @@ fn wanted(session: &Session, expansion: &Expansion, root: Arc<Settings>) -> Vec<
     }
     let selected = |rule: &Rule| found.iter().any(|settings| settings.selects(rule));
     let left_out = |rule: &Rule| rule.default == Activation::On && !selected(rule);
-    let suppressed = all().any(left_out).then(|| suppressed(expansion)).unwrap_or_default();
+    let suppressed = if all().any(left_out) { suppressed(expansion) } else { Vec::new() };
     let wanted = |rule: &&Rule| selected(rule) || left_out(rule) && suppressed.iter().any(|s| s.names(rule));
     all().filter(wanted).collect()
 }
