@@ -11,7 +11,10 @@ use super::session::Session;
 use crate::base::{CancelFlag, FastSet, FileId, Span, TextRange};
 use crate::expand::{Expansion, FileUse, Focus, Limits, Read, Request, World, expand};
 use crate::model::Robot;
-use crate::rules::{Chosen, Finding, RootKind, Rule, all, by_code, check_expansion, check_files};
+use crate::rules::{
+    Activation, Chosen, Finding, RootKind, Rule, Selector, Suppressions, all, by_code, check_expansion,
+    check_files,
+};
 use crate::vfs::{LoadError, SourceFile};
 use crate::workspace::config;
 
@@ -97,7 +100,18 @@ fn wanted(session: &Session, expansion: &Expansion, root: Arc<Settings>) -> Vec<
             }
         }
     }
-    all().filter(|rule| found.iter().any(|settings| settings.selects(rule))).collect()
+    let selected = |rule: &Rule| found.iter().any(|settings| settings.selects(rule));
+    let left_out = |rule: &Rule| rule.default == Activation::On && !selected(rule);
+    let suppressed = if all().any(left_out) { suppressed(expansion) } else { Vec::new() };
+    let wanted = |rule: &&Rule| selected(rule) || left_out(rule) && suppressed.iter().any(|s| s.names(rule));
+    all().filter(wanted).collect()
+}
+
+/// What comments in the files switch off: whether it would hide something is only known when it runs, whatever a
+/// command line leaves out this time.
+fn suppressed(expansion: &Expansion) -> Vec<Selector> {
+    let comments = expansion.files.iter().flat_map(|file| Suppressions::of(&file.source.document).list);
+    comments.flat_map(|suppression| suppression.rules).collect()
 }
 
 /// A file is a robot when it is configured as one, calls itself plain URDF, or gives one by itself.

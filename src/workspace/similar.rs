@@ -10,6 +10,7 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     if !fold(word, &mut letters) {
         return None;
     }
+    let counts = counts(&letters);
     let mut limit = if letters.len() == 2 { 1 } else { (letters.len() / 3).min(3) };
     let mut best = None;
     for candidate in candidates {
@@ -20,6 +21,9 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
             continue;
         }
         if letters.len() == 2 && (other.len() != 2 || letters.first() != other.first()) {
+            continue;
+        }
+        if far(counts, &other) > 2 * limit {
             continue;
         }
         if let Some(distance) = distance(&letters, &other, limit) {
@@ -38,6 +42,30 @@ fn fold(word: &str, letters: &mut Vec<char>) -> bool {
     letters.clear();
     letters.extend(word.chars().flat_map(char::to_lowercase).take(LONGEST + 1));
     letters.len() <= LONGEST
+}
+
+/// How often letters occur, those that share the last bits of their codes together.
+type Counts = [i16; 32];
+
+fn counts(letters: &[char]) -> Counts {
+    let mut counts = [0; 32];
+    for &letter in letters {
+        if let Some(count) = counts.get_mut(letter as usize % 32) {
+            *count += 1;
+        }
+    }
+    counts
+}
+
+/// How many letters at least are in one word only. One change of a letter adds two at most, so most words are told
+/// apart at a glance.
+fn far(mut counts: Counts, other: &[char]) -> usize {
+    for &letter in other {
+        if let Some(count) = counts.get_mut(letter as usize % 32) {
+            *count -= 1;
+        }
+    }
+    counts.iter().map(|count| usize::from(count.unsigned_abs())).sum()
 }
 
 /// How many letters of `a` are to be inserted, removed, replaced or swapped with their neighbour to get `b`.
@@ -87,7 +115,7 @@ fn different<'a>(a: &'a [char], b: &'a [char]) -> (&'a [char], &'a [char]) {
 
 #[cfg(test)]
 mod tests {
-    use super::{distance, edit_distance, nearest};
+    use super::{counts, distance, edit_distance, far, nearest};
 
     #[test]
     fn words() {
@@ -125,6 +153,7 @@ mod tests {
             let exact = distance(a, b, 9).unwrap();
             for most in 0..6 {
                 assert_eq!(distance(a, b, most), Some(exact).filter(|&exact| exact <= most), "{a:?} {b:?}");
+                assert!(far(counts(a), b) <= 2 * exact, "{a:?} {b:?}");
             }
         }
     }

@@ -32,11 +32,15 @@ const MOST_LEVELS: usize = 64;
 const MOST_PARTS: usize = 5000;
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    // what xacro refuses never comes to a consumer
+    if !cx.whole || !cx.expansion.complete || cx.expansion.has_errors() {
+        return;
+    }
     let tree = &cx.expansion.tree;
     let text = write(tree, "").text;
     let options = ParsingOptions { allow_dtd: false, nodes_limit: 1_000_000, ..ParsingOptions::default() };
     let Some(document) = Document::parse_with_options(&text, options).ok().filter(is_sane) else { return };
-    let Some(why) = refused(&text).filter(|_| cx.whole) else { return };
+    let Some(why) = refused(&text) else { return };
     // urdf-rs says nothing about places: the first part that is refused by itself is the culprit
     let elements = document.root_element().children().filter(Node::is_element);
     let mut parts = elements.zip(tree.elements(cx.robot.element)).take(MOST_PARTS);
