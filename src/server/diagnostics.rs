@@ -65,12 +65,18 @@ impl Engine {
         let report = self.world.report(&open, cancel)?;
         let mut found: BTreeMap<PathBuf, Vec<Diagnostic>> =
             open.into_iter().map(|path| (path, Vec::new())).collect();
+        let mut left_out: BTreeMap<PathBuf, usize> = BTreeMap::new();
         for finding in &report.findings {
             let path = report.path(finding.span.file);
             let list = found.entry(path.to_path_buf()).or_default();
             if list.len() < MOST {
                 list.extend(self.diagnostic(finding));
+            } else {
+                *left_out.entry(path.to_path_buf()).or_default() += 1;
             }
+        }
+        for (path, count) in left_out {
+            found.entry(path).or_default().push(more(count));
         }
         Some(found)
     }
@@ -145,7 +151,11 @@ impl Engine {
     fn of_file(&mut self, path: &Path, cancel: &CancelFlag) -> Result<Vec<Diagnostic>, Failure> {
         let report = self.world.report(&[path.to_path_buf()], cancel).ok_or(Failure::Cancelled)?;
         let own = report.findings.iter().filter(|finding| report.path(finding.span.file) == path);
-        Ok(own.take(MOST).filter_map(|finding| self.diagnostic(finding)).collect())
+        let own: Vec<&Finding> = own.collect();
+        let mut found: Vec<Diagnostic> =
+            own.iter().take(MOST).filter_map(|finding| self.diagnostic(finding)).collect();
+        found.extend(own.len().checked_sub(MOST).filter(|count| *count > 0).map(more));
+        Ok(found)
     }
 
     fn diagnostic(&self, finding: &Finding) -> Option<Diagnostic> {
@@ -184,6 +194,16 @@ impl Engine {
             })
             .collect();
         Some(serde_json::json!({ "title": fix.message, "safety": fix.safety.name(), "edits": edits? }))
+    }
+}
+
+/// Says that there are more findings than are shown.
+fn more(count: usize) -> Diagnostic {
+    Diagnostic {
+        severity: Some(DiagnosticSeverity::INFORMATION),
+        source: Some("xacro".to_owned()),
+        message: format!("{count} more findings in this file are not shown"),
+        ..Diagnostic::default()
     }
 }
 

@@ -207,3 +207,15 @@ fn a_finding_in_an_unsaved_macro_is_noted_at_its_calls_in_open_files() {
     assert_eq!(noted(client.findings(ROBOT)), at_calls);
     assert_eq!(noted(client.findings(UNIT)), ["4:53-55 negative-mass"]);
 }
+
+#[test]
+fn of_very_many_findings_the_rest_is_counted() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    let links: String = (0..1010).map(|number| format!("<link name=\"a{number}${{m1}}\"/>\n")).collect();
+    client.edit(ROBOT, "</robot>", &format!("{links}</robot>"));
+    let found = client.diagnostics(ROBOT);
+    let told = found.last().unwrap()["message"].as_str().unwrap().to_owned();
+    assert_eq!(found.len(), 1001);
+    assert!(told.ends_with("more findings in this file are not shown"), "{told}");
+}
