@@ -1,6 +1,5 @@
 //! Whose fault a text in the body of a macro is: its own, or that of a call.
 
-use super::evaluations::Evaluation;
 use super::machine::Expansion;
 use super::origin::{FrameId, FrameKind, Origin};
 use super::resolve::BindingKind;
@@ -28,8 +27,7 @@ pub fn argument(expansion: &Expansion, origin: Origin) -> Option<Origin> {
 fn passed(expansion: &Expansion, origin: Origin) -> Option<Origin> {
     let token = the_name(expansion, origin)?;
     let evaluations = &expansion.evaluations;
-    let own = |evaluation: &&Evaluation| evaluation.at.frame == origin.frame;
-    let evaluation = evaluations.at(SourceRange { src: origin.src, range: token }).find(own)?;
+    let evaluation = evaluations.in_frame(SourceRange { src: origin.src, range: token }, origin.frame)?;
     let [read] = evaluations.reads(evaluation) else { return None };
     let binding = expansion.bindings.get(*read as usize)?;
     let given = binding.origin.filter(|_| binding.kind == BindingKind::Parameter)?;

@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use super::machine::Expander;
-use super::origin::Origin;
+use super::origin::{FrameId, Origin};
 use super::symbols::SourceRange;
 use crate::base::{FastMap, TextRange};
 use crate::expr::Value;
@@ -26,6 +26,8 @@ pub struct Evaluations {
     reads: Vec<u32>,
     /// By place, made on first use.
     places: OnceLock<FastMap<SourceRange, Vec<u32>>>,
+    /// The first of each place and frame, made on first use.
+    frames: OnceLock<FastMap<(SourceRange, FrameId), u32>>,
 }
 
 impl Evaluations {
@@ -49,6 +51,18 @@ impl Evaluations {
     pub(super) fn shrink(&mut self) {
         self.list.shrink_to_fit();
         self.reads.shrink_to_fit();
+    }
+
+    /// The first of one `${...}` or `$(...)` in one frame.
+    pub fn in_frame(&self, place: SourceRange, frame: FrameId) -> Option<&Evaluation> {
+        let frames = self.frames.get_or_init(|| {
+            let mut frames: FastMap<(SourceRange, FrameId), u32> = FastMap::default();
+            for (index, evaluation) in (0..).zip(&self.list) {
+                frames.entry((evaluation.at.into(), evaluation.at.frame)).or_insert(index);
+            }
+            frames
+        });
+        self.list.get(*frames.get(&(place, frame))? as usize)
     }
 
     /// Whether there were more than are kept.

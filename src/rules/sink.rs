@@ -120,7 +120,8 @@ impl<'a> Sink<'a> {
                 old.calls.extend(new);
                 old.instances.extend(draft.instances);
                 for way in draft.finding.ways {
-                    if !old.finding.ways.iter().any(|known| known.call == way.call) {
+                    let room = old.finding.ways.len() < MOST_WAYS;
+                    if room && !old.finding.ways.iter().any(|known| known.call == way.call) {
                         old.finding.ways.push(way);
                     }
                 }
@@ -259,6 +260,8 @@ fn call_message(frame: &Frame) -> String {
 
 /// Calls listed with a finding.
 const MOST_CALLS: usize = 10;
+/// Calls that an editor may show a finding at.
+const MOST_WAYS: usize = 1000;
 
 /// Put the calls behind the related places; of many, the first ones, and the message counts the others.
 pub(super) fn limit_calls(finding: &mut Finding, mut calls: Vec<Related>) {

@@ -76,24 +76,38 @@ impl Engine {
     fn found(&mut self, cancel: &CancelFlag) -> Option<BTreeMap<PathBuf, Vec<Diagnostic>>> {
         let open: Vec<PathBuf> = self.documents.keys().cloned().collect();
         let report = self.world.report(&open, cancel)?;
-        let mut found: BTreeMap<PathBuf, Vec<Diagnostic>> =
-            open.into_iter().map(|path| (path, Vec::new())).collect();
+        let mut found = self.spread(&report);
+        for path in open {
+            found.entry(path).or_default();
+        }
+        Some(found)
+    }
+
+    /// The findings of a report by the files they are shown in.
+    fn spread(&mut self, report: &Report) -> BTreeMap<PathBuf, Vec<Diagnostic>> {
+        let mut found: BTreeMap<PathBuf, Vec<Diagnostic>> = BTreeMap::new();
+        let mut left_out: BTreeMap<PathBuf, usize> = BTreeMap::new();
         self.with_calls.clear();
         for finding in &report.findings {
-            let (at_call, own) = self.shown(&report, finding);
+            let (at_call, own) = self.shown(report, finding);
             // one error of a call is enough to lead there
             let at_call = at_call.filter(|(path, at)| {
                 !found.get(path).is_some_and(|list| list.iter().any(|known| known.range == at.range))
             });
             self.with_calls.extend(at_call.iter().map(|(path, _)| path.clone()));
             for (path, diagnostic) in at_call.into_iter().chain(own) {
-                let list = found.entry(path).or_default();
+                let list = found.entry(path.clone()).or_default();
                 if list.len() < MOST {
                     list.push(diagnostic);
+                } else {
+                    *left_out.entry(path).or_default() += 1;
                 }
             }
         }
-        Some(found)
+        for (path, count) in left_out {
+            found.entry(path).or_default().push(more(count));
+        }
+        found
     }
 
     /// A finding at its place, which comes second. An error in a file that is not open, such as a macro of
@@ -189,17 +203,7 @@ impl Engine {
 
     fn of_file(&mut self, path: &Path, cancel: &CancelFlag) -> Result<Vec<Diagnostic>, Failure> {
         let report = self.world.report(&[path.to_path_buf()], cancel).ok_or(Failure::Cancelled)?;
-        let mut list: Vec<Diagnostic> = Vec::new();
-        for finding in &report.findings {
-            let (at_call, own) = self.shown(&report, finding);
-            let at_call = at_call.filter(|(_, at)| list.iter().all(|known| known.range != at.range));
-            let here = at_call.into_iter().chain(own).filter(|(at, _)| at == path);
-            list.extend(here.map(|(_, diagnostic)| diagnostic));
-            if list.len() >= MOST {
-                break;
-            }
-        }
-        Ok(list)
+        Ok(self.spread(&report).remove(path).unwrap_or_default())
     }
 
     fn diagnostic(&self, finding: &Finding) -> Option<Diagnostic> {
@@ -238,6 +242,16 @@ impl Engine {
             })
             .collect();
         Some(serde_json::json!({ "title": fix.message, "safety": fix.safety.name(), "edits": edits? }))
+    }
+}
+
+/// Says that there are more findings than are shown.
+fn more(count: usize) -> Diagnostic {
+    Diagnostic {
+        severity: Some(DiagnosticSeverity::INFORMATION),
+        source: Some("xacro".to_owned()),
+        message: format!("{count} more findings in this file are not shown"),
+        ..Diagnostic::default()
     }
 }
 

@@ -238,3 +238,15 @@ fn an_error_in_a_closed_macro_file_is_shown_at_the_call() {
     client.open(UNIT);
     assert_eq!(client.findings(UNIT), ["7:17-24 zero-axis"]);
 }
+
+#[test]
+fn of_very_many_findings_the_rest_is_counted() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    let links: String = (0..1010).map(|number| format!("<link name=\"a{number}${{m1}}\"/>\n")).collect();
+    client.edit(ROBOT, "</robot>", &format!("{links}</robot>"));
+    let found = client.diagnostics(ROBOT);
+    let told = found.last().unwrap()["message"].as_str().unwrap().to_owned();
+    assert_eq!(found.len(), 1001);
+    assert!(told.ends_with("more findings in this file are not shown"), "{told}");
+}

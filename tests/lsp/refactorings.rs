@@ -268,3 +268,17 @@ fn an_argument_that_no_macro_knows_is_removed() {
     let changed = client.after(ROBOT, &titled(&found, "remove `color`")["edit"]);
     assert!(changed.contains("axis=\"0 1 0\"><origin"), "{changed}");
 }
+
+#[test]
+fn angles_are_noted_in_degrees_and_taken_from_the_note() {
+    let mut client = Client::start();
+    show(&mut client, &robot("<joint name=\"🤖\" type=\"fixed\"><origin rpy=\"0 -1.5708 0\"/></joint>"));
+    let changed = after(&mut client, "rpy=\"0 -1.5|708", "note the angles");
+    assert!(changed.contains("<origin rpy=\"0 -1.5708 0\"/> <!-- rpy in degrees: 0 -90 0 -->"), "{changed}");
+    show(&mut client, &changed.replace("-90", "45"));
+    let changed = after(&mut client, "rpy=\"0 -1.5|708", "the comment says");
+    assert!(
+        changed.contains("<origin rpy=\"0 0.785398163397448 0\"/> <!-- rpy in degrees: 0 45 0 -->"),
+        "{changed}"
+    );
+}

@@ -46,6 +46,39 @@ pub(super) fn angle(source: &SourceFile, offset: u32) -> Option<Action> {
     None
 }
 
+/// What begins the comment with the angles in degrees.
+const NOTE: &str = "<!-- rpy in degrees:";
+
+/// The angles of an `rpy` as a comment in degrees behind the element, or, where there is one, the angles it says.
+pub(super) fn degrees_note(source: &SourceFile, offset: u32) -> Option<Action> {
+    let document = &source.document;
+    let at = locate(document, offset);
+    let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else { return None };
+    let end = at.shift(node.range()).end;
+    let angles = |text: &str| -> Option<[f64; 3]> {
+        let numbers: Option<Vec<f64>> =
+            text.split_whitespace().map(|word| word.parse().ok().filter(|n: &f64| n.is_finite())).collect();
+        numbers?.try_into().ok()
+    };
+    let written = angles(attr.raw()).filter(|_| attr.name() == "rpy" && node.end_tag().is_none())?;
+    let behind = document.slice(TextRange::new(end, end.saturating_add(200)));
+    let line = behind.lines().next().unwrap_or("");
+    let note = line.trim_start().strip_prefix(NOTE).and_then(|rest| rest.split_once("-->"));
+    if let Some((degrees, _)) = note {
+        let degrees = angles(degrees)?;
+        let far = written.iter().zip(degrees).any(|(old, new)| (old - new.to_radians()).abs() > 1e-3);
+        let text = degrees.map(|angle| shown(angle.to_radians(), 15)).join(" ");
+        let edits = vec![edit(source, at.shift(attr.value_range()), text)];
+        return far.then(|| rewrite("write the angles that the comment says", edits));
+    }
+    if written == [0.0; 3] {
+        return None;
+    }
+    let degrees = written.map(|angle| near_whole(angle.to_degrees())).join(" ");
+    let edits = vec![edit(source, TextRange::empty(end), format!(" {NOTE} {degrees} -->"))];
+    Some(rewrite("note the angles in degrees", edits))
+}
+
 /// Words of a value; an expression is one word.
 fn words(raw: &str) -> Vec<(usize, &str)> {
     let mut found = Vec::new();
@@ -85,7 +118,7 @@ fn is_angle(node: crate::xml::Node<'_>, name: &str) -> bool {
 /// Degrees that are a whole number but for what rounding the radians made of them.
 fn near_whole(degrees: f64) -> String {
     let rounded = (degrees * 10.0).round() / 10.0;
-    let close = (rounded - degrees).abs() < 1e-3 * degrees.abs().max(1.0) && rounded != 0.0;
+    let close = (rounded - degrees).abs() < 5e-4 && rounded != 0.0;
     shown(if close { rounded } else { degrees }, 10)
 }
 

@@ -83,6 +83,7 @@ pub fn refactorings(cx: &Cx<'_>, world: Surroundings<'_>, selection: TextRange) 
     found.extend(extract_macro::extract_macro(cx, selection));
     found.extend(prefix::names(cx.source, selection));
     found.extend(convert::angle(cx.source, selection.start));
+    found.extend(convert::degrees_note(cx.source, selection.start));
     found.extend(convert::package_path(cx, world, selection.start));
     found.extend(convert::sort_attributes(cx.source, selection.start));
     found.extend(convert::to_xacro(cx.source, selection.start));
