@@ -1,6 +1,6 @@
 // What the tests share: a copy of the robot, the programs, a browser.
 import { spawn } from 'node:child_process';
-import { cpSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -22,7 +22,9 @@ export function rig() {
     const path = join(folder, name);
     const text = readFileSync(path, 'utf8');
     if (!text.includes(from)) throw new Error(`no ${from} in ${name}`);
-    writeFileSync(path, text.replace(from, to));
+    // in one step: half of a file would be a revision of its own
+    writeFileSync(`${path}.new`, text.replace(from, to));
+    renameSync(`${path}.new`, path);
   };
   return { folder, file, edit };
 }

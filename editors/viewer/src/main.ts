@@ -131,7 +131,10 @@ function show(message: ModelMessage): void {
   let view = views.get(side);
   if (!view) {
     view = new RobotView(side, stage, meshes, values, layers, settings, () => showState());
+    // a second robot looks like the first
+    for (const name of views.get('main')?.hidden ?? []) view.hidden.add(name);
     views.set(side, view);
+    view.select(outlined());
   }
   if (model) view.model = model;
   const models = [...views.values()].map((one) => one.model);
@@ -242,16 +245,22 @@ function find(link: string): { model: Model; view: RobotView } | undefined {
   return undefined;
 }
 
-/** Outline links and mark joints. */
-function select(links: Iterable<string>, names: Iterable<string>): void {
-  selected = { links: new Set(links), joints: new Set(names) };
-  document.body.dataset['selected'] = [...selected.links, ...selected.joints].join(' ');
-  const outlined = new Set(selected.links);
-  for (const view of views.values()) {
-    for (const joint of view.model.joints) if (selected.joints.has(joint.name)) outlined.add(joint.child);
-    view.select(outlined);
+/** The links that are selected, by themselves or by the joints that hold them. */
+function outlined(): Set<string> {
+  const links = new Set(selected.links);
+  for (const { model } of views.values()) {
+    for (const joint of model.joints) if (selected.joints.has(joint.name)) links.add(joint.child);
   }
-  tree.mark(outlined, true);
+  return links;
+}
+
+/** Outline links and mark joints. */
+function select(links: Iterable<string>, moved: Iterable<string>): void {
+  selected = { links: new Set(links), joints: new Set(moved) };
+  document.body.dataset['selected'] = [...selected.links, ...selected.joints].join(' ');
+  const names = outlined();
+  for (const view of views.values()) view.select(names);
+  tree.mark(names, true);
   joints.mark(selected.joints, true);
 }
 
