@@ -206,7 +206,8 @@ export class Server implements vscode.Disposable {
 
   private errorHandler(): ErrorHandler {
     return {
-      error: () => ({ action: ErrorAction.Continue }),
+      // what is written into a pipe that closes right now is no news: `closed` follows
+      error: () => ({ action: ErrorAction.Continue, handled: true }),
       closed: (): CloseHandlerResult => {
         const now = Date.now();
         const again = now - this.lastEnd < RESTART_WINDOW_MS;
