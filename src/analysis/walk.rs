@@ -34,6 +34,13 @@ pub(super) fn is_description(path: &Path) -> bool {
     [".urdf", ".xacro"].iter().any(|ending| name.ends_with(ending))
 }
 
+/// Whether a file is certainly no description, by its name: an editor opens configurations and manifests as well.
+pub(super) fn is_something_else(path: &Path) -> bool {
+    const ENDINGS: [&str; 4] = ["yaml", "yml", "toml", "json"];
+    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or("");
+    ENDINGS.contains(&ending) || path.file_name().is_some_and(|name| name == "package.xml")
+}
+
 #[cfg(test)]
 mod tests {
     use std::path::Path;

@@ -409,7 +409,8 @@ impl World {
     pub fn report(&mut self, paths: &[PathBuf], cancel: &CancelFlag) -> Option<Report> {
         let mut roots: Vec<RootChoice> = Vec::new();
         let mut own: Vec<RootChoice> = Vec::new();
-        for path in paths {
+        let paths: Vec<&PathBuf> = paths.iter().filter(|path| !walk::is_something_else(path)).collect();
+        for path in &paths {
             let root = self.context(path).root.unwrap_or_else(|| RootChoice::plain(path));
             own.push(root.clone());
             if !roots.contains(&root) {
@@ -423,7 +424,8 @@ impl World {
             outcome.findings.extend(check_recovered(&analyzed.expansion, &self.session.vfs));
             outcomes.push(outcome);
         }
-        let mut report = self.session.conclude(&self.options(paths), outcomes);
+        let entries: Vec<PathBuf> = paths.iter().map(|path| (*path).clone()).collect();
+        let mut report = self.session.conclude(&self.options(&entries), outcomes);
         placing::place(&mut report, &self.session.vfs, |path| self.open.contains_key(path));
         for (path, root) in paths.iter().zip(own) {
             self.settle(path, root, &report);

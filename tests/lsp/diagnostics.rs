@@ -230,13 +230,13 @@ fn clients_that_pull_are_told_when_another_file_changed() {
 fn an_error_in_a_closed_macro_file_is_shown_at_the_call() {
     let mut client = Client::start();
     client.open(ROBOT);
-    client.edit(ROBOT, "axis=\"0 1 0\"", "axis=\"0 0 0\"");
+    client.edit(ROBOT, "value=\"0.15\"", "value=\"-0.15\"");
     let found = client.diagnostics(ROBOT);
-    assert_eq!(found.iter().map(short).collect::<Vec<_>>(), ["8:50-55 zero-axis"]);
+    assert_eq!(found.iter().map(short).collect::<Vec<_>>(), ["7:2-13 negative-mass", "8:2-13 negative-mass"]);
     let cause = &found[0]["relatedInformation"][0]["location"];
     assert!(cause["uri"].as_str().unwrap().ends_with("unit.xacro"), "{cause}");
     client.open(UNIT);
-    assert_eq!(client.findings(UNIT), ["7:17-24 zero-axis"]);
+    assert_eq!(client.findings(UNIT), ["4:53-62 negative-mass"]);
 }
 
 #[test]
@@ -249,4 +249,15 @@ fn of_very_many_findings_the_rest_is_counted() {
     let told = found.last().unwrap()["message"].as_str().unwrap().to_owned();
     assert_eq!(found.len(), 1001);
     assert!(told.ends_with("more findings in this file are not shown"), "{told}");
+}
+
+#[test]
+fn an_open_file_of_another_kind_is_not_taken_for_a_robot() {
+    let mut client = Client::start();
+    client.open("src/pan_tilt/config/cam.yaml");
+    client.open("src/pan_tilt/package.xml");
+    client.open(ROBOT);
+    for file in ["src/pan_tilt/config/cam.yaml", "src/pan_tilt/package.xml", ROBOT] {
+        assert_eq!(client.findings(file), Vec::<String>::new(), "{file}");
+    }
 }
