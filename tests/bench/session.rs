@@ -1,0 +1,167 @@
+//! What a language server does with a large robot: the first check, a letter typed in a macro that everything calls,
+//! a letter typed in one call, completion and hover. Each also says what it allocates.
+//!
+//! `first_look` is what the author waits for, `whole_check` what follows when no further key is pressed.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, clippy::disallowed_methods)] // benches may fail loudly
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use divan::{AllocProfiler, Bencher, black_box};
+use xacro_lsp::analysis::{RootChoice, World};
+use xacro_lsp::base::{CancelFlag, TextRange};
+use xacro_lsp::ide::{self, Cx, Scope, Sources};
+use xacro_lsp::vfs::Environment;
+
+#[global_allocator]
+static ALLOCATIONS: AllocProfiler = AllocProfiler::system();
+
+fn main() {
+    divan::main();
+}
+
+/// Calls of one macro; each gives a link and a joint in four lines.
+const CALLS: [usize; 3] = [50, 500, 5000];
+
+fn robot(calls: usize) -> String {
+    let mut text = String::from(
+        "<robot name=\"bench\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">
+  <xacro:property name=\"base_mass\" value=\"2.5\"/>
+  <xacro:macro name=\"seg\" params=\"name parent radius:=0.1 *origin\">
+    <link name=\"${name}\">
+      <inertial>
+        <mass value=\"${base_mass * radius}\"/>
+        <inertia ixx=\"${base_mass * radius ** 2}\" ixy=\"0\" ixz=\"0\" iyy=\"0.1\" iyz=\"0\" izz=\"0.1\"/>
+      </inertial>
+    </link>
+    <joint name=\"${name}_joint\" type=\"revolute\">
+      <parent link=\"${parent}\"/>
+      <child link=\"${name}\"/>
+      <xacro:insert_block name=\"origin\"/>
+      <axis xyz=\"0 0 1\"/>
+      <limit lower=\"${-pi}\" upper=\"${pi}\" effort=\"10\" velocity=\"1\"/>
+    </joint>
+  </xacro:macro>
+  <link name=\"s0\"/>\n",
+    );
+    for n in 1..=calls {
+        text.push_str(&format!(
+            "  <xacro:property name=\"r_{n}\" value=\"${{0.1 + {n} / 1e5}}\"/>
+  <xacro:seg name=\"s{n}\" parent=\"s{}\" radius=\"${{r_{n}}}\">
+    <origin xyz=\"0.1 0 ${{r_{n} * 2}}\"/>
+  </xacro:seg>\n",
+            n - 1
+        ));
+    }
+    text.push_str("</robot>\n");
+    text
+}
+
+/// A session with one open robot, checked once.
+struct Session {
+    world: World,
+    path: PathBuf,
+    text: String,
+    /// Whether the extra letter stands in the text.
+    typed: bool,
+}
+
+impl Session {
+    fn open(calls: usize) -> Self {
+        let folder = Path::new("/nowhere");
+        let env = Environment { vars: BTreeMap::new(), cwd: folder.to_owned() };
+        let (mut world, path, text) = (World::new(env, Vec::new()), folder.join("bench.xacro"), robot(calls));
+        world.set_text(&path, text.clone());
+        let mut session = Self { world, path, text, typed: false };
+        session.check();
+        session
+    }
+
+    fn check(&mut self) -> usize {
+        let report = self.world.report(std::slice::from_ref(&self.path), &CancelFlag::default());
+        report.unwrap().findings.len()
+    }
+
+    /// Type a letter behind the first `name`, or take it back.
+    fn toggle(&mut self, name: &str) {
+        let at = (self.text.find(name).unwrap() + name.len()) as u32;
+        let (end, letter) = if self.typed { (at + 1, "") } else { (at, "x") };
+        self.typed = !self.typed;
+        self.world.edit(&self.path, TextRange::new(at, end), letter);
+    }
+}
+
+#[divan::bench(args = CALLS, sample_count = 10)]
+fn open(bencher: Bencher<'_, '_>, calls: usize) {
+    bencher.bench_local(|| Session::open(black_box(calls)));
+}
+
+#[divan::bench(args = CALLS)]
+fn first_look_in_the_macro(bencher: Bencher<'_, '_>, calls: usize) {
+    let mut session = Session::open(calls);
+    bencher.bench_local(move || {
+        session.toggle("${base_mass");
+        session.world.first_look(&session.path).map(|look| look.findings.len())
+    });
+}
+
+#[divan::bench(args = CALLS)]
+fn first_look_in_a_call(bencher: Bencher<'_, '_>, calls: usize) {
+    let mut session = Session::open(calls);
+    bencher.bench_local(move || {
+        session.toggle("name=\"s7");
+        session.world.first_look(&session.path).map(|look| look.findings.len())
+    });
+}
+
+#[divan::bench(args = CALLS, sample_count = 10)]
+fn whole_check(bencher: Bencher<'_, '_>, calls: usize) {
+    let mut session = Session::open(calls);
+    bencher.bench_local(move || {
+        session.toggle("name=\"s7");
+        session.check()
+    });
+}
+
+#[divan::bench(args = CALLS)]
+fn completion(bencher: Bencher<'_, '_>, calls: usize) {
+    let mut session = Session::open(calls);
+    let root = RootChoice::plain(&session.path);
+    let analyzed = session.world.analyzed(&root, &CancelFlag::default()).unwrap();
+    let source = session.world.document(&session.path).unwrap();
+    let offset = session.text.find("base_mass *").unwrap() as u32 + 4;
+    bencher.bench_local(|| {
+        let expansions = [(&analyzed.expansion, analyzed.robot.as_ref())];
+        let scope = Scope::new(Sources {
+            source: &source,
+            root: &root.file,
+            expansions: &expansions,
+            vfs: &session.world.session().vfs,
+            packages: &session.world.session().packages,
+            folders: &[],
+            roots: &[],
+        });
+        ide::completions(&scope, black_box(offset), None).items.len()
+    });
+}
+
+#[divan::bench(args = CALLS)]
+fn hover(bencher: Bencher<'_, '_>, calls: usize) {
+    let mut session = Session::open(calls);
+    let root = RootChoice::plain(&session.path);
+    let analyzed = session.world.analyzed(&root, &CancelFlag::default()).unwrap();
+    let source = session.world.document(&session.path).unwrap();
+    let settings = session.world.session().settings(&session.path);
+    let offset = session.text.find("base_mass *").unwrap() as u32 + 4;
+    bencher.bench_local(|| {
+        let cx = Cx {
+            source: &source,
+            expansion: &analyzed.expansion,
+            robot: analyzed.robot.as_ref(),
+            kinematics: analyzed.kinematics.as_ref(),
+            pinned: None,
+        };
+        let around = session.world.session().surroundings(&settings.config);
+        ide::hover(&cx, around, black_box(offset)).is_some()
+    });
+}
