@@ -37,6 +37,21 @@ pub(super) fn text_range(document: &Document, range: Range, encoding: Encoding) 
     TextRange::new(a.min(b), a.max(b))
 }
 
+/// The bytes that an edit replaces. Where an edit begins or ends between the halves of a surrogate pair, clients that
+/// count so keep no half of it: the character belongs to what is in front of the place.
+pub(super) fn edited_range(document: &Document, range: Range, encoding: Encoding) -> TextRange {
+    let behind = |position: Position| {
+        let at = offset(document, position, encoding);
+        let back = document.line_col(at, encoding);
+        let is_inside = encoding == Encoding::Utf16
+            && (back.line, back.col + 1) == (position.line, position.character)
+            && document.slice(TextRange::new(at, at + 4)).chars().next().is_some_and(|c| c.len_utf16() == 2);
+        if is_inside { at + 4 } else { at }
+    };
+    let (a, b) = (behind(range.start), behind(range.end));
+    TextRange::new(a.min(b), a.max(b))
+}
+
 impl Engine {
     /// A place in a file.
     pub fn location(&self, span: Span) -> Option<Location> {

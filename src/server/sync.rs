@@ -32,7 +32,7 @@ impl Engine {
         for change in params.content_changes {
             match (change.range, self.world.document(&path)) {
                 (Some(range), Some(source)) => {
-                    let range = convert::text_range(&source.document, range, self.encoding);
+                    let range = convert::edited_range(&source.document, range, self.encoding);
                     self.world.edit(&path, range, &change.text);
                 }
                 _ => self.world.set_text(&path, change.text),

@@ -118,6 +118,8 @@ test("typing", "measuring_cell", async (window) => {
   await shows("    <visual></visual>");
   // tags are edited together
   await window.go(line + 2, 8);
+  // the editor asks which text goes together a while after the cursor has moved
+  await window.page.locator(".linked-editing-decoration").first().waitFor({ state: "attached" });
   await window.page.keyboard.type("x");
   await shows("<vixsual></vixsual>");
   await window.save();
