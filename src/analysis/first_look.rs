@@ -150,7 +150,7 @@ impl World {
         });
         let outcome = Outcome {
             job,
-            is_robot: last.outcome.is_robot,
+            is_robot: last.is_robot(),
             complete: false,
             reads: Vec::new(),
             files: vec![source.clone()],

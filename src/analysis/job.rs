@@ -36,7 +36,8 @@ pub(super) struct Outcome {
 /// Expand a file and check the result.
 pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcome {
     let expansion = expansion(session, options, &job);
-    judge(session, &options.cancel, job, &expansion)
+    let robot = Robot::of(&expansion);
+    judge(session, &options.cancel, job, &expansion, robot.as_ref())
 }
 
 /// Expand a file.
@@ -62,15 +63,20 @@ pub(super) fn part(session: &Session, cancel: &CancelFlag, job: &Job, focus: Opt
 }
 
 /// Check an expansion. When cancelled, findings are missing.
-pub(super) fn judge(session: &Session, cancel: &CancelFlag, job: Job, expansion: &Expansion) -> Outcome {
+pub(super) fn judge(
+    session: &Session,
+    cancel: &CancelFlag,
+    job: Job,
+    expansion: &Expansion,
+    robot: Option<&Robot>,
+) -> Outcome {
     let settings = session.settings(&job.file);
     let around = session.surroundings(&settings.config);
-    let robot = Robot::of(expansion);
-    let kind = kind(expansion, robot.as_ref(), &job);
+    let kind = kind(expansion, robot, &job);
     let explicit = job.reason != Reason::Walked;
     let rules = wanted(session, expansion, settings.clone());
     let chosen = Chosen { rules: &rules, cancel };
-    let mut findings = check_expansion(expansion, robot.as_ref(), (kind, explicit), around, chosen);
+    let mut findings = check_expansion(expansion, robot, (kind, explicit), around, chosen);
     findings.append(&mut check_files(expansion, around, chosen));
     if let Some(error) = &expansion.root_error {
         findings.extend(unreadable(session.vfs.file_id(&job.file), error));
@@ -115,7 +121,7 @@ fn suppressed(expansion: &Expansion) -> Vec<Selector> {
 }
 
 /// A file is a robot when it is configured as one, calls itself plain URDF, or gives one by itself.
-fn kind(expansion: &Expansion, robot: Option<&Robot>, job: &Job) -> RootKind {
+pub(super) fn kind(expansion: &Expansion, robot: Option<&Robot>, job: &Job) -> RootKind {
     let uses_xacro =
         |file: &FileUse| file.source.document.root().is_some_and(|root| root.attr("xmlns:xacro").is_some());
     let plain = job.file.extension().is_some_and(|ending| ending == "urdf")

@@ -19,11 +19,11 @@ use super::walk;
 use crate::base::{CancelFlag, FastMap, TextRange};
 use crate::expand::{Expansion, Read, Written, write_mapped};
 use crate::model::{Kinematics, Robot};
-use crate::rules::check_recovered;
+use crate::rules::{RootKind, check_recovered};
 use crate::vfs::{Environment, SourceFile, Vfs};
 use crate::workspace::config::Config;
 
-/// A root expanded and judged.
+/// A root expanded.
 pub struct Analyzed {
     /// What was expanded.
     pub root: RootChoice,
@@ -33,8 +33,8 @@ pub struct Analyzed {
     pub robot: Option<Robot>,
     /// How its links hang together.
     pub kinematics: Option<Kinematics>,
-    /// The outcome for reports.
-    pub(super) outcome: Outcome,
+    /// What the rules say, once somebody has asked: most questions of an editor are about the robot alone.
+    outcome: OnceLock<Outcome>,
     written: OnceLock<Written>,
     epoch: u64,
 }
@@ -44,6 +44,24 @@ impl Analyzed {
     pub fn written(&self) -> &Written {
         let name = self.expansion.files.first().map_or("", |file| file.name.as_str());
         self.written.get_or_init(|| write_mapped(&self.expansion.tree, name))
+    }
+
+    /// What the rules say. `None` when cancelled.
+    fn outcome(&self, session: &Session, cancel: &CancelFlag) -> Option<&Outcome> {
+        if self.outcome.get().is_none() {
+            let (job, robot) = (job_of(&self.root), self.robot.as_ref());
+            let outcome = job::judge(session, cancel, job, &self.expansion, robot);
+            if cancel.is_cancelled() {
+                return None;
+            }
+            let _ = self.outcome.set(outcome);
+        }
+        self.outcome.get()
+    }
+
+    /// Whether the root is a robot on its own.
+    pub(super) fn is_robot(&self) -> bool {
+        job::kind(&self.expansion, self.robot.as_ref(), &job_of(&self.root)) == RootKind::Robot
     }
 
     /// Whether a file took part.
@@ -317,7 +335,7 @@ impl World {
         self.configured_variants(&root.file).contains(root)
     }
 
-    /// A root expanded and judged; from the cache when nothing it read has changed. `None` when cancelled.
+    /// A root expanded; from the cache when nothing it read has changed. `None` when cancelled.
     pub fn analyzed(&mut self, root: &RootChoice, cancel: &CancelFlag) -> Option<Arc<Analyzed>> {
         if let Some(known) = self.cache.get(root)
             && known.epoch == self.epoch
@@ -327,23 +345,14 @@ impl World {
         }
         let (session, options) =
             (&self.session, CheckOptions { cancel: cancel.clone(), ..CheckOptions::default() });
-        let job = Job {
-            file: root.file.clone(),
-            reason: Reason::Named,
-            args: root.args.clone(),
-            preset: root.preset.clone(),
-        };
-        let expansion = job::expansion(session, &options, &job);
-        if cancel.is_cancelled() {
-            return None;
-        }
-        let outcome = job::judge(session, cancel, job, &expansion);
+        let expansion = job::expansion(session, &options, &job_of(root));
         if cancel.is_cancelled() {
             return None;
         }
         let robot = Robot::of(&expansion);
         let kinematics = robot.as_ref().map(Kinematics::of);
-        let (root, epoch, written) = (root.clone(), self.epoch, OnceLock::new());
+        let (root, epoch) = (root.clone(), self.epoch);
+        let (outcome, written) = (OnceLock::new(), OnceLock::new());
         let made = Analyzed { root: root.clone(), expansion, robot, kinematics, outcome, written, epoch };
         let made = Arc::new(made);
         if self.cache.len() >= Self::MOST_CACHED {
@@ -420,7 +429,7 @@ impl World {
         let mut outcomes = Vec::new();
         for root in &roots {
             let analyzed = self.analyzed(root, cancel)?;
-            let mut outcome = analyzed.outcome.clone();
+            let mut outcome = analyzed.outcome(&self.session, cancel)?.clone();
             outcome.findings.extend(check_recovered(&analyzed.expansion, &self.session.vfs));
             outcomes.push(outcome);
         }
@@ -442,6 +451,12 @@ impl World {
     pub(super) fn last(&self, root: &RootChoice) -> Option<&Arc<Analyzed>> {
         self.cache.get(root)
     }
+}
+
+/// The expansion of a root.
+fn job_of(root: &RootChoice) -> Job {
+    let RootChoice { file, args, preset } = root.clone();
+    Job { file, reason: Reason::Named, args, preset }
 }
 
 fn session(
