@@ -174,9 +174,13 @@ test('a click selects a link, says where it is written, and shift the call', asy
   await page.keyboard.up('Shift');
   await said('urdf/rig.urdf.xacro:12:3');
   await shot(page, 'selected');
-  // a click beside the robot; the answer to the last one may come in between
-  await page.mouse.click(400, 700);
-  await page.waitForFunction(() => document.body.getAttribute('data-selected') === '');
+  // a click beside the robot; what the program says to the click before may select the link once more
+  const left = () => page.getAttribute('body', 'data-selected');
+  for (let i = 0; i < 20 && (await left()) !== ''; i++) {
+    await page.mouse.click(400, 700);
+    await drawn(page);
+  }
+  assert.equal(await left(), '');
 });
 
 test('dragging a link moves its joint, dragging elsewhere the camera', async () => {
