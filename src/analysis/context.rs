@@ -89,7 +89,6 @@ impl World {
             .or_else(|| itself().map(|(root, _)| (root.clone(), Reason::Itself)))
             .or_else(|| includes().map(|(root, _)| (root.clone(), Reason::Includes)));
         let (root, reason) = chosen.map_or((None, Reason::None), |(root, reason)| (Some(root), reason));
-        let root = root.map(|root| self.with_session_args(root));
         Context { root, reason, candidates }
     }
 

@@ -12,7 +12,7 @@ use super::roots::{Job, Reason};
 use super::world::{Analyzed, World};
 use crate::base::{CancelFlag, Span, TextRange};
 use crate::expand::Focus;
-use crate::rules::{Category, Finding, check_part};
+use crate::rules::{Category, Finding, LEFT_TO_DO, check_part};
 use crate::vfs::SourceFile;
 use crate::xml::{Document, Item, NodeKind};
 
@@ -201,7 +201,7 @@ fn is_known_elsewhere(finding: &Finding, source: &SourceFile, last: &Analyzed) -
 
 /// Whether an edit changes nothing but words in a comment: not where lines begin, and no word that a tool looks for.
 fn is_idle_talk(document: &Document, range: TextRange, text: &str) -> bool {
-    const MEANT_FOR_TOOLS: [&str; 6] = ["xacro", "$", "TODO", "FIXME", "XXX", "HACK"];
+    const MEANT_FOR_TOOLS: [&str; 2] = ["xacro", "$"];
     let place = document.item_at(range.start);
     let Some(start) = range.start.checked_sub(place.start) else { return false };
     let inner = TextRange::new(start, start + range.len());
@@ -210,7 +210,7 @@ fn is_idle_talk(document: &Document, range: TextRange, text: &str) -> bool {
     let cut = |from: u32, to: u32| TextRange::new(from, to).slice(place.item.text());
     let whole = comment.raw_range();
     let after = [cut(whole.start, inner.start), text, cut(inner.end, whole.end)].concat();
-    let is_plain = |text: &str| !MEANT_FOR_TOOLS.iter().any(|word| text.contains(word));
+    let is_plain = |text: &str| !MEANT_FOR_TOOLS.iter().chain(&LEFT_TO_DO).any(|word| text.contains(word));
     let keeps_shape = |text: &str| !text.contains(['\n', '\r', '>']);
     is_plain(comment.raw())
         && is_plain(&after)

@@ -278,7 +278,7 @@ fn errors(text: &str) -> usize {
 mod tests {
     use super::{apply, choose};
     use crate::base::{FileId, Span, TextRange};
-    use crate::rules::{Edit, Finding, Fix, Safety, Severity, by_code};
+    use crate::rules::{Edit, Finding, Fix, Safety, by_code};
 
     /// A finding whose fix makes these edits: file, start, end, new text.
     fn finding(edits: &[(u32, u32, u32, &str)]) -> Finding {
@@ -290,17 +290,8 @@ mod tests {
                 content: content.into(),
             })
             .collect();
-        Finding {
-            rule: by_code("XML001").unwrap(),
-            severity: Severity::Error,
-            message: String::new(),
-            span: span(0, 0, 0),
-            related: Vec::new(),
-            help: None,
-            fix: Some(Fix { safety: Safety::Safe, message: String::new(), edits }),
-            ways: Vec::new(),
-            partial: false,
-        }
+        let fix = Fix { safety: Safety::Safe, message: String::new(), edits };
+        Finding { fix: Some(fix), ..Finding::new(by_code("XML001").unwrap(), span(0, 0, 0), "") }
     }
 
     #[test]

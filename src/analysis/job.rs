@@ -168,15 +168,5 @@ fn unreadable(file: FileId, error: &LoadError) -> Option<Finding> {
     let rule = by_code("XML001")?;
     let message = format!("the file cannot be read: {}", error.strerror);
     let span = Span { file, range: TextRange::default() };
-    Some(Finding {
-        rule,
-        severity: rule.severity,
-        message,
-        span,
-        related: Vec::new(),
-        help: None,
-        fix: None,
-        ways: Vec::new(),
-        partial: false,
-    })
+    Some(Finding::new(rule, span, message))
 }

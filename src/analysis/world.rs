@@ -308,10 +308,6 @@ impl World {
         self.picks.get(path).or_else(anywhere).cloned()
     }
 
-    pub(super) fn with_session_args(&self, root: RootChoice) -> RootChoice {
-        root
-    }
-
     pub(super) fn same_package(&self, a: &Path, b: &Path) -> bool {
         let package = |path: &Path| self.session.packages.containing(path).map(|package| package.folder);
         package(a).is_some_and(|folder| Some(folder) == package(b))

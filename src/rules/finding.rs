@@ -43,6 +43,23 @@ pub struct Way {
     pub help: Option<String>,
 }
 
+impl Finding {
+    /// A finding without further places, help or fix, as bad as its rule says.
+    pub fn new(rule: &'static Rule, span: Span, message: impl Into<String>) -> Self {
+        Self {
+            rule,
+            severity: rule.severity,
+            message: message.into(),
+            span,
+            related: Vec::new(),
+            help: None,
+            fix: None,
+            ways: Vec::new(),
+            partial: false,
+        }
+    }
+}
+
 /// A further place of a finding.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Related {

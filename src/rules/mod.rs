@@ -46,4 +46,5 @@ pub use registry::{
 pub use run::{Chosen, check_expansion, check_files, check_part, check_recovered};
 pub use selection::{Selection, SelectionOptions};
 pub use sink::Sink;
+pub use style::LEFT_TO_DO;
 pub use thresholds::{THRESHOLDS, Threshold};

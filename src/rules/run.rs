@@ -244,17 +244,8 @@ fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Option<Findin
         edits: vec![Edit { span: Span { file, range }, content: content.clone() }],
     });
     let fix = fix.or_else(|| mend::fix(problem, document, place, vfs));
-    let mut finding = Finding {
-        rule,
-        severity: rule.severity,
-        message: problem.message.clone(),
-        span: place,
-        related: Vec::new(),
-        help: problem.help.clone(),
-        fix,
-        ways: Vec::new(),
-        partial: false,
-    };
+    let new = Finding::new(rule, place, problem.message.clone());
+    let mut finding = Finding { help: problem.help.clone(), fix, ..new };
     limit_calls(&mut finding, calls);
     Some(finding)
 }

@@ -80,18 +80,7 @@ impl<'a> Sink<'a> {
     }
 
     fn draft(&mut self, span: Span, calls: Vec<Related>, message: String) -> Reported<'_, 'a> {
-        let rule = self.rule;
-        let finding = Finding {
-            rule,
-            severity: rule.severity,
-            message,
-            span,
-            related: Vec::new(),
-            help: None,
-            fix: None,
-            ways: Vec::new(),
-            partial: false,
-        };
+        let finding = Finding::new(self.rule, span, message);
         Reported { draft: Draft { finding, calls, instances: Vec::new() }, sink: self }
     }
 

@@ -10,7 +10,7 @@ use super::engine::Engine;
 use super::expansion::{ExpandError, Root};
 use super::failure::Failure;
 use super::outbox::Message;
-use crate::analysis::{Analyzed, RootChoice};
+use crate::analysis::{Analyzed, Context, RootChoice};
 use crate::base::CancelFlag;
 use crate::expand::Origin;
 use crate::ide;
@@ -24,6 +24,8 @@ pub(super) struct RootsParams {
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Roots {
     pub active: Option<Root>,
+    /// What the file is seen as, for a status line: as `xacro/contextChanged` says it.
+    pub text: String,
     pub reason: &'static str,
     pub candidates: Vec<Candidate>,
     pub args: Vec<Argument>,
@@ -105,11 +107,13 @@ impl Engine {
                 Argument { name: name.to_string(), value: value.to_string(), default, doc }
             }));
         }
+        let text = self.context_text(&path, &context, cancel);
         let candidates = context.candidates.iter().filter_map(|(root, distance)| {
             Some(Candidate { root: self.named(root).ok()?, distance: *distance })
         });
         Ok(Roots {
             active: context.root.as_ref().and_then(|root| self.named(root).ok()),
+            text,
             reason: context.reason.text(),
             candidates: candidates.collect(),
             args,
@@ -171,14 +175,18 @@ impl Engine {
         let context = self.world.context(path);
         let Some(uri) = self.uri(path) else { return };
         let active = context.root.as_ref().and_then(|root| self.named(root).ok());
-        let pinned = context.root.as_ref().and_then(|root| self.pinned_label(path, root, cancel));
-        let text = context.root.as_ref().map_or_else(|| context.reason.text().to_owned(), label);
-        let text = pinned.unwrap_or(text);
+        let text = self.context_text(path, &context, cancel);
         let params = json!({ "textDocument": { "uri": uri }, "active": active, "text": text });
         if self.told.insert(path.to_path_buf(), params.clone()).as_ref() == Some(&params) {
             return;
         }
         self.outbox.send(Message::Custom("xacro/contextChanged", params));
+    }
+
+    /// The call that was picked, or else the root with its arguments, or else why there is none.
+    fn context_text(&mut self, path: &std::path::Path, context: &Context, cancel: &CancelFlag) -> String {
+        let Some(root) = &context.root else { return context.reason.text().to_owned() };
+        self.pinned_label(path, root, cancel).unwrap_or_else(|| label(root))
     }
 
     pub fn tree(&mut self, params: TreeParams, cancel: &CancelFlag) -> Result<Tree, Failure> {

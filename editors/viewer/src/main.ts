@@ -279,13 +279,19 @@ function selectJoint(name: string): void {
   tell({ joint: name }, joint.origin);
 }
 
+/** What was clicked here last: the program says it back to all viewers, also to this one. */
+let told = { name: '', until: 0 };
+const ANSWERED_WITHIN_MS = 2000;
+
 function tell(what: { link: string } | { joint: string }, location: Location | undefined): void {
+  told = { name: 'link' in what ? what.link : what.joint, until: performance.now() + ANSWERED_WITHIN_MS };
   host.send({ type: 'select', ...what, ...(location ? { location } : {}) });
 }
 
 /** The cursor in the source is somewhere else. */
 function take(message: SelectMessage): void {
-  // what was clicked here comes back with its place
+  // what was clicked here comes back, perhaps when something else is selected by now
+  if (performance.now() < told.until && (message.link === told.name || message.joint === told.name)) return;
   if (message.link !== undefined && selected.links.has(message.link)) return;
   if (message.joint !== undefined && selected.joints.has(message.joint)) return;
   const links = message.links ?? (message.link === undefined ? [] : [message.link]);

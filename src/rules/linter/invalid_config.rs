@@ -19,15 +19,7 @@ pub(super) const RULE: Rule = Rule {
 
 /// The finding about a warning of the configuration in `file`.
 pub fn invalid_config(file: FileId, warning: &ConfigWarning) -> Finding {
-    Finding {
-        rule: &RULE,
-        severity: RULE.severity,
-        message: warning.message.clone(),
-        span: Span { file, range: warning.place.range },
-        related: Vec::new(),
-        help: warning.nearest.as_ref().map(|near| format!("did you mean `{near}`?")),
-        fix: None,
-        ways: Vec::new(),
-        partial: false,
-    }
+    let span = Span { file, range: warning.place.range };
+    let help = warning.nearest.as_ref().map(|near| format!("did you mean `{near}`?"));
+    Finding { help, ..Finding::new(&RULE, span, warning.message.clone()) }
 }

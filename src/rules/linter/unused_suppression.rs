@@ -45,17 +45,8 @@ pub fn unused_suppression(
             ("delete the comment".to_owned(), Edit { span: span(range), content: String::new() })
         }
     };
-    Finding {
-        rule: &RULE,
-        severity: RULE.severity,
-        message,
-        span: span(suppression.comment),
-        related: Vec::new(),
-        help: None,
-        fix: Some(Fix { safety: Safety::Safe, message: message_of_fix, edits: vec![edit] }),
-        ways: Vec::new(),
-        partial: false,
-    }
+    let fix = Fix { safety: Safety::Safe, message: message_of_fix, edits: vec![edit] };
+    Finding { fix: Some(fix), ..Finding::new(&RULE, span(suppression.comment), message) }
 }
 
 /// A comment that has its lines for itself, with these lines.

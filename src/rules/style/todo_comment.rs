@@ -17,11 +17,14 @@ pub(super) const RULE: Rule = Rule {
     check: Check::File(check),
 };
 
+/// Words that say something is left to do.
+pub const LEFT_TO_DO: [&str; 2] = ["TODO", "FIXME"];
+
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     for (base, item) in cx.source.document.parts() {
         for node in item.all_nodes().filter(|node| node.kind() == NodeKind::Comment) {
             let mut words = node.raw().split(|c: char| !c.is_alphanumeric());
-            if let Some(word) = words.find(|word| matches!(*word, "TODO" | "FIXME")) {
+            if let Some(word) = words.find(|word| LEFT_TO_DO.contains(word)) {
                 out.report_in(cx.file, node.range().shift(base), format!("`{word}` in a comment"))
                     .help("do it, or move it to where such things are tracked")
                     .done();

@@ -299,23 +299,9 @@ local function prepare()
     })
   end
   local changed = scratch.debounced(config.get().expand.delay, M.refresh)
-  vim.api.nvim_create_autocmd({ 'TextChanged', 'TextChangedI', 'TextChangedP' }, {
-    group = group,
-    callback = function(event)
-      if vim.bo[event.buf].buftype == '' then
-        changed()
-      end
-    end,
-  })
-  vim.api.nvim_create_autocmd('BufWritePost', { group = group, callback = changed })
-  vim.api.nvim_create_autocmd('BufWipeout', {
-    group = group,
-    buffer = bufnr,
-    callback = function()
-      vim.api.nvim_del_augroup_by_id(group)
-      view = nil
-    end,
-  })
+  scratch.follow(group, bufnr, { 'TextChanged', 'TextChangedI', 'TextChangedP', 'BufWritePost' }, changed, function()
+    view = nil
+  end)
 end
 
 --- Show the robot of the current file.

@@ -72,6 +72,31 @@ function M.debounced(delay, run)
   end
 end
 
+--- Call `changed` when text of files changes, as long as a buffer of ours is there.
+---@param group integer autocommand group of the buffer
+---@param bufnr integer
+---@param events string[]
+---@param changed fun()
+---@param gone fun() called when the buffer is wiped
+function M.follow(group, bufnr, events, changed, gone)
+  vim.api.nvim_create_autocmd(events, {
+    group = group,
+    callback = function(event)
+      if vim.bo[event.buf].buftype == '' then
+        changed()
+      end
+    end,
+  })
+  vim.api.nvim_create_autocmd('BufWipeout', {
+    group = group,
+    buffer = bufnr,
+    callback = function()
+      vim.api.nvim_del_augroup_by_id(group)
+      gone()
+    end,
+  })
+end
+
 --- A text for 'winbar', where `%` means something.
 ---@param text string
 ---@return string

@@ -39,13 +39,9 @@ end
 function M.ask(bufnr, on_text)
   local document = talk.document(bufnr)
   talk.ask(bufnr, 'xacro/roots', { textDocument = document }, function(roots)
-    local text = roots.reason
-    if roots.active then
-      text = vim.trim(vim.fs.basename(vim.uri_to_fname(roots.active.uri)) .. ' ' .. M.args(roots.active))
-    end
-    M.set(document.uri, text)
+    M.set(document.uri, roots.text)
     if on_text then
-      on_text(text)
+      on_text(roots.text)
     end
   end, true)
 end

@@ -98,22 +98,9 @@ local function prepare()
   end, { buffer = bufnr, nowait = true, desc = 'close' })
   local group = vim.api.nvim_create_augroup('xacro_tree', {})
   local changed = scratch.debounced(300, M.refresh)
-  vim.api.nvim_create_autocmd({ 'TextChanged', 'InsertLeave', 'BufWritePost' }, {
-    group = group,
-    callback = function(event)
-      if vim.bo[event.buf].buftype == '' then
-        changed()
-      end
-    end,
-  })
-  vim.api.nvim_create_autocmd('BufWipeout', {
-    group = group,
-    buffer = bufnr,
-    callback = function()
-      vim.api.nvim_del_augroup_by_id(group)
-      tree = nil
-    end,
-  })
+  scratch.follow(group, bufnr, { 'TextChanged', 'InsertLeave', 'BufWritePost' }, changed, function()
+    tree = nil
+  end)
 end
 
 --- Show the tree of the robot of the current file.
