@@ -28,7 +28,7 @@ fn passed(expansion: &Expansion, origin: Origin) -> Option<Origin> {
     let token = the_name(expansion, origin)?;
     let evaluations = &expansion.evaluations;
     let evaluation = evaluations.in_frame(SourceRange { src: origin.src, range: token }, origin.frame)?;
-    let [read] = evaluations.reads(evaluation) else { return None };
+    let [read] = expansion.read_in(evaluation.reads) else { return None };
     let binding = expansion.bindings.get(*read as usize)?;
     let given = binding.origin.filter(|_| binding.kind == BindingKind::Parameter)?;
     // a default belongs to the macro, not to the call

@@ -66,7 +66,7 @@ impl Expander<'_> {
                     let value = self.eval_text(text, *place, cx.scope);
                     display::to_str(&value)
                 });
-                let reads = self.reads.drain(mark..).collect();
+                let reads = self.take_reads(mark);
                 let origin = default.map_or(place.origin, |(_, place)| place.origin);
                 let info = BindingInfo {
                     reads,
@@ -184,7 +184,12 @@ impl Expander<'_> {
 
     fn rebuild_attrs(&mut self, from: XId, to: XId, cx: Cx) {
         let attrs = self.result.tree.get(from).attrs.clone();
-        let rebuilt = attrs.into_iter().filter(|a| !a.name.starts_with("xacro:")).map(|attr| {
+        let is_final = |attr: &XAttr| !attr.name.starts_with("xacro:") && !attr.value.contains('$');
+        if attrs.iter().all(is_final) {
+            self.result.tree.get_mut(to).attrs = attrs;
+            return;
+        }
+        let rebuilt = attrs.iter().filter(|a| !a.name.starts_with("xacro:")).cloned().map(|attr| {
             if !attr.value.contains('$') {
                 return attr;
             }

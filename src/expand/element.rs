@@ -252,8 +252,7 @@ impl Expander<'_> {
 
     /// Evaluate the attributes of a tag onto `out`; those of xacro itself are dropped.
     pub fn eval_attributes(&mut self, tag: Tag<'_>, out: XId, cx: Cx) {
-        // results are kept for long: no room for more attributes than there are
-        self.result.tree.get_mut(out).attrs.reserve_exact(tag.node.attrs().len());
+        let mut attrs = std::mem::take(&mut self.attrs);
         for attr in tag.attrs() {
             let name = attr.name();
             if name.starts_with("xacro:") || name == "xmlns:xacro" {
@@ -267,8 +266,10 @@ impl Expander<'_> {
             } else {
                 (EcoString::from(text.as_ref()), Box::default())
             };
-            self.result.tree.get_mut(out).attrs.push(XAttr { name: name.into(), value, origin, pieces });
+            attrs.push(XAttr { name: name.into(), value, origin, pieces });
         }
+        self.result.tree.get_mut(out).attrs = attrs.drain(..).collect();
+        self.attrs = attrs;
     }
 
     /// `xacro:element`: go on under the computed name.

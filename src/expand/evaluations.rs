@@ -15,15 +15,14 @@ pub struct Evaluation {
     pub at: Origin,
     /// What it gave.
     pub value: Value,
-    /// Its part of [`Evaluations::reads`].
-    reads: TextRange,
+    /// The bindings that were read for it: see [`Expansion::read_in`](super::Expansion::read_in).
+    pub reads: TextRange,
 }
 
 /// All values that expressions gave, in order.
 #[derive(Clone, Debug, Default)]
 pub struct Evaluations {
     list: Vec<Evaluation>,
-    reads: Vec<u32>,
     /// By place, made on first use.
     places: OnceLock<FastMap<SourceRange, Vec<u32>>>,
     /// The first of each place and frame, made on first use.
@@ -50,7 +49,6 @@ impl Evaluations {
     /// Give back the room for more.
     pub(super) fn shrink(&mut self) {
         self.list.shrink_to_fit();
-        self.reads.shrink_to_fit();
     }
 
     /// The first of one `${...}` or `$(...)` in one frame.
@@ -69,24 +67,32 @@ impl Evaluations {
     pub fn is_full(&self) -> bool {
         self.list.len() >= Self::MOST
     }
-
-    /// The bindings that were read for a value: indices of [`Expansion::bindings`](super::Expansion::bindings).
-    pub fn reads(&self, evaluation: &Evaluation) -> &[u32] {
-        let TextRange { start, end } = evaluation.reads;
-        self.reads.get(start as usize..end as usize).unwrap_or(&[])
-    }
 }
 
 impl Expander<'_> {
-    /// Note what the expression at `at` gave; `mark` is how many reads there were before.
-    pub fn note_value(&mut self, at: Origin, value: &Value, mark: usize) {
+    /// Note what the expression at `at` gave; `mark` is how many reads there were before. Answers with their part of
+    /// all reads.
+    pub fn note_value(&mut self, at: Origin, value: &Value, mark: usize) -> TextRange {
+        let reads = self.keep_reads(mark);
         let kept = &mut self.result.evaluations;
-        if kept.is_full() || !self.request.probe {
-            return;
+        if self.request.probe && !kept.is_full() {
+            kept.list.push(Evaluation { at, value: value.clone(), reads });
         }
-        let start = kept.reads.len() as u32;
-        kept.reads.extend(self.reads.get(mark..).unwrap_or(&[]));
-        let reads = TextRange::new(start, kept.reads.len() as u32);
-        kept.list.push(Evaluation { at, value: value.clone(), reads });
+        reads
+    }
+
+    /// Note all reads since there were `mark`; answers with their part of all reads.
+    pub fn keep_reads(&mut self, mark: usize) -> TextRange {
+        let all = &mut self.result.reads;
+        let start = all.len() as u32;
+        all.extend(self.reads.get(mark..).unwrap_or(&[]));
+        TextRange::new(start, all.len() as u32)
+    }
+
+    /// The same, when nobody else is interested in them.
+    pub fn take_reads(&mut self, mark: usize) -> TextRange {
+        let reads = self.keep_reads(mark);
+        self.reads.truncate(mark);
+        reads
     }
 }

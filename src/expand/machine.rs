@@ -18,7 +18,7 @@ use super::scope::{MacroDef, Macros, MacrosId, Scopes};
 use super::stack::on_large_stack;
 use super::symbols::Symbols;
 use super::text::CachedText;
-use super::tree::{XId, XKind, XTree};
+use super::tree::{XAttr, XId, XKind, XTree};
 use crate::base::{CancelFlag, FastMap, FastSet, TextRange};
 use crate::expr::{Budget, ScopeId};
 use crate::vfs::{Environment, LoadError, SourceFile, Vfs};
@@ -109,6 +109,8 @@ pub struct Expansion {
     pub frames: Vec<Frame>,
     /// Properties, parameters and arguments that pieces refer to.
     pub bindings: Vec<BindingInfo>,
+    /// What was read, in the order in which it was wanted: see [`Self::read_in`].
+    pub(super) reads: Vec<u32>,
     /// What each expression gave, each time.
     pub evaluations: Evaluations,
     /// Which definition each name of the source refers to.
@@ -145,6 +147,12 @@ impl Expansion {
         self.sources.shrink_to_fit();
         self.symbols.shrink();
         self.evaluations.shrink();
+        self.reads.shrink_to_fit();
+    }
+
+    /// Properties, parameters and arguments that were read for something: indices of [`Self::bindings`].
+    pub fn read_in(&self, part: TextRange) -> &[u32] {
+        self.reads.get(part.start as usize..part.end as usize).unwrap_or(&[])
     }
 }
 
@@ -194,6 +202,8 @@ pub(super) struct Expander<'w> {
     pub lazy_uses: Vec<LazyUse>,
     /// Bindings read since the mark of whoever is interested.
     pub reads: Vec<u32>,
+    /// Room for the attributes of an element while they are evaluated.
+    pub attrs: Vec<XAttr>,
     /// An include is missing: undefined names are then no news.
     pub include_missing: bool,
     /// The content of a condition or call is missing, because it could not be decided.
@@ -260,6 +270,7 @@ impl<'w> Expander<'w> {
             deadline: Instant::now() + limits.expand_time,
             lazy_uses: Vec::new(),
             reads: Vec::new(),
+            attrs: Vec::new(),
             include_missing: false,
             content_lost: false,
             broken: FastSet::default(),
@@ -293,6 +304,11 @@ impl<'w> Expander<'w> {
         self.result.doubtful = doubtful;
         self.result.whole = !(self.content_lost || self.include_missing || self.stopped);
         self.result.complete &= !self.result.has_errors();
+        if self.request.probe {
+            // it will be kept, and looked at often
+            let Expansion { tree, probes, .. } = &mut self.result;
+            tree.compact(probes.iter_mut().map(|probe| &mut probe.content));
+        }
         self.result.shrink();
         self.result
     }

@@ -186,7 +186,7 @@ impl Expander<'_> {
     fn bind_param(&mut self, param: &Param, text: &str, place: Place, cx: Cx, body: Cx) {
         let mark = self.reads.len();
         let value = literal_of(self.eval_text(text, place, cx.scope));
-        let reads = self.reads.drain(mark..).collect();
+        let reads = self.take_reads(mark);
         let info = BindingInfo { reads, ..param_info(param, place.origin) };
         self.bind(body.scope, param.name.clone(), State::Ready(value), info, place.origin);
     }
@@ -276,7 +276,7 @@ impl Expander<'_> {
                 None => return false,
             },
         };
-        let reads = self.reads.drain(mark..).collect();
+        let reads = self.take_reads(mark);
         let info = BindingInfo { reads, ..param_info(param, at) };
         self.bind(body.scope, name.clone(), State::Ready(literal_of(value)), info, at);
         true
@@ -448,7 +448,7 @@ impl Expander<'_> {
     /// Copy the `xmlns:*` attributes of a spliced tag to the element around it.
     pub fn lift_namespaces(&mut self, from: XId, to: XId, cx: Cx) {
         let attrs = std::mem::take(&mut self.result.tree.get_mut(from).attrs);
-        for attr in attrs.into_iter().filter(|a| a.name.starts_with("xmlns:")) {
+        for attr in attrs.iter().filter(|a| a.name.starts_with("xmlns:")).cloned() {
             let old = self.result.tree.attr(to, &attr.name).map(|a| a.value.clone());
             match old {
                 Some(old) if old != attr.value => {

@@ -7,6 +7,7 @@
 mod argument;
 mod attributes;
 mod comments;
+mod compact;
 mod control;
 mod element;
 mod evaluations;
@@ -47,6 +48,6 @@ pub use scope::Param;
 pub use source_map::{MapEntry, MapKind};
 pub use stack::large_stacks;
 pub use symbols::{Definition, DefinitionId, SourceRange, SymbolKind, Symbols, Use, UseKind};
-pub use tree::{Piece, XAttr, XId, XKind, XNode, XTree};
+pub use tree::{Attrs, Piece, XAttr, XId, XKind, XNode, XTree};
 pub use write::{Written, banner, write, write_mapped};
 pub use yaml_value::file_value as yaml_value;

@@ -80,7 +80,7 @@ impl Expander<'_> {
             Some((text, place)) if at_once => {
                 let mark = self.reads.len();
                 let value = literal_of(self.eval_text(&text, place, cx.scope));
-                let reads = self.reads.drain(mark..).collect();
+                let reads = self.take_reads(mark);
                 let info = BindingInfo {
                     reads,
                     ..BindingInfo::new(name.clone(), BindingKind::Property, place.origin).of(definition)

@@ -8,6 +8,7 @@ use super::origin::Origin;
 use super::problem::Step;
 use super::scope::State;
 use super::symbols::{DefinitionId, UseKind};
+use crate::base::TextRange;
 use crate::expr::{ScopeId, Value, literal};
 use crate::workspace::nearest;
 
@@ -22,8 +23,8 @@ pub struct BindingInfo {
     pub origin: Option<Origin>,
     /// The definition it is an instance of.
     pub definition: Option<DefinitionId>,
-    /// Bindings that were read to compute it.
-    pub reads: Box<[u32]>,
+    /// Bindings that were read to compute it: see [`Expansion::read_in`](super::Expansion::read_in).
+    pub reads: TextRange,
     /// Its value; none for a block.
     pub value: Option<Value>,
 }
@@ -44,14 +45,14 @@ pub enum BindingKind {
 impl BindingInfo {
     /// An argument given from outside.
     pub fn given(name: &str, value: &str) -> Self {
-        let (origin, definition, reads) = (None, None, Box::default());
+        let (origin, definition, reads) = (None, None, TextRange::default());
         let value = Some(Value::Str(value.into()));
         Self { name: name.into(), kind: BindingKind::Argument, origin, definition, reads, value }
     }
 
     /// Something given by source text.
     pub fn new(name: EcoString, kind: BindingKind, origin: Origin) -> Self {
-        Self { name, kind, origin: Some(origin), definition: None, reads: Box::default(), value: None }
+        Self { name, kind, origin: Some(origin), definition: None, reads: TextRange::default(), value: None }
     }
 
     /// As an instance of a definition.
@@ -123,7 +124,7 @@ impl Expander<'_> {
             Value::Str(text) => literal::from_text(&text),
             value => value,
         };
-        let reads: Box<[u32]> = self.reads.drain(mark..).collect();
+        let reads = self.take_reads(mark);
         if let Some(info) = self.result.bindings.get_mut(info as usize) {
             info.reads = reads;
             info.value = Some(value.clone());

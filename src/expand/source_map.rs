@@ -33,8 +33,8 @@ pub struct MapEntry {
     pub node: XId,
     /// The text of the source.
     pub origin: Origin,
-    /// What expressions read for a piece: indices of [`Expansion::bindings`](super::Expansion::bindings).
-    pub reads: Box<[u32]>,
+    /// What expressions read for a piece: see [`Expansion::read_in`](super::Expansion::read_in).
+    pub reads: TextRange,
 }
 
 /// Collects entries while a document is printed.
@@ -53,7 +53,7 @@ impl Recorder {
 
     pub fn add(&mut self, start: usize, end: usize, node: XId, kind: MapKind, origin: Origin) {
         let out = TextRange::new(start as u32, end as u32);
-        self.entries.push(MapEntry { out, kind, node, origin, reads: Box::default() });
+        self.entries.push(MapEntry { out, kind, node, origin, reads: TextRange::default() });
     }
 
     /// An element begins; its start tag with it.
@@ -98,7 +98,7 @@ impl Recorder {
             self.part(node, slice(at, piece.out.start), Origin { range, ..attr.origin }, out);
             self.part(node, slice(piece.out.start, piece.out.end), piece.source, out);
             if let Some(last) = self.entries.last_mut().filter(|_| piece.out.start < piece.out.end) {
-                last.reads = piece.reads.clone();
+                last.reads = piece.reads;
             }
             (at, source) = (piece.out.end, piece.source.range.end);
         }

@@ -44,12 +44,12 @@ impl Expander<'_> {
         let site = TextSite { text: &cached.text, place };
         match cached.template.tokens.as_slice() {
             [] => Value::Str(EcoString::new()),
-            [token] => self.eval_token(token, site, scope),
+            [token] => self.eval_token(token, site, scope).0,
             tokens => {
                 let mut out = EcoString::new();
                 let mut known = true;
                 for token in tokens {
-                    match display::to_str(&self.eval_token(token, site, scope)) {
+                    match display::to_str(&self.eval_token(token, site, scope).0) {
                         Some(text) if self.affords(text.len(), site) => out.push_str(&text),
                         _ => known = false,
                     }
@@ -71,13 +71,13 @@ impl Expander<'_> {
         let mut pieces = Vec::new();
         for token in &cached.template.tokens {
             let mark = self.reads.len();
-            let value = self.eval_token(token, site, cx.scope);
+            let (value, reads) = self.eval_token(token, site, cx.scope);
+            self.reads.truncate(mark);
             let start = out.len() as u32;
             let shown = display::to_str(&value).filter(|text| self.affords(text.len(), site));
             let unknown = shown.is_none();
             self.result.complete &= !unknown;
             out.push_str(shown.as_deref().unwrap_or(UNKNOWN_TEXT));
-            let reads: Box<[u32]> = self.reads.drain(mark..).collect();
             if let Token::Expr { range, .. } | Token::Subst { range, .. } = token {
                 let source = self.origin_in(site, *range);
                 pieces.push(Piece { out: TextRange::new(start, out.len() as u32), source, reads, unknown });
@@ -112,13 +112,17 @@ impl Expander<'_> {
         cached
     }
 
-    fn eval_token(&mut self, token: &Token, site: TextSite<'_>, scope: ScopeId) -> Value {
+    /// The value of a token and what was read for it.
+    fn eval_token(&mut self, token: &Token, site: TextSite<'_>, scope: ScopeId) -> (Value, TextRange) {
         let mark = self.reads.len();
         let value = self.token_value(token, site, scope);
-        if let Token::Expr { range, .. } | Token::Subst { range, .. } = token {
-            self.note_value(self.origin_in(site, *range), &value, mark);
-        }
-        value
+        let reads = match token {
+            Token::Expr { range, .. } | Token::Subst { range, .. } => {
+                self.note_value(self.origin_in(site, *range), &value, mark)
+            }
+            _ => TextRange::default(),
+        };
+        (value, reads)
     }
 
     fn token_value(&mut self, token: &Token, site: TextSite<'_>, scope: ScopeId) -> Value {
@@ -168,7 +172,7 @@ impl Expander<'_> {
         let mut out = EcoString::new();
         let mut known = true;
         for token in &nested.tokens {
-            match display::to_str(&self.eval_token(token, site, scope)) {
+            match display::to_str(&self.eval_token(token, site, scope).0) {
                 Some(text) => out.push_str(&text),
                 None => known = false,
             }

@@ -4,6 +4,9 @@
 //! are linked lists and moving a subtree costs nothing.
 #![allow(clippy::indexing_slicing)] // ids are made by this arena only and never outlive it
 
+use std::ops::Deref;
+use std::sync::Arc;
+
 use ecow::EcoString;
 
 use super::origin::Origin;
@@ -55,7 +58,7 @@ pub struct XNode {
     /// Tag name or data.
     pub text: EcoString,
     /// Attributes in source order.
-    pub attrs: Vec<XAttr>,
+    pub attrs: Attrs,
     /// The source text that made this node, and how it got here.
     pub origin: Origin,
     parent: XId,
@@ -69,6 +72,42 @@ impl XNode {
     /// Whether it has no children.
     pub fn is_leaf(&self) -> bool {
         self.first == XId::NIL
+    }
+}
+
+/// The attributes of an element. Copies share them: blocks are inserted more than once, and models keep values.
+#[derive(Clone, Debug, Default)]
+pub struct Attrs(Option<Arc<[XAttr]>>);
+
+impl Attrs {
+    /// The attributes as a model shares them, and the place of one among them.
+    pub fn find(&self, name: &str) -> Option<(Arc<[XAttr]>, usize)> {
+        let attrs = self.0.as_ref()?;
+        Some((attrs.clone(), attrs.iter().position(|attr| attr.name == name)?))
+    }
+}
+
+impl Deref for Attrs {
+    type Target = [XAttr];
+
+    fn deref(&self) -> &[XAttr] {
+        self.0.as_deref().unwrap_or_default()
+    }
+}
+
+impl<'a> IntoIterator for &'a Attrs {
+    type Item = &'a XAttr;
+    type IntoIter = std::slice::Iter<'a, XAttr>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+impl FromIterator<XAttr> for Attrs {
+    fn from_iter<T: IntoIterator<Item = XAttr>>(attrs: T) -> Self {
+        let mut attrs = attrs.into_iter().peekable();
+        Self(attrs.peek().is_some().then(|| attrs.collect()))
     }
 }
 
@@ -92,9 +131,9 @@ pub struct Piece {
     pub out: TextRange,
     /// The `${...}` or `$(...)` it came from.
     pub source: Origin,
-    /// Properties, parameters and arguments read on the way: indices of
-    /// [`Expansion::bindings`](super::Expansion::bindings).
-    pub reads: Box<[u32]>,
+    /// Properties, parameters and arguments read on the way: see
+    /// [`Expansion::read_in`](super::Expansion::read_in).
+    pub reads: TextRange,
     /// The expression could not be computed; the text reads `?` there.
     pub unknown: bool,
 }
@@ -107,13 +146,18 @@ pub struct XTree {
 
 impl Default for XTree {
     fn default() -> Self {
-        let mut tree = Self { nodes: Vec::with_capacity(256) };
-        tree.add(XKind::Container, EcoString::new(), Origin::NOWHERE);
-        tree
+        Self::of_room(256)
     }
 }
 
 impl XTree {
+    /// A tree of the document alone, with room for so many nodes.
+    pub(super) fn of_room(nodes: usize) -> Self {
+        let mut tree = Self { nodes: Vec::with_capacity(nodes) };
+        tree.add(XKind::Container, EcoString::new(), Origin::NOWHERE);
+        tree
+    }
+
     /// A new node without parent.
     pub fn add(&mut self, kind: XKind, text: EcoString, origin: Origin) -> XId {
         let id = XId(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX - 1));
@@ -121,7 +165,7 @@ impl XTree {
         self.nodes.push(XNode {
             kind,
             text,
-            attrs: Vec::new(),
+            attrs: Attrs::default(),
             origin,
             parent: nil,
             first: nil,
@@ -221,10 +265,12 @@ impl XTree {
     /// Set or replace an attribute.
     pub fn set_attr(&mut self, id: XId, attr: XAttr) {
         let attrs = &mut self.get_mut(id).attrs;
-        match attrs.iter_mut().find(|a| a.name == attr.name) {
+        let mut all = attrs.to_vec();
+        match all.iter_mut().find(|a| a.name == attr.name) {
             Some(old) => *old = attr,
-            None => attrs.push(attr),
+            None => all.push(attr),
         }
+        *attrs = all.into_iter().collect();
     }
 
     /// Put a node without parent behind the last child of `parent`.

@@ -1,10 +1,8 @@
 //! The expanded document as text, byte for byte as the reference prints it.
 
-use std::fmt::Write as _;
-
 use super::params::is_space;
 use super::source_map::{MapEntry, MapKind, Recorder};
-use super::tree::{XId, XKind, XTree};
+use super::tree::{XAttr, XId, XKind, XTree};
 
 /// The text, and which node made which line.
 #[derive(Clone, Debug, Default)]
@@ -163,22 +161,27 @@ impl Writer<'_> {
 
     fn attributes(&mut self, id: XId) {
         let attrs = &self.tree.get(id).attrs;
-        let sorted = attrs.windows(2).all(|w| matches!(w, [a, b] if a.name <= b.name));
-        let mut order: Vec<_> = attrs.iter().collect();
-        if !sorted {
+        if attrs.is_sorted_by(|a, b| a.name <= b.name) {
+            attrs.iter().for_each(|attr| self.attribute(id, attr));
+        } else {
+            let mut order: Vec<_> = attrs.iter().collect();
             order.sort_by(|a, b| a.name.cmp(&b.name));
+            order.into_iter().for_each(|attr| self.attribute(id, attr));
         }
-        for attr in order {
-            let start = self.text.len() + 1;
-            let _ = write!(self.text, " {}=\"", attr.name);
-            match &mut self.map {
-                None => escape(&mut self.text, &attr.value),
-                Some(map) => map.attribute(start, id, attr, &mut self.text),
-            }
-            self.text.push('"');
-            if let Some(map) = &mut self.map {
-                map.close_attribute(self.text.len());
-            }
+    }
+
+    fn attribute(&mut self, id: XId, attr: &XAttr) {
+        let start = self.text.len() + 1;
+        self.text.push(' ');
+        self.text.push_str(&attr.name);
+        self.text.push_str("=\"");
+        match &mut self.map {
+            None => escape(&mut self.text, &attr.value),
+            Some(map) => map.attribute(start, id, attr, &mut self.text),
+        }
+        self.text.push('"');
+        if let Some(map) = &mut self.map {
+            map.close_attribute(self.text.len());
         }
     }
 

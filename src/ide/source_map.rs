@@ -57,17 +57,17 @@ pub fn origin_of(expansion: &Expansion, entry: &MapEntry) -> Origin {
         return whole_attribute(expansion, entry).unwrap_or(entry.origin);
     }
     let mut origin = entry.origin;
-    let mut reads = &entry.reads;
+    let mut reads = entry.reads;
     // a value is handed down through calls as often as calls are nested
     for _ in 0..64 {
-        let [read] = reads.as_ref() else { break };
+        let [read] = expansion.read_in(reads) else { break };
         let Some(binding) = expansion.bindings.get(*read as usize) else { break };
         let is_name = whole_name(expansion, origin);
         let Some(given) = binding.origin.filter(|_| binding.kind == BindingKind::Parameter && is_name) else {
             break;
         };
         origin = given;
-        reads = &binding.reads;
+        reads = binding.reads;
     }
     origin
 }

@@ -99,7 +99,7 @@ fn part_value(cx: &Cx<'_>, evaluation: &Evaluation, whole: &Expr, part: &Expr) -
     if changes_something(part) {
         return Value::Unknown;
     }
-    let mut known = Known { cx, reads: cx.expansion.evaluations.reads(evaluation) };
+    let mut known = Known { cx, reads: cx.expansion.read_in(evaluation.reads) };
     host::evaluate(part, &mut known, 200)
 }
 

@@ -26,12 +26,12 @@ pub struct Joint {
     pub axis: Option<Axis>,
     /// Its first `limit`.
     pub limit: Option<Limit>,
-    /// Its first `dynamics`.
-    pub dynamics: Option<Dynamics>,
+    /// Its first `dynamics`. Boxed, as what follows: most joints have none.
+    pub dynamics: Option<Box<Dynamics>>,
     /// Its first `mimic`.
-    pub mimic: Option<Mimic>,
+    pub mimic: Option<Box<Mimic>>,
     /// Its first `safety_controller`.
-    pub safety: Option<Safety>,
+    pub safety: Option<Box<Safety>>,
 }
 
 /// The types of joints that URDF knows.
@@ -147,22 +147,22 @@ impl Joint {
             }),
             dynamics: first("dynamics").map(|element| {
                 let text = text(element);
-                Dynamics { element, damping: text("damping"), friction: text("friction") }
+                Box::new(Dynamics { element, damping: text("damping"), friction: text("friction") })
             }),
             mimic: first("mimic").map(|element| {
                 let text = text(element);
                 let (multiplier, offset) = (text("multiplier"), text("offset"));
-                Mimic { element, joint: text("joint"), multiplier, offset }
+                Box::new(Mimic { element, joint: text("joint"), multiplier, offset })
             }),
             safety: first("safety_controller").map(|element| {
                 let text = text(element);
-                Safety {
+                Box::new(Safety {
                     element,
                     soft_lower_limit: text("soft_lower_limit"),
                     soft_upper_limit: text("soft_upper_limit"),
                     k_position: text("k_position"),
                     k_velocity: text("k_velocity"),
-                }
+                })
             }),
         }
     }

@@ -80,8 +80,8 @@ pub struct Body {
     pub origin: Option<Pose>,
     /// Its first `geometry`.
     pub geometry: Option<Geometry>,
-    /// Its first `material`.
-    pub material: Option<Material>,
+    /// Its first `material`. Boxed: most have none.
+    pub material: Option<Box<Material>>,
 }
 
 impl Body {
@@ -91,7 +91,7 @@ impl Body {
             name: Text::attr(tree, element, "name"),
             origin: child(tree, element, "origin").map(|origin| Pose::of(tree, origin)),
             geometry: child(tree, element, "geometry").map(|geometry| Geometry::of(tree, geometry)),
-            material: child(tree, element, "material").map(|material| Material::of(tree, material)),
+            material: child(tree, element, "material").map(|material| Box::new(Material::of(tree, material))),
         }
     }
 

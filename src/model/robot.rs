@@ -78,7 +78,7 @@ impl Robot {
 
     /// Whether all names of links and joints and all ends of joints are known.
     pub fn names_are_known(&self) -> bool {
-        let known = |text: &Option<Text>| text.as_ref().is_none_or(|text| text.known);
+        let known = |text: &Option<Text>| text.as_ref().is_none_or(|text| text.is_known());
         self.links.iter().all(|link| known(&link.name))
             && self
                 .joints

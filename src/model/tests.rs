@@ -46,7 +46,7 @@ fn links_and_joints_with_their_values() {
     let names: Vec<_> =
         robot.links.iter().map(|link| link.name.as_ref().map(|name| name.value.as_str())).collect();
     assert_eq!(names, [Some("left_arm"), None]);
-    assert!(!robot.links[0].name.as_ref().unwrap().literal);
+    assert!(!robot.links[0].name.as_ref().unwrap().is_literal());
     let joint = &robot.joints[0];
     assert_eq!(joint.kind.as_ref().unwrap().value, "fixed");
     assert_eq!(

@@ -1,38 +1,45 @@
 //! Values of attributes with their source, and the numbers in them.
 
-use std::ops::Range;
+use std::ops::{Deref, Range};
+use std::sync::Arc;
 
 use ecow::EcoString;
 
 use crate::base::TextRange;
-use crate::expand::{Origin, Piece, XAttr, XId, XKind, XTree};
+use crate::expand::{Expansion, Origin, Piece, XAttr, XId, XKind, XTree};
 
-/// The value of an attribute, and where it stands in the source.
+/// The value of an attribute, and where it stands in the source; shared with the expanded document.
 #[derive(Clone, Debug)]
 pub struct Text {
-    /// The value after evaluation.
-    pub value: EcoString,
-    /// The value's text in the source, without quotes.
-    pub origin: Origin,
-    /// False when a part of the value could not be computed: no rule may draw a conclusion from it.
-    pub known: bool,
-    /// Whether the source holds the value itself, not an expression.
-    pub literal: bool,
-    /// The parts of the value that expressions made.
-    pieces: Box<[Piece]>,
+    /// The attributes of an element, not empty.
+    attrs: Arc<[XAttr]>,
+    index: u32,
+}
+
+impl Deref for Text {
+    type Target = XAttr;
+
+    #[allow(clippy::indexing_slicing)] // both ways to make a text give the place of an attribute that is there
+    fn deref(&self) -> &XAttr {
+        &self.attrs[self.index as usize]
+    }
 }
 
 impl Text {
-    fn of(attr: &XAttr) -> Self {
-        let known = attr.pieces.iter().all(|piece| !piece.unknown);
-        let literal = attr.pieces.is_empty();
-        let (value, pieces) = (attr.value.clone(), attr.pieces.clone());
-        Self { value, origin: attr.origin, known, literal, pieces }
-    }
-
     /// An attribute of an element.
     pub fn attr(tree: &XTree, element: XId, name: &str) -> Option<Self> {
-        tree.attr(element, name).map(Text::of)
+        let (attrs, index) = tree.get(element).attrs.find(name)?;
+        Some(Self { attrs, index: index as u32 })
+    }
+
+    /// False when a part of the value could not be computed: no rule may draw a conclusion from it.
+    pub fn is_known(&self) -> bool {
+        self.pieces.iter().all(|piece| !piece.unknown)
+    }
+
+    /// Whether the source holds the value itself, not an expression.
+    pub fn is_literal(&self) -> bool {
+        self.pieces.is_empty()
     }
 
     /// The first text inside an element that is not blank, without the blanks around it.
@@ -47,24 +54,24 @@ impl Text {
             let start = origin.range.start + before as u32;
             origin.range = TextRange::new(start, start + value.len() as u32);
         }
-        // what could not be computed reads `?`
-        let known = literal || !value.contains('?');
-        Some(Self { value, origin, known, literal, pieces: Box::default() })
+        let pieces = if literal { Box::default() } else { Box::new([made(&value, origin)]) as Box<[Piece]> };
+        let attr = XAttr { name: EcoString::new(), value, origin, pieces };
+        Some(Self { attrs: Arc::new([attr]), index: 0 })
     }
 
     /// The value, when all of it is known and it is not empty.
     pub fn name(&self) -> Option<&EcoString> {
-        (self.known && !self.value.is_empty()).then_some(&self.value)
+        (self.is_known() && !self.value.is_empty()).then_some(&self.value)
     }
 
     /// The value as a finite decimal number; none when it is unknown or no such number.
     pub fn number(&self) -> Option<f64> {
-        if self.known { decimal(self.value.trim_matches(is_blank)) } else { None }
+        if self.is_known() { decimal(self.value.trim_matches(is_blank)) } else { None }
     }
 
     /// The value as `N` finite decimal numbers; none when it is unknown or something else.
     pub fn numbers<const N: usize>(&self) -> Option<[f64; N]> {
-        if !self.known {
+        if !self.is_known() {
             return None;
         }
         let mut numbers = self.words().map(|range| decimal(self.value.get(range)?));
@@ -100,7 +107,7 @@ impl Text {
         };
         let (start, end) = (range.start as u32, range.end as u32);
         let same_length = self.origin.range.len() as usize == self.value.len();
-        if self.literal {
+        if self.is_literal() {
             // entities make the text in the source longer than the value
             return if same_length { at(start, end) } else { self.origin };
         }
@@ -117,10 +124,10 @@ impl Text {
 
     /// What the expressions read that made the part `range` of the value: indices of
     /// [`Expansion::bindings`](crate::expand::Expansion::bindings).
-    pub fn reads(&self, range: Range<usize>) -> impl Iterator<Item = u32> + '_ {
+    pub fn reads<'t>(&'t self, expansion: &'t Expansion, range: Range<usize>) -> impl Iterator<Item = u32> + 't {
         let (start, end) = (range.start as u32, range.end as u32);
         let touching = self.pieces.iter().filter(move |piece| piece.out.start < end && start < piece.out.end);
-        touching.flat_map(|piece| piece.reads.iter().copied())
+        touching.flat_map(|piece| expansion.read_in(piece.reads).iter().copied())
     }
 
     /// The offset in the source of a part that no expression made.
@@ -137,6 +144,12 @@ impl Text {
             }
         }
     }
+}
+
+/// A text that expressions made as a whole; what could not be computed reads `?`.
+fn made(value: &str, source: Origin) -> Piece {
+    let out = TextRange::new(0, value.len() as u32);
+    Piece { out, source, reads: TextRange::default(), unknown: value.contains('?') }
 }
 
 /// What separates the numbers of a vector.

@@ -179,7 +179,7 @@ fn one_link(link: &model::Link, places: &Places<'_>, shapes: &mut Shapes<'_>) ->
 }
 
 fn one_body(body: &model::Body, seen: bool, places: &Places<'_>, shapes: &mut Shapes<'_>) -> Body {
-    let look = if seen { shapes.look(body.material.as_ref()) } else { Default::default() };
+    let look = if seen { shapes.look(body.material.as_deref()) } else { Default::default() };
     Body {
         name: body.name.as_ref().and_then(|name| Some(name.name()?.to_string())),
         pose: Pose::of(body.origin.as_ref()),

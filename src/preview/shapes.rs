@@ -82,7 +82,7 @@ impl<'a> Shapes<'a> {
         table: &'a Files,
     ) -> Self {
         let inside = robot.links.iter().flat_map(|link| &link.visuals);
-        let inside = inside.filter_map(|visual| visual.material.as_ref());
+        let inside = inside.filter_map(|visual| visual.material.as_deref());
         let mut materials = FastMap::default();
         for material in robot.materials.iter().chain(inside) {
             let name = material.name.as_ref().and_then(|name| name.name());

@@ -61,7 +61,7 @@ pub(super) fn rename<'s, 'a>(
     text: &Text,
     new: &str,
 ) -> Reported<'s, 'a> {
-    if text.literal && !is_called(expansion, text.origin) {
+    if text.is_literal() && !is_called(expansion, text.origin) {
         report.replace_with(Safety::Unsafe, format!("rename it to `{new}`"), new)
     } else {
         report

@@ -44,7 +44,7 @@ pub(super) fn from_degrees<'s, 'a>(
     text: &Text,
     range: Range<usize>,
 ) -> Reported<'s, 'a> {
-    let report = with_definitions(report, expansion, text.reads(range.clone()).collect());
+    let report = with_definitions(report, expansion, text.reads(expansion, range.clone()).collect());
     let origin = text.part(range.clone());
     let Some((_, _, source)) = source_text(expansion, origin) else { return report };
     let inner = source.trim().strip_prefix("${").and_then(|rest| rest.strip_suffix('}'));
@@ -83,7 +83,7 @@ fn with_definitions<'s, 'a>(
                 report = report.also(origin, format!("`{}` is given here", binding.name));
             }
             Some(_) => {}
-            None => reads.extend(binding.reads.iter().copied()),
+            None => reads.extend(expansion.read_in(binding.reads)),
         }
     }
     report
@@ -96,5 +96,5 @@ pub(super) fn rewrite<'s, 'a>(
     text: &Text,
     new: String,
 ) -> Reported<'s, 'a> {
-    if text.literal { report.replace_with(safety, format!("write `{new}`"), new) } else { report }
+    if text.is_literal() { report.replace_with(safety, format!("write `{new}`"), new) } else { report }
 }

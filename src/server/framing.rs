@@ -18,7 +18,7 @@ const MOST_LINE: u64 = 8 << 10;
 
 /// Pass messages on until the input ends.
 pub(super) async fn pump(input: impl AsyncRead + Unpin, mut output: impl AsyncWrite + Unpin) {
-    let mut input = BufReader::with_capacity(1 << 16, input);
+    let mut input = BufReader::with_capacity(1 << 14, input);
     while let Some(length) = next_length(&mut input).await {
         let mut body = Vec::new();
         // grows as bytes arrive: a header that claims much costs nothing

@@ -51,7 +51,7 @@ use outbox::Outbox;
 const HANDLERS_AT_ONCE: usize = 1024;
 
 /// Bytes between the framing and the service.
-const PIPE: usize = 1 << 16;
+const PIPE: usize = 1 << 14;
 
 /// Serve one client on standard input and output until it is gone; the exit code.
 pub fn run(env: Environment) -> u8 {

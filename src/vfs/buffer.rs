@@ -1,7 +1,7 @@
 //! Open editor buffers.
 
 use std::path::Path;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use super::read::{self, Identity};
 use super::{SourceFile, TextFile};
@@ -15,7 +15,8 @@ pub(super) struct Buffer {
     pub(super) revision: u64,
     /// The file it stands for, if saved: finds the buffer again through links and `..`.
     pub(super) identity: Option<Identity>,
-    text: OnceLock<Arc<TextFile>>,
+    /// The text, as long as there is no tree: a tree holds its text.
+    text: Mutex<Option<Arc<TextFile>>>,
     source: OnceLock<Arc<SourceFile>>,
 }
 
@@ -23,14 +24,14 @@ impl Buffer {
     /// A buffer without content yet.
     fn new(id: FileId, path: Arc<Path>, revision: u64) -> Self {
         let identity = read::stat(&path).ok().and_then(|stat| stat.identity);
-        Self { id, path, revision, identity, text: OnceLock::new(), source: OnceLock::new() }
+        Self { id, path, revision, identity, text: Mutex::default(), source: OnceLock::new() }
     }
 
     /// A buffer that holds `text`.
     pub(super) fn with_text(id: FileId, path: Arc<Path>, revision: u64, text: String) -> Self {
         let buffer = Self::new(id, path, revision);
         let hash = read::hash(&text);
-        buffer.text.get_or_init(|| buffer.text_file(text, hash));
+        *buffer.held_text() = Some(buffer.text_file(text, hash));
         buffer
     }
 
@@ -69,26 +70,28 @@ impl Buffer {
 
     /// The text.
     pub(super) fn text(&self) -> Arc<TextFile> {
-        let make = || {
-            let source = self.source.get();
-            let text = source.map(|source| source.document.text()).unwrap_or_default();
-            self.text_file(text, source.map_or(0, |source| source.hash))
-        };
-        self.text.get_or_init(make).clone()
+        if let Some(text) = &*self.held_text() {
+            return text.clone();
+        }
+        let source = self.source.get();
+        let text = source.map(|source| source.document.text()).unwrap_or_default();
+        self.text_file(text, source.map_or(0, |source| source.hash))
+    }
+
+    fn held_text(&self) -> MutexGuard<'_, Option<Arc<TextFile>>> {
+        self.text.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The hash of the text, without making text or tree.
     pub(super) fn hash(&self) -> u64 {
-        match (self.source.get(), self.text.get()) {
-            (Some(source), _) => source.hash,
-            (None, Some(text)) => text.hash,
-            (None, None) => self.text().hash,
-        }
+        self.source.get().map_or_else(|| self.text().hash, |source| source.hash)
     }
 
     /// The tree.
     pub(super) fn source(&self) -> Arc<SourceFile> {
-        self.source.get_or_init(|| SourceFile::parse(&self.text())).clone()
+        let source = self.source.get_or_init(|| SourceFile::parse(&self.text())).clone();
+        *self.held_text() = None;
+        source
     }
 
     fn text_file(&self, text: String, hash: u64) -> Arc<TextFile> {

@@ -160,6 +160,15 @@ impl Document {
         header.into_iter().chain(self.items.iter_from(index)).chain(std::iter::once(&self.footer.item))
     }
 
+    /// The characters from `offset` on, which must be the start of one.
+    pub(super) fn chars_from(&self, offset: u32) -> impl Iterator<Item = char> {
+        let place = self.item_at(offset);
+        let mut skip = (offset - place.start) as usize;
+        self.parts_from(place.part).flat_map(move |item| {
+            item.text().get(std::mem::take(&mut skip)..).unwrap_or("").chars()
+        })
+    }
+
     /// The part that holds the byte at `offset`.
     pub fn item_at(&self, offset: u32) -> Place<'_> {
         let head = self.header.len();

@@ -3,6 +3,7 @@
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, OnceLock};
 
+use super::document::Document;
 use crate::base::{Encoding, LineCol};
 
 /// Questions that are answered without a table.
@@ -26,14 +27,14 @@ impl Clone for LineTable {
 
 impl LineTable {
     /// The table, when it is worth it.
-    pub fn get(&self, text: impl FnOnce() -> String) -> Option<&Table> {
+    pub fn get(&self, document: &Document) -> Option<&Table> {
         if let Some(table) = self.table.get() {
             return Some(table);
         }
         if self.asked.fetch_add(1, Ordering::Relaxed) < FREE {
             return None;
         }
-        Some(self.table.get_or_init(|| Arc::new(Table::of(text()))))
+        Some(self.table.get_or_init(|| Arc::new(Table::of(document))))
     }
 }
 
@@ -48,25 +49,25 @@ struct Entry {
     utf32: u32,
 }
 
-/// A text with entries all along it.
+/// Entries all along a text.
 pub(super) struct Table {
-    text: String,
     entries: Vec<Entry>,
 }
 
 impl Table {
-    fn of(text: String) -> Self {
+    fn of(document: &Document) -> Self {
         let mut entries = vec![Entry::default()];
         let mut now = Entry::default();
         let mut next = STEP;
-        let mut chars = text.char_indices().peekable();
-        while let Some((at, c)) = chars.next() {
+        let mut chars = document.chars_from(0).peekable();
+        while let Some(c) = chars.next() {
+            let at = now.offset as usize;
             if at >= next {
                 entries.push(now);
                 next = at + STEP;
             }
-            let end = (at + c.len_utf8()) as u32;
-            let crlf = c == '\r' && chars.peek().is_some_and(|&(_, c)| c == '\n');
+            let end = now.offset + c.len_utf8() as u32;
+            let crlf = c == '\r' && chars.peek().is_some_and(|&c| c == '\n');
             now.offset = end;
             if (c == '\n' || c == '\r') && !crlf {
                 now = Entry { offset: end, line: now.line + 1, start: end, utf16: 0, utf32: 0 };
@@ -75,15 +76,14 @@ impl Table {
                 now.utf32 += 1;
             }
         }
-        Self { text, entries }
+        Self { entries }
     }
 
     /// Line and column of an offset inside of the text.
-    pub fn line_col(&self, offset: u32, encoding: Encoding) -> LineCol {
+    pub fn line_col(&self, document: &Document, offset: u32, encoding: Encoding) -> LineCol {
         let index = self.entries.partition_point(|entry| entry.offset <= offset).saturating_sub(1);
         let mut now = self.entries.get(index).copied().unwrap_or_default();
-        let rest = self.text.get(now.offset as usize..).unwrap_or("");
-        let mut chars = rest.chars().peekable();
+        let mut chars = document.chars_from(now.offset).peekable();
         while let Some(c) = chars.next() {
             let end = now.offset + c.len_utf8() as u32;
             let crlf = c == '\r' && chars.peek() == Some(&'\n');

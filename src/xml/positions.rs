@@ -14,8 +14,8 @@ impl Document {
     /// The line and column of a byte offset; an offset inside a character counts as its start, one behind
     /// the end as the end.
     pub fn line_col(&self, offset: u32, encoding: Encoding) -> LineCol {
-        match self.lines.get(|| self.text()) {
-            Some(table) => table.line_col(offset.min(self.len()), encoding),
+        match self.lines.get(self) {
+            Some(table) => table.line_col(self, offset.min(self.len()), encoding),
             None => self.counted(offset, encoding),
         }
     }

@@ -134,7 +134,7 @@ pub(super) fn materials(scope: &Scope<'_>) -> Vec<Completion> {
     for (expansion, robot) in scope.sources.expansions {
         let Some(robot) = robot else { continue };
         let visuals = robot.links.iter().flat_map(|link| &link.visuals);
-        let own = visuals.filter_map(|visual| visual.material.as_ref());
+        let own = visuals.filter_map(|visual| visual.material.as_deref());
         for material in robot.materials.iter().chain(own) {
             let Some(name) = material.name.as_ref().filter(|name| name.name().is_some()) else { continue };
             let item = Completion::new(ItemKind::Color, name.value.as_str());

@@ -102,7 +102,7 @@ fn reason(cx: &Cx<'_>, range: TextRange, values: &[Instance]) -> String {
         return String::new();
     };
     let evaluations = &cx.expansion.evaluations;
-    let reads = evaluations.at(place).flat_map(|evaluation| evaluations.reads(evaluation));
+    let reads = evaluations.at(place).flat_map(|evaluation| cx.expansion.read_in(evaluation.reads));
     let bindings = reads.filter_map(|&read| cx.expansion.bindings.get(read as usize));
     let unknown = bindings.filter(|info| info.value.as_ref().is_some_and(Value::is_unknown));
     let mut names: Vec<String> = unknown.map(|info| code(&info.name)).collect();

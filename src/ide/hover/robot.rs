@@ -64,7 +64,7 @@ fn passed<'a>(cx: &Cx<'a>, range: TextRange) -> Option<Vec<&'a Text>> {
         if let (true, Some(Value::Str(value))) = (is_here, &info.value) {
             values.push(value);
             given.insert(index);
-        } else if info.reads.iter().any(|read| given.contains(read)) {
+        } else if cx.expansion.read_in(info.reads).iter().any(|read| given.contains(read)) {
             given.insert(index);
         }
     }
@@ -73,7 +73,7 @@ fn passed<'a>(cx: &Cx<'a>, range: TextRange) -> Option<Vec<&'a Text>> {
     }
     let of_it = |text: &Text| {
         values.contains(&text.value.as_str())
-            && text.reads(0..text.value.len()).any(|read| given.contains(&read))
+            && text.reads(cx.expansion, 0..text.value.len()).any(|read| given.contains(&read))
     };
     Some(robot_names(cx).into_iter().map(|(text, _)| text).filter(|text| of_it(text)).collect())
 }

@@ -33,7 +33,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .done();
             continue;
         };
-        if kind.known && !KNOWN.contains(&kind.value.as_str()) {
+        if kind.is_known() && !KNOWN.contains(&kind.value.as_str()) {
             let near = nearest(&kind.value, KNOWN).map(|near| format!("did you mean `{near}`?"));
             out.report(
                 kind.origin,

@@ -24,7 +24,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let released = control
             .mimic
             .as_ref()
-            .is_some_and(|text| !text.known || text.value.eq_ignore_ascii_case("false"));
+            .is_some_and(|text| !text.is_known() || text.value.eq_ignore_ascii_case("false"));
         if joint.mimic.is_none() || released {
             continue;
         }

@@ -26,7 +26,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         parts.flat_map(|part| tree.elements(part)).filter(|&id| tree.get(id).text.ends_with("_interface"));
     for text in interfaces.filter_map(|interface| Text::attr(tree, interface, "size")) {
         let digits = text.value.bytes().all(|byte| byte.is_ascii_digit());
-        if text.known && (!digits || text.value.bytes().all(|byte| byte == b'0')) {
+        if text.is_known() && (!digits || text.value.bytes().all(|byte| byte == b'0')) {
             out.report(text.origin, format!("the size `{}` is no positive integer", text.value))
                 .help("the size is how many values the interface has: 1, 2, 3 ...")
                 .done();

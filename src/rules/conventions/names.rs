@@ -27,7 +27,7 @@ impl Named {
 pub(super) fn names(robot: &Robot) -> impl Iterator<Item = (Named, &Text)> {
     let links = robot.links.iter().filter_map(|link| Some((Named::Link, link.name.as_ref()?)));
     let joints = robot.joints.iter().filter_map(|joint| Some((Named::Joint, joint.name.as_ref()?)));
-    links.chain(joints).filter(|(_, name)| name.known)
+    links.chain(joints).filter(|(_, name)| name.is_known())
 }
 
 /// The edits that rename a link or joint with all that refers to it; none when some of it is computed, or when
@@ -43,7 +43,7 @@ pub(super) fn rename(cx: &DocumentCx<'_>, named: Named, old: &str, new: &str) ->
         if text.value != old {
             continue;
         }
-        let place = cx.expansion.place(text.origin).filter(|_| text.literal)?;
+        let place = cx.expansion.place(text.origin).filter(|_| text.is_literal())?;
         let file = cx.expansion.files.get(place.file.0 as usize)?.source.id;
         if places.insert(place) {
             let span = crate::base::Span { file, range: place.range };

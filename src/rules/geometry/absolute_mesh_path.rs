@@ -35,7 +35,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// Whether a mesh is named by an absolute path that the source spells. `$(find package)` makes an absolute path
 /// too, and the right one everywhere.
 pub(super) fn is_absolute(mesh: &MeshUse<'_>) -> bool {
-    let start = absolute_start(&mesh.file.value).filter(|_| mesh.file.known);
+    let start = absolute_start(&mesh.file.value).filter(|_| mesh.file.is_known());
     start.is_some_and(|start| mesh.file.is_written(start..start + 1))
 }
 

@@ -28,7 +28,7 @@ pub(super) struct UriDefect {
 }
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for name in resource_names(cx).into_iter().filter(|name| name.known) {
+    for name in resource_names(cx).into_iter().filter(|name| name.is_known()) {
         let Some(UriDefect { message, meant }) = defect(&name.value) else { continue };
         let report = out
             .report(name.origin, format!("`{}`: {message}", shortened(&name.value)))

@@ -55,7 +55,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 fn rescaled(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> Option<(Origin, String)> {
     match mesh.scale {
         Some(scale) => {
-            let factors = mesh.factors().filter(|_| scale.literal)?;
+            let factors = mesh.factors().filter(|_| scale.is_literal())?;
             let [x, y, z] = factors.map(|factor| factor / 1000.0);
             Some((scale.origin, format!("{x} {y} {z}")))
         }

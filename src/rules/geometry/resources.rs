@@ -118,7 +118,7 @@ impl Resources {
         let mut targets = Vec::new();
         for named in named(cx) {
             let file = cx.expansion.place(named.file.origin).map(|place| place.file);
-            let target = if named.file.known {
+            let target = if named.file.is_known() {
                 let key = (file, named.file.value.as_str());
                 known.entry(key).or_insert_with(|| resolve(cx.expansion, cx.world, named.file)).clone()
             } else {
@@ -166,7 +166,7 @@ impl Target {
 
 /// Find the file that an attribute names.
 pub fn resolve(expansion: &Expansion, world: Surroundings<'_>, name: &Text) -> Target {
-    let place = expansion.place(name.origin).filter(|_| name.known && !name.value.trim().is_empty());
+    let place = expansion.place(name.origin).filter(|_| name.is_known() && !name.value.trim().is_empty());
     let Some(place) = place else { return Target::Unknown };
     let files = [place.file, FileIdx(0)];
     let from = files.map(|file| expansion.files.get(file.0 as usize).map(|file| file.source.path.as_ref()));

@@ -14,7 +14,7 @@ pub(super) fn bodies<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = (&'a Li
 /// The materials inside visuals, with their link.
 pub(super) fn visual_materials(robot: &Robot) -> impl Iterator<Item = (&Link, &Material)> {
     let visuals = robot.links.iter().flat_map(|link| link.visuals.iter().map(move |body| (link, body)));
-    visuals.filter_map(|(link, body)| Some((link, body.material.as_ref()?)))
+    visuals.filter_map(|(link, body)| Some((link, body.material.as_deref()?)))
 }
 
 /// The materials of the robot and of its visuals.
@@ -43,5 +43,5 @@ pub(super) fn resource_names<'a>(cx: &'a DocumentCx<'_>) -> Vec<&'a Text> {
 /// Whether a value may be replaced by `content`: the source spells it, and neither needs entities.
 pub(super) fn is_replaceable(text: &Text, content: &str) -> bool {
     let is_plain = |text: &str| !text.contains(['&', '<', '"', '\'', '$']);
-    text.literal && is_plain(&text.value) && is_plain(content)
+    text.is_literal() && is_plain(&text.value) && is_plain(content)
 }

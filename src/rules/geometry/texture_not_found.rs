@@ -21,7 +21,7 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for material in materials(cx) {
-        let Some(file) = material.texture_file.as_ref().filter(|file| file.known) else { continue };
+        let Some(file) = material.texture_file.as_ref().filter(|file| file.is_known()) else { continue };
         let name = material.name.as_ref().map_or("", |name| name.value.as_str());
         match resolve(cx.expansion, cx.world, file) {
             Target::Missing(path, package) => {

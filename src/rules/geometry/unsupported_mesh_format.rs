@@ -26,7 +26,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let name = mesh.name();
         let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
         let known = READ.contains(&ending.to_lowercase().as_str());
-        if known || name.is_empty() || !mesh.file.known || matches!(mesh.target, Target::NoFile(_)) {
+        if known || name.is_empty() || !mesh.file.is_known() || matches!(mesh.target, Target::NoFile(_)) {
             continue;
         }
         let link = mesh.link.shown();

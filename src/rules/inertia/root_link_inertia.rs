@@ -29,7 +29,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let report =
         out.report(name.origin, message).help("put a link without inertia above it, joined by a fixed joint");
     let tag = tag_start(cx.expansion, link.element);
-    let is_plain = name.literal && !name.value.contains(['&', '<', '"']);
+    let is_plain = name.is_literal() && !name.value.contains(['&', '<', '"']);
     match cx.expansion.place(tag).filter(|_| is_plain && cx.robot.link("base_footprint").is_none()) {
         Some(place) => {
             let above = format!(

@@ -35,7 +35,7 @@ fn swapped<'s, 'a>(report: Reported<'s, 'a>, cx: &DocumentCx<'_>, limit: &Limit)
     let (Some(lower), Some(upper)) = (&limit.lower, &limit.upper) else {
         return report.help("a limit that is not written is 0");
     };
-    let given = |text: &Text| !text.literal && is_called(cx.expansion, text.origin);
+    let given = |text: &Text| !text.is_literal() && is_called(cx.expansion, text.origin);
     if given(lower) || given(upper) {
         return report.help("the values come from the calls: swap them there");
     }

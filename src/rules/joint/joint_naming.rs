@@ -47,7 +47,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let prefix =
             joints.iter().enumerate().find_map(|(i, joint)| numbered(i, joint.shown())).unwrap_or_default();
         for (i, joint) in joints.iter().enumerate() {
-            let Some(name) = joint.name.as_ref().filter(|name| name.known) else { continue };
+            let Some(name) = joint.name.as_ref().filter(|name| name.is_known()) else { continue };
             let expected = format!("{prefix}joint_{}", i + 1);
             if name.value != expected {
                 let message = format!(

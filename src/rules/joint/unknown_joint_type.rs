@@ -21,7 +21,7 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for joint in cx.joints() {
-        let Some(kind) = joint.kind.as_ref().filter(|kind| kind.known) else { continue };
+        let Some(kind) = joint.kind.as_ref().filter(|kind| kind.is_known()) else { continue };
         if JointType::of(&kind.value).is_some() {
             continue;
         }

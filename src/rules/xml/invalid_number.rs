@@ -54,7 +54,7 @@ fn find_numeric(cx: &DocumentCx<'_>) -> Vec<Numeric> {
             let text = attribute.numbers().zip(Text::attr(&cx.expansion.tree, id, attribute.name));
             let judged = |text: &Text| {
                 let open = text.value.contains("${") || text.value.contains("$(");
-                text.known && !open && !is_reported(cx, text)
+                text.is_known() && !open && !is_reported(cx, text)
             };
             let text = text.filter(|(_, text)| judged(text));
             found.extend(text.map(|(count, text)| Numeric { id, name: attribute.name, count, text }));
@@ -93,7 +93,7 @@ fn report(cx: &DocumentCx<'_>, id: XId, name: &str, text: &Text, range: Range<us
     };
     let report = out.report(origin, message);
     let repaired = word.replace(',', ".");
-    let is_written = text.literal && origin.range.len() as usize == word.len();
+    let is_written = text.is_literal() && origin.range.len() as usize == word.len();
     if decimal(&repaired).is_some() && word.contains(',') && is_written {
         let report = report.help("decimals are written with a point");
         return report.replace_with(Safety::Unsafe, format!("write `{repaired}`"), repaired).done();

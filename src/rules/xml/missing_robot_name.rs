@@ -23,7 +23,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let Some(robot) = cx.robot.filter(|_| cx.kind == RootKind::Robot) else { return };
     let message = match &robot.name {
         None => "the robot has no name",
-        Some(name) if name.known && name.value.is_empty() => "the name of the robot is empty",
+        Some(name) if name.is_known() && name.value.is_empty() => "the name of the robot is empty",
         Some(_) => return,
     };
     let report = out
@@ -47,7 +47,7 @@ fn named_like_file(cx: &DocumentCx<'_>, robot: &Robot) -> Option<(TextRange, Str
         // an empty value: between the quotes, when they are in this file
         Some(name) => {
             let place = cx.expansion.place(name.origin).filter(|place| place.file == FileIdx(0))?;
-            name.literal.then(|| (place.range, stem.to_owned()))
+            name.is_literal().then(|| (place.range, stem.to_owned()))
         }
         None => {
             let end = file.source.document.root()?.name_range().end;
