@@ -73,6 +73,8 @@ pub(super) struct Engine {
 }
 
 impl Engine {
+    /// How long an edit takes at most from its message to its job.
+    const ON_ITS_WAY: Duration = Duration::from_millis(2);
     /// The pause after the last edit unless configured.
     const DELAY: Duration = Duration::from_millis(100);
 
@@ -116,7 +118,10 @@ impl Engine {
                     self.pressure.taken();
                     self.guarded(job);
                 }
-                Err(RecvTimeoutError::Timeout) => self.guarded(Box::new(Self::idle)),
+                Err(RecvTimeoutError::Timeout) => {
+                    self.pressure.forget_announced();
+                    self.guarded(Box::new(Self::idle));
+                }
                 Err(RecvTimeoutError::Disconnected) => return,
             }
         }
@@ -128,7 +133,8 @@ impl Engine {
             return Some(Duration::ZERO);
         }
         if let Some(due) = self.due {
-            return Some(due.saturating_duration_since(Instant::now()));
+            let rest = due.saturating_duration_since(Instant::now());
+            return Some(if self.pressure.is_edit_announced() { rest.max(Self::ON_ITS_WAY) } else { rest });
         }
         (self.initialized && !self.world.is_scanned()).then_some(Duration::ZERO)
     }

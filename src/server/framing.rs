@@ -17,7 +17,13 @@ const MOST_BYTES: u64 = 256 << 20;
 const MOST_LINE: u64 = 8 << 10;
 
 /// Pass messages on until the input ends.
-pub(super) async fn pump(input: impl AsyncRead + Unpin, mut output: impl AsyncWrite + Unpin) {
+///
+/// `announce` is called for each edit before it is passed on.
+pub(super) async fn pump(
+    input: impl AsyncRead + Unpin,
+    mut output: impl AsyncWrite + Unpin,
+    announce: impl Fn(),
+) {
     let mut input = BufReader::with_capacity(1 << 14, input);
     while let Some(length) = next_length(&mut input).await {
         let mut body = Vec::new();
@@ -26,7 +32,10 @@ pub(super) async fn pump(input: impl AsyncRead + Unpin, mut output: impl AsyncWr
         if read.is_err() || (body.len() as u64) < length {
             return;
         }
-        let body = checked(&body);
+        let (body, is_edit) = checked(&body);
+        if is_edit {
+            announce();
+        }
         let header = format!("Content-Length: {}\r\n\r\n", body.len());
         if output.write_all(header.as_bytes()).await.is_err() || output.write_all(&body).await.is_err() {
             return;
@@ -76,21 +85,22 @@ fn is_there<'de, D: Deserializer<'de>>(field: D) -> Result<bool, D::Error> {
     IgnoredAny::deserialize(field).map(|_| true)
 }
 
-/// The body, mended where it can be; a note about it where it is no message.
-fn checked(body: &[u8]) -> Vec<u8> {
+/// The body, mended where it can be, and whether it is an edit; a note about it where it is no message.
+fn checked(body: &[u8]) -> (Vec<u8>, bool) {
     let mended = without_lone_surrogates(body);
     let bad =
         |reason: String| json!({ "jsonrpc": "2.0", "method": BAD_MESSAGE, "params": { "reason": reason } });
     let head = match serde_json::from_slice::<Head<'_>>(&mended) {
         Ok(head) => head,
-        Err(error) => return bad(error.to_string()).to_string().into_bytes(),
+        Err(error) => return (bad(error.to_string()).to_string().into_bytes(), false),
     };
     let id_fits = head.id.as_ref().is_none_or(|id| id.is_string() || id.is_i64() || id.is_null());
     let is_reply = head.method.is_none() && head.id.is_some() && (head.result || head.error);
     if head.jsonrpc.as_deref() != Some("2.0") || !id_fits || !(head.method.is_some() || is_reply) {
-        return bad("it is no message of JSON-RPC 2.0".to_owned()).to_string().into_bytes();
+        return (bad("it is no message of JSON-RPC 2.0".to_owned()).to_string().into_bytes(), false);
     }
-    match (head.method.as_deref(), &head.id) {
+    let is_edit = head.method.as_deref() == Some("textDocument/didChange");
+    let body = match (head.method.as_deref(), &head.id) {
         // some clients send `null` for no parameters, which the service would refuse
         (Some("shutdown"), Some(id)) => {
             json!({ "jsonrpc": "2.0", "id": id, "method": "shutdown" }).to_string().into_bytes()
@@ -104,7 +114,8 @@ fn checked(body: &[u8]) -> Vec<u8> {
                 .into_bytes()
         }
         _ => mended.into_owned(),
-    }
+    };
+    (body, is_edit)
 }
 
 /// The protocol says `workspace.diagnostics`; the types that read it say `diagnostic`.
@@ -156,7 +167,7 @@ mod tests {
     fn pumped(input: &str) -> String {
         let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
         let mut output = Vec::new();
-        runtime.block_on(pump(input.as_bytes(), &mut output));
+        runtime.block_on(pump(input.as_bytes(), &mut output, || ()));
         String::from_utf8(output).unwrap()
     }
 

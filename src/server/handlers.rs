@@ -97,7 +97,7 @@ impl LanguageServer for Handlers {
     }
 
     async fn did_change(&self, params: DidChangeTextDocumentParams) {
-        self.letterbox.tell(params, Engine::changed);
+        self.letterbox.tell_edit(params, Engine::changed);
     }
 
     async fn did_save(&self, params: DidSaveTextDocumentParams) {

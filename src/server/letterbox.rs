@@ -28,6 +28,8 @@ pub(super) struct Letterbox {
 #[derive(Clone, Default)]
 pub(super) struct Pressure {
     waiting: Arc<AtomicUsize>,
+    /// Edits that were read and are not posted yet.
+    announced: Arc<AtomicUsize>,
     background: Arc<Mutex<CancelFlag>>,
 }
 
@@ -45,6 +47,21 @@ impl Pressure {
             flag.cancel();
         }
         flag
+    }
+
+    /// An edit was read: its job will be posted in a moment, so what is said of the text now would be out of date.
+    pub fn announce_edit(&self) {
+        self.announced.fetch_add(1, Ordering::AcqRel);
+    }
+
+    /// Whether an edit is on its way.
+    pub fn is_edit_announced(&self) -> bool {
+        self.announced.load(Ordering::Acquire) > 0
+    }
+
+    /// What was announced did not come: it was no edit after all.
+    pub fn forget_announced(&self) {
+        self.announced.store(0, Ordering::Release);
     }
 
     /// A job was taken out.
@@ -67,6 +84,13 @@ impl Letterbox {
         self.pressure.background.lock().unwrap_or_else(PoisonError::into_inner).cancel();
         // the other end is gone only when the process ends
         let _ = self.jobs.send(job);
+    }
+
+    /// Post an edit.
+    pub fn tell_edit<P: Send + 'static>(&self, params: P, work: fn(&mut Engine, P)) {
+        self.tell(params, work);
+        let one_less = |announced: usize| Some(announced.saturating_sub(1));
+        let _ = self.pressure.announced.fetch_update(Ordering::AcqRel, Ordering::Acquire, one_less);
     }
 
     /// Post a notification.

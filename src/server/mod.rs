@@ -63,6 +63,7 @@ async fn serve(env: Environment) -> u8 {
     let shutdown = Shutdown::default();
     let (letterbox, jobs, pressure) = letterbox::letterbox();
     let (outbox, messages) = Outbox::new();
+    let announced = pressure.clone();
     let mut engine = Engine::new(env, outbox, pressure);
     engine.letterbox = Some(letterbox.clone());
     let thread = std::thread::Builder::new().name("analysis".to_owned());
@@ -92,7 +93,7 @@ async fn serve(env: Environment) -> u8 {
     let service = Watched { inner: service, shutdown: shutdown.clone() };
     let stdout = Quiet { inner: tokio::io::stdout(), shutdown: shutdown.clone() };
     let (clean, input) = tokio::io::duplex(PIPE);
-    tokio::spawn(framing::pump(tokio::io::stdin(), clean));
+    tokio::spawn(framing::pump(tokio::io::stdin(), clean, move || announced.announce_edit()));
     Server::new(input, stdout, socket).concurrency_level(HANDLERS_AT_ONCE).serve(service).await;
     shutdown.code()
 }
