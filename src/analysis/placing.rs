@@ -54,7 +54,8 @@ fn at_call(finding: &Finding, way: &Way) -> Finding {
 
 /// Notes at the calls that lead to a finding.
 fn notes(finding: &Finding, moved: &[Finding], vfs: &Vfs, open: impl Fn(Span) -> bool) -> Vec<Finding> {
-    if finding.severity < Severity::Warning {
+    // an error of a closed file is shown at the call as it is, which the server does
+    if finding.severity < Severity::Warning || finding.severity == Severity::Error && !open(finding.span) {
         return Vec::new();
     }
     let calls = finding.related.iter().filter(|related| {

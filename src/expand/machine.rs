@@ -305,7 +305,8 @@ impl<'w> Expander<'w> {
         self.result.whole = !(self.content_lost || self.include_missing || self.stopped);
         self.result.complete &= !self.result.has_errors();
         if self.request.probe {
-            // it will be kept, and looked at often
+            // it will be kept, and looked at often; what it was made with is not needed any more
+            (self.texts, self.scopes) = (FastMap::default(), Scopes::new());
             let Expansion { tree, probes, .. } = &mut self.result;
             tree.compact(probes.iter_mut().map(|probe| &mut probe.content));
         }

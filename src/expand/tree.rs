@@ -146,18 +146,13 @@ pub struct XTree {
 
 impl Default for XTree {
     fn default() -> Self {
-        Self::of_room(256)
+        let mut tree = Self { nodes: Vec::with_capacity(256) };
+        tree.add(XKind::Container, EcoString::new(), Origin::NOWHERE);
+        tree
     }
 }
 
 impl XTree {
-    /// A tree of the document alone, with room for so many nodes.
-    pub(super) fn of_room(nodes: usize) -> Self {
-        let mut tree = Self { nodes: Vec::with_capacity(nodes) };
-        tree.add(XKind::Container, EcoString::new(), Origin::NOWHERE);
-        tree
-    }
-
     /// A new node without parent.
     pub fn add(&mut self, kind: XKind, text: EcoString, origin: Origin) -> XId {
         let id = XId(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX - 1));
