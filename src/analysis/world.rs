@@ -334,8 +334,7 @@ impl World {
     /// A root expanded; from the cache when nothing it read has changed. `None` when cancelled.
     pub fn analyzed(&mut self, root: &RootChoice, cancel: &CancelFlag) -> Option<Arc<Analyzed>> {
         if let Some(known) = self.cache.get(root)
-            && known.epoch == self.epoch
-            && self.is_current(known)
+            && self.is_valid(known)
         {
             return Some(known.clone());
         }
@@ -391,6 +390,16 @@ impl World {
     /// The last expansion of a root that had no errors.
     pub fn last_good(&self, root: &RootChoice) -> Option<Arc<Analyzed>> {
         self.good.get(root).cloned()
+    }
+
+    /// Whether an expansion still holds.
+    pub(super) fn is_valid(&self, known: &Analyzed) -> bool {
+        known.epoch == self.epoch && self.is_current(known)
+    }
+
+    /// The same without a look at one file.
+    pub(super) fn is_valid_beside(&self, known: &Analyzed, except: &Path) -> bool {
+        known.epoch == self.epoch && self.is_current_beside(known, except)
     }
 
     /// Whether everything that an expansion read is as it was.

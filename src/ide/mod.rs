@@ -52,7 +52,7 @@ pub use expand_at::{ExpandedAt, expand_at};
 pub use folding::{Fold, FoldKind, folds};
 pub use format::{Indent, format, format_range, indentation};
 pub use hints::{Hint, HintKind, HintSettings, hints};
-pub use hover::{Hover, declared_argument, hover, value_of};
+pub use hover::{Hover, declared_argument, hover, hover_while_typing, value_of};
 pub use instances::{Pin, pin, pinned};
 pub use locate::{At, Part, locate};
 pub use moved::{Move, renamed_files};

@@ -124,7 +124,11 @@ impl Text {
 
     /// What the expressions read that made the part `range` of the value: indices of
     /// [`Expansion::bindings`](crate::expand::Expansion::bindings).
-    pub fn reads<'t>(&'t self, expansion: &'t Expansion, range: Range<usize>) -> impl Iterator<Item = u32> + 't {
+    pub fn reads<'t>(
+        &'t self,
+        expansion: &'t Expansion,
+        range: Range<usize>,
+    ) -> impl Iterator<Item = u32> + 't {
         let (start, end) = (range.start as u32, range.end as u32);
         let touching = self.pieces.iter().filter(move |piece| piece.out.start < end && start < piece.out.end);
         touching.flat_map(|piece| expansion.read_in(piece.reads).iter().copied())

@@ -45,15 +45,18 @@ impl Engine {
 
     fn push_diagnostics(&mut self) {
         let touched = std::mem::take(&mut self.touched);
-        let mut complete = !touched.is_empty();
-        for path in touched {
-            complete &= self.first_look(path);
-        }
-        if complete && !self.wants_check {
+        let looks: Vec<Option<bool>> = touched.into_iter().map(|path| self.first_look(path)).collect();
+        let was_edited = !looks.is_empty();
+        if was_edited && looks.iter().all(|look| *look == Some(true)) && !self.wants_check {
             self.due = None;
             return;
         }
         self.wants_check = true;
+        if was_edited && looks.iter().all(Option::is_some) {
+            // who goes on typing would only wait for a check that is out of date before it is done
+            self.due = Some(self.edited + self.delay.max(Self::SETTLED));
+            return;
+        }
         let cancel = self.pressure.background();
         if let Some(found) = self.found(&cancel) {
             (self.due, self.wants_check) = (None, false);
@@ -62,14 +65,12 @@ impl Engine {
         self.tell_contexts(&cancel);
     }
 
-    /// Say at once what can be said of an edit; whether that is all.
-    fn first_look(&mut self, path: PathBuf) -> bool {
-        let Some(look) = self.world.first_look(&path).filter(|_| !self.with_calls.contains(&path)) else {
-            return false;
-        };
+    /// Say at once what can be said of an edit; whether that is all. None: that needs a whole check.
+    fn first_look(&mut self, path: PathBuf) -> Option<bool> {
+        let look = self.world.first_look(&path).filter(|_| !self.with_calls.contains(&path))?;
         let found = look.findings.iter().take(MOST).filter_map(|finding| self.diagnostic(finding)).collect();
         self.publish_one(path, found);
-        look.is_complete
+        Some(look.is_complete)
     }
 
     /// The diagnostics of all open files and the files they depend on. `None` when cancelled.

@@ -52,6 +52,8 @@ pub(super) struct Engine {
     pub with_calls: BTreeSet<PathBuf>,
     /// Something else than a comment changed since the last whole check.
     pub wants_check: bool,
+    /// When something was edited the last time.
+    pub edited: Instant,
     /// When diagnostics are to be made.
     pub due: Option<Instant>,
     /// The pause after the last edit before diagnostics are made.
@@ -75,6 +77,8 @@ pub(super) struct Engine {
 impl Engine {
     /// How long an edit takes at most from its message to its job.
     const ON_ITS_WAY: Duration = Duration::from_millis(2);
+    /// The pause after the last edit before a large robot is checked as a whole, of which a first look said the most.
+    pub const SETTLED: Duration = Duration::from_millis(250);
     /// The pause after the last edit unless configured.
     const DELAY: Duration = Duration::from_millis(100);
 
@@ -94,6 +98,7 @@ impl Engine {
             touched: BTreeSet::new(),
             with_calls: BTreeSet::new(),
             wants_check: true,
+            edited: Instant::now(),
             due: None,
             delay: Self::DELAY,
             snippets: true,
@@ -173,7 +178,8 @@ impl Engine {
     /// Diagnostics are wanted after the pause; a whole check perhaps not.
     pub fn schedule_look(&mut self) {
         self.previews.due = true;
-        self.due = Some(Instant::now() + self.delay);
+        self.edited = Instant::now();
+        self.due = Some(self.edited + self.delay);
     }
 
     /// The path of a document.

@@ -41,6 +41,7 @@ mod workspace_symbols;
 use tokio::runtime::Builder;
 use tower_lsp::{LspService, Server};
 
+use crate::expand::spawn_on_large_stack;
 use crate::vfs::Environment;
 use engine::Engine;
 use exit::{Quiet, Shutdown, Watched};
@@ -66,8 +67,7 @@ async fn serve(env: Environment) -> u8 {
     let announced = pressure.clone();
     let mut engine = Engine::new(env, outbox, pressure);
     engine.letterbox = Some(letterbox.clone());
-    let thread = std::thread::Builder::new().name("analysis".to_owned());
-    if thread.spawn(move || engine.run(&jobs)).is_err() {
+    if spawn_on_large_stack("analysis", move || engine.run(&jobs)).is_err() {
         return 1;
     }
     let (post, exit) = (letterbox.clone(), shutdown.clone());

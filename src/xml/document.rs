@@ -164,9 +164,8 @@ impl Document {
     pub(super) fn chars_from(&self, offset: u32) -> impl Iterator<Item = char> {
         let place = self.item_at(offset);
         let mut skip = (offset - place.start) as usize;
-        self.parts_from(place.part).flat_map(move |item| {
-            item.text().get(std::mem::take(&mut skip)..).unwrap_or("").chars()
-        })
+        self.parts_from(place.part)
+            .flat_map(move |item| item.text().get(std::mem::take(&mut skip)..).unwrap_or("").chars())
     }
 
     /// The part that holds the byte at `offset`.

@@ -216,3 +216,68 @@ fn yaml_that_changes_on_the_disk_gives_new_values() {
     client.notify("workspace/didChangeWatchedFiles", serde_json::json!({ "changes": changes }));
     check(&mut client, ROBOT, "name=\"c|am\"", "cam", &["'fov': 1.75"]);
 }
+
+/// A robot that takes a while to expand.
+fn large() -> String {
+    let mut text = String::from(
+        "<robot name=\"large\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">
+  <xacro:property name=\"half\" value=\"${base_mass / 2}\"/>
+  <!-- of a segment, kg -->
+  <xacro:property name=\"base_mass\" value=\"2.5\"/>
+  <xacro:property name=\"twice\" value=\"1\"/>
+  <xacro:property name=\"twice\" value=\"2\"/>
+  <xacro:macro name=\"seg\" params=\"name parent radius:=0.1\">
+    <link name=\"${name}\">
+      <inertial>
+        <mass value=\"${base_mass * radius}\"/>
+        <inertia ixx=\"${half}\" ixy=\"0\" ixz=\"0\" iyy=\"0.1\" iyz=\"0\" izz=\"0.1\"/>
+      </inertial>
+    </link>
+    <joint name=\"${name}_joint\" type=\"fixed\"><parent link=\"${parent}\"/><child link=\"${name}\"/></joint>
+  </xacro:macro>
+  <link name=\"s0\"/>\n",
+    );
+    for n in 1..=300 {
+        text.push_str(&format!(
+            "  <xacro:seg name=\"s{n}\" parent=\"s{}\" radius=\"${{base_mass / {n}}}\"/>\n",
+            n - 1
+        ));
+    }
+    text + "</robot>\n"
+}
+
+#[test]
+fn names_read_the_same_while_a_large_robot_is_edited() {
+    const FILE: &str = "src/pan_tilt/urdf/large.urdf.xacro";
+    let edits = [
+        // in an expression of a macro
+        ("${base_mass * radius}", "${2 * base_mass * radius}", "base_|mass * radius"),
+        ("${base_mass * radius}", "${base_mass + base_mass}", "ixx=\"${ha|lf"),
+        ("${base_mass * radius}", "${base_massx}", "${base_|massx"),
+        ("${base_mass * radius}", "${twice}", "${twi|ce"),
+        // in a call
+        ("${base_mass / 7}", "${base_mass / 8 - half}", "8 - ha|lf"),
+        ("${base_mass / 7}", "${radius}", "radius=\"${rad|ius"),
+        // lines above the definition, and the definition itself
+        ("  <xacro:property name=\"half\"", "\n\n  <xacro:property name=\"half\"", "${base_|mass * radius"),
+        ("value=\"2.5\"", "value=\"3.5\"", "ixx=\"${ha|lf"),
+        ("value=\"${base_mass / 2}\"", "value=\"7\"", "ixx=\"${ha|lf"),
+        (
+            "<link name=\"s0\"/>",
+            "<link name=\"s0\"/><xacro:property name=\"half\" value=\"9\"/>",
+            "ixx=\"${ha|lf",
+        ),
+    ];
+    let mut client = Client::start();
+    client.open_with(FILE, &large());
+    for (old, new, at) in edits {
+        client.findings(FILE);
+        client.edit(FILE, old, new);
+        let text = client.text(FILE).to_owned();
+        let while_typing = hover(&mut client, FILE, at);
+        let mut fresh = Client::start();
+        fresh.open_with(FILE, &text);
+        assert_eq!(while_typing, hover(&mut fresh, FILE, at), "{new}");
+        client.edit(FILE, new, old);
+    }
+}

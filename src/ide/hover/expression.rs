@@ -181,7 +181,7 @@ pub(super) fn root_name(cx: &Cx<'_>) -> String {
 }
 
 /// A name that every expression knows.
-fn function(path: &[&Expr]) -> Option<Page> {
+pub(super) fn function(path: &[&Expr]) -> Option<Page> {
     let (part, around) = (path.last()?, path.len().checked_sub(2).and_then(|i| path.get(i)));
     let (namespace, name) = match (&part.kind, around.map(|around| &around.kind)) {
         (ExprKind::Attribute { value, name, .. }, _) => match &value.kind {

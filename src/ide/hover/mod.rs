@@ -6,10 +6,12 @@ mod files;
 mod numbers;
 mod page;
 mod robot;
+mod settled;
 mod symbols;
 
 pub(super) use elements::condition;
 pub(super) use expression::{call_label, package_at};
+pub use settled::hover_while_typing;
 pub use symbols::declared_argument;
 
 use super::context::Cx;

@@ -67,11 +67,15 @@ fn value_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition, here: Vec<
         [value] => Page::titled(format!("{title} = {}", shown(value))),
         _ => Page::titled(title),
     };
+    // that all calls read the same from it is no news
+    let is_constant = given.len() == 1
+        && definition.kind == SymbolKind::Property
+        && matches!(different.as_slice(), [value] if !value.is_unknown());
     if values.is_empty() {
         page.add(format!("? – {} gives it no value", root_name(cx)));
     } else if is_idle(cx, definition, &different) {
         page.add("nothing calls the macro, so it has no value");
-    } else {
+    } else if !is_constant {
         value_lines(cx, values).into_iter().for_each(|line| page.add(line));
     }
     if let Some(default) = default_of(cx, id, definition) {

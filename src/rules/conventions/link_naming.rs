@@ -27,7 +27,9 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let Some(name) = cx.robot.links.get(link).and_then(|link| link.name.as_ref()) else { continue };
         let expected = format!("link_{number}");
         let behind_prefix = name.value.strip_suffix(&expected);
-        if name.is_known() && behind_prefix.is_none_or(|prefix| prefix.ends_with(|c: char| c.is_ascii_digit())) {
+        if name.is_known()
+            && behind_prefix.is_none_or(|prefix| prefix.ends_with(|c: char| c.is_ascii_digit()))
+        {
             let message = format!("link `{}` is number {number} of the arm", name.value);
             out.report(name.origin, message)
                 .help(format!("ROS-Industrial calls it `{expected}`, behind the prefix"))

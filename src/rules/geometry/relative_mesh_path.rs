@@ -21,7 +21,8 @@ pub(super) const RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for mesh in cx.meshes() {
         let value = mesh.file.value.as_str();
-        let is_path = mesh.file.is_known() && !value.is_empty() && !value.starts_with('/') && !value.contains(':');
+        let is_path =
+            mesh.file.is_known() && !value.is_empty() && !value.starts_with('/') && !value.contains(':');
         if !is_path || defect(value).is_some() {
             continue;
         }

@@ -45,7 +45,8 @@ pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<Missing> {
         for (end, text) in [("parent", &joint.parent), ("child", &joint.child)] {
             let Some(text) = text else { continue };
             let Some(name) = text.name().filter(|name| cx.kinematics.link(name).is_none()) else { continue };
-            let used = Use { joint: joint.shown().to_owned(), end, at: text.origin, literal: text.is_literal() };
+            let used =
+                Use { joint: joint.shown().to_owned(), end, at: text.origin, literal: text.is_literal() };
             match missing.get_mut(name) {
                 Some(uses) => uses.others.push(used),
                 None => {

@@ -20,7 +20,8 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let Some(robot) = cx.robot else { return };
-    let version = Text::attr(&cx.expansion.tree, robot.element, "version").filter(|version| version.is_known());
+    let version =
+        Text::attr(&cx.expansion.tree, robot.element, "version").filter(|version| version.is_known());
     let Some(version) = version else { return };
     let admitted = &cx.world.config.urdf_version;
     let value = version.value.trim();
