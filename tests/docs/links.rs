@@ -30,7 +30,7 @@ fn links(page: &Page) -> Vec<(usize, String)> {
 }
 
 /// The name that GitHub and mdBook give a heading.
-fn anchor(heading: &str) -> String {
+pub fn anchor(heading: &str) -> String {
     // a link in a heading counts with its text
     let mut text = String::new();
     let mut rest = heading;

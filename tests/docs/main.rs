@@ -10,7 +10,7 @@
 //! * `text`: no code.
 //! * `<!-- in FOLDER -->`: the commands are run in that folder of the examples.
 //! * `<!-- file: NAME -->`: the block is that file; the commands of the same section are run beside it.
-//! * `<!-- run: NAME -->`: the tests of the editors take it from the page.
+//! * `<!-- run: NAME -->`: the tests of editors or packages take it from the page.
 //! * `not-run: reason` in the first line: cannot be run here. `tests/docs/not-run.txt` lists these.
 #![allow(
     clippy::unwrap_used,

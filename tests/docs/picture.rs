@@ -17,7 +17,8 @@ fn printed() -> String {
     let vars = [("AMENT_PREFIX_PATH".to_owned(), "/none".to_owned())];
     let env = Environment { vars: vars.into(), cwd: root().to_owned() };
     let (mut out, mut err) = (Vec::new(), Vec::new());
-    let mut io = Io::plain(&mut out, &mut err, &mut &b""[..]);
+    let mut nothing = &b""[..];
+    let mut io = Io::plain(&mut out, &mut err, &mut nothing);
     (io.color, io.color_out) = (true, true);
     cli::run(&["check".to_owned(), EXAMPLE.to_owned()], &env, &mut io);
     without_links(&(String::from_utf8(out).unwrap() + &String::from_utf8(err).unwrap()))
