@@ -107,9 +107,6 @@ fn matches(shown: &[&str], got: &[&str]) -> bool {
 /// The page with all answers made anew.
 fn rerun(page: &Page) -> String {
     let blocks = pages::blocks(page);
-    if !blocks.iter().any(|block| block.language == "console") {
-        return page.text.clone();
-    }
     let copy = Copy::new(page, "transcripts");
     copy.write_files(&blocks);
     let mut blocks = blocks.into_iter();
@@ -161,7 +158,10 @@ fn transcript(copy: &Copy, block: &Block) -> String {
 
 #[test]
 fn transcripts_are_what_the_program_prints() {
-    for page in pages::told() {
+    let mut pages = pages::told();
+    pages.retain(|page| pages::blocks(page).iter().any(|block| block.language == "console"));
+    assert!(pages.len() > 5);
+    for page in pages {
         pages::up_to_date(&page.path, &rerun(&page));
     }
 }

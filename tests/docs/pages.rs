@@ -158,5 +158,8 @@ pub fn up_to_date(path: &str, new: &str) {
         fs::write(&whole, new).unwrap();
     }
     let stored = fs::read_to_string(&whole).unwrap_or_default();
-    assert!(stored == new, "{path} is old: run `UPDATE=1 cargo test --test docs`");
+    let line = stored.lines().zip(new.lines()).position(|(a, b)| a != b).unwrap_or(0);
+    let (old, made) = (stored.lines().nth(line).unwrap_or(""), new.lines().nth(line).unwrap_or(""));
+    let place = format!("{path}:{}", line + 1);
+    assert!(stored == new, "{place}: `{old}` is old for `{made}`: run `UPDATE=1 cargo test --test docs`");
 }
