@@ -87,7 +87,7 @@ impl Copy {
     /// Write the files that the sections of a page show.
     fn write_files(&self, blocks: &[Block]) {
         for block in blocks {
-            let Some(name) = block.remark("file:") else { continue };
+            let Some(name) = block.remark("file") else { continue };
             let path = self.section(block.section).join(name);
             fs::create_dir_all(path.parent().unwrap()).unwrap();
             fs::write(path, &block.text).unwrap();

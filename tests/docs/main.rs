@@ -9,7 +9,8 @@
 //! * `toml`, `json`, `yaml`, `xml`: read by what reads them.
 //! * `text`: no code.
 //! * `<!-- in FOLDER -->`: the commands are run in that folder of the examples.
-//! * `<!-- file: NAME -->`: the block is that file; the commands of the same section are run beside it.
+//! * A line above it that holds a name in backticks and a colon: the block is that file; the commands of the same section
+//!   are run beside it.
 //! * `<!-- run: NAME -->`: the tests of editors or packages take it from the page.
 //! * `not-run: reason` in the first line: cannot be run here. `tests/docs/not-run.txt` lists these.
 #![allow(

@@ -71,7 +71,7 @@ pub struct Block {
     pub language: String,
     /// Why it is not run.
     pub not_run: Option<String>,
-    /// What the comment above it says: `in`, `file:` or `run:`, and of what.
+    /// What the line above it says: `in`, `file` or `run:`, and of what.
     pub remark: Option<(String, String)>,
     pub text: String,
 }
@@ -83,7 +83,10 @@ impl Block {
         let not_run = rest.strip_prefix("not-run: ").map(str::to_owned);
         let remark = above.strip_prefix("<!-- ").and_then(|rest| rest.strip_suffix(" -->"));
         let remark = remark.and_then(|remark| remark.split_once(' '));
-        let remark = remark.filter(|(word, _)| ["in", "file:", "run:"].contains(word));
+        let remark = remark.filter(|(word, _)| ["in", "run:"].contains(word));
+        // a line that holds a name in backticks and a colon names the file
+        let name = above.strip_prefix('`').and_then(|rest| rest.strip_suffix("`:"));
+        let remark = remark.or(name.filter(|name| !name.contains('`')).map(|name| ("file", name)));
         let remark = remark.map(|(word, of)| (word.to_owned(), of.to_owned()));
         Block { place, section, language: language.to_owned(), not_run, remark, text: String::new() }
     }

@@ -20,7 +20,7 @@ fn with_part(page: &Page, name: &str, part: &str) -> String {
 
 /// One line for each rule, below its category.
 fn lines_of_rules() -> String {
-    let mut text = String::from("\n");
+    let mut text = String::from("\n- [All rules](rules/README.md)\n");
     for category in Category::ALL {
         let mut rules = rules::all().filter(|rule| rule.category == category).peekable();
         if rules.peek().is_none() {

@@ -13,4 +13,7 @@ if [ "$("$tools/bin/mdbook" --version 2>/dev/null)" != "mdbook v$version" ]; the
         --locked --no-default-features --features search --root "$tools" --quiet
     rm -rf "$tools/build"
 fi
-"$tools/bin/mdbook" build docs "$@"
+said=$("$tools/bin/mdbook" build docs "$@" 2>&1) || { echo "$said"; exit 1; }
+echo "$said"
+# what mdBook warns of is missing from the page
+case "$said" in *" WARN "*) exit 1 ;; esac

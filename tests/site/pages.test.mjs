@@ -8,8 +8,8 @@ import { pages, serve } from './site.mjs';
 
 /** Pages of every kind, looked at in every way; the others are looked at narrow. */
 const KINDS = [
-  'index.html', 'first-run.html', 'cli.html', 'configuration.html', 'editors.html', 'faq/index.html', 'faq/errors.html',
-  'comparison.html', 'compatibility.html', 'architecture.html', 'rules/index.html', 'rules/multiple-parents.html',
+  'index.html', 'first-run.html', 'cli.html', 'configuration.html', 'editors.html', 'faq/README.html', 'faq/errors.html',
+  'comparison.html', 'compatibility.html', 'architecture.html', 'rules/README.html', 'rules/multiple-parents.html',
 ];
 const NARROW = { width: 400, height: 800 };
 const WIDE = { width: 1280, height: 900 };
@@ -115,7 +115,7 @@ test('the search finds a rule by its code', async () => {
   const page = await open(WIDE, 'light');
   await page.goto(`${site.address}/index.html`);
   await page.keyboard.press('s');
-  await page.locator('#mdbook-searchbar, #searchbar').first().fill('STR008');
+  await page.locator('#mdbook-searchbar, #searchbar').first().pressSequentially('STR008');
   const results = page.locator('#mdbook-searchresults li, #searchresults li');
   await results.filter({ hasText: 'orphan-link' }).first().waitFor();
   assert.deepEqual(page.faults, []);
