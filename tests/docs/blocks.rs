@@ -29,7 +29,9 @@ fn every_block_is_checked_by_somebody() {
         let place = &block.place;
         let language = block.language.as_str();
         match block.remark("run:") {
-            Some(name) if ['"', '\''].iter().all(|quote| !tests.contains(&format!("{quote}{name}{quote}"))) => {
+            Some(name)
+                if ['"', '\''].iter().all(|quote| !tests.contains(&format!("{quote}{name}{quote}"))) =>
+            {
                 wrong.push(format!("{place}: no test takes `{name}`"));
             }
             Some(_) => {}

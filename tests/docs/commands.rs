@@ -33,7 +33,8 @@ fn copy_into(from: &Path, to: &Path) {
 
 impl Copy {
     fn new(page: &Page, test: &str) -> Copy {
-        let home = Path::new(env!("CARGO_TARGET_TMPDIR")).join("docs").join(test).join(page.path.replace('/', "-"));
+        let home =
+            Path::new(env!("CARGO_TARGET_TMPDIR")).join("docs").join(test).join(page.path.replace('/', "-"));
         let _ = fs::remove_dir_all(&home);
         let checkout = home.join("xacro-lsp");
         copy_into(&root().join("docs/examples"), &checkout.join("docs/examples"));
@@ -207,7 +208,8 @@ fn inline_calls() -> BTreeMap<String, Vec<String>> {
                 continue;
             }
             let spans = line.split('`').skip(1).step_by(2);
-            let spans = spans.filter(|span| span.starts_with("xacro-lint ") && !span.starts_with("xacro-lint -"));
+            let spans =
+                spans.filter(|span| span.starts_with("xacro-lint ") && !span.starts_with("xacro-lint -"));
             calls.entry(page.path.clone()).or_default().extend(spans.map(str::to_owned));
         }
     }

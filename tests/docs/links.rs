@@ -7,7 +7,12 @@ use crate::pages::{self, Line, Page, root};
 
 /// Letters that headings and links lose: what is code is no link.
 fn without_code(line: &str) -> String {
-    line.split('`').enumerate().filter(|(i, _)| i % 2 == 0).map(|(_, part)| part).collect::<Vec<_>>().join(" ")
+    line.split('`')
+        .enumerate()
+        .filter(|(i, _)| i % 2 == 0)
+        .map(|(_, part)| part)
+        .collect::<Vec<_>>()
+        .join(" ")
 }
 
 /// Targets of links and pictures, with their lines.

@@ -46,7 +46,7 @@ fn questions(summary: &Page) -> String {
     for name in names {
         let page = Page::read(&format!("docs/faq/{name}"));
         let title = page.text.lines().next().unwrap().trim_start_matches("# ");
-        text.push_str(&format!("## [{title}]({name})\n\n"));
+        text.push_str(&format!("## {title}\n\n"));
         for question in page.text.lines().filter_map(|line| line.strip_prefix("## ")) {
             text.push_str(&format!("* [{question}]({name}#{})\n", links::anchor(question)));
         }
@@ -65,12 +65,15 @@ fn the_list_of_questions_is_whole() {
 #[test]
 fn the_book_has_every_page() {
     let summary = Page::read(SUMMARY);
-    let named: Vec<&str> = summary.text.split("](").skip(1).filter_map(|rest| rest.split(')').next()).collect();
+    let named: Vec<&str> =
+        summary.text.split("](").skip(1).filter_map(|rest| rest.split(')').next()).collect();
     let named: Vec<&str> = named.into_iter().filter(|path| !path.is_empty()).collect();
     let once: BTreeSet<&str> = named.iter().copied().collect();
     assert_eq!(once.len(), named.len(), "a page is named twice");
     for page in pages::all() {
-        let Some(path) = page.path.strip_prefix("docs/").filter(|path| *path != "SUMMARY.md") else { continue };
+        let Some(path) = page.path.strip_prefix("docs/").filter(|path| *path != "SUMMARY.md") else {
+            continue;
+        };
         assert!(once.contains(path), "docs/{path} is not in {SUMMARY}: add a line");
     }
 }
