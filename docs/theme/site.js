@@ -11,6 +11,11 @@
     [/^\$ /, 'said-command'],
   ];
 
+  // names and options stay in one piece
+  for (const code of document.querySelectorAll('p code, li code')) {
+    if (code.textContent.length < 24) code.classList.add('short');
+  }
+
   const escaped = (text) => text.replace(/[&<>]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;' })[c]);
   const span = (kind, html) => `<span class="${kind}">${html}</span>`;
 

@@ -51,14 +51,14 @@ def said(command, path):
 
 
 def sees(command, path, clean):
-    """`yes`, `no`, or `yes, LINE` when the line of the mistake is named."""
+    """`yes`, `no`, or `line` when it is seen and a line of the file is named."""
     code, text = said(command, path)
     if code == "does not end":
         return code
     if code == clean[0] and (code != 0 or not remarks(text, clean[1])):
         return "no"
     named = re.search(rf"{re.escape(path.name)}:\d+|line \d+, col|line \d+:\d+", text)
-    return "yes, with line" if named else "yes"
+    return "line" if named else "yes"
 
 
 def remarks(text, clean):
@@ -84,7 +84,7 @@ def table(texts, ending, tools):
             path.write_text(text, encoding="utf-8")
             answers = [sees(command, path, clean[name]) for name, command in tools.items()]
             for name, answer in zip(tools, answers):
-                counts[name] += answer.startswith("yes")
+                counts[name] += answer in ("yes", "line")
             rows.append(f"| {mistake} | {' | '.join(answers)} |")
     rows.append(f"| **seen, of {len(texts) - 1}** | " + " | ".join(f"**{count}**" for count in counts.values()) + " |")
     return "\n".join(rows) + "\n"
