@@ -1,5 +1,5 @@
-//! The command line, as transcripts: `tests/cli/*.txt` hold commands with what they print, and so do the pages of
-//! `docs/` in their `console` blocks.
+//! The command line, as transcripts: `tests/cli/*.txt` hold commands with what they print. Those of the pages are run by
+//! `tests/docs`.
 //!
 //! A transcript begins with the folder it is run in: `cd FOLDER`, or `copy FOLDER` when the commands change it.
 //! `UPDATE=1` writes the answers anew.
@@ -127,29 +127,6 @@ fn up_to_date(path: &Path, new: &str) {
     assert!(stored == new, "{} is old: run `UPDATE=1 cargo test --test cli`", path.display());
 }
 
-/// The `console` blocks with all answers made anew, in `docs/examples` or the folder of it that a comment in front
-/// of the block names.
-fn with_answers(page: &str) -> String {
-    let mut new = String::new();
-    let (mut cwd, mut inside) = (PathBuf::new(), false);
-    for line in page.lines() {
-        let command = line.strip_prefix("$ xacro-lint ").filter(|_| inside);
-        if line == "```console" {
-            let last = new.lines().last().unwrap_or("");
-            let folder = last.strip_prefix("<!-- in ").and_then(|rest| rest.strip_suffix(" -->"));
-            cwd = repository().join("docs/examples").join(folder.unwrap_or(""));
-            inside = true;
-        } else if line.starts_with("```") {
-            inside = false;
-        } else if inside && command.is_none() {
-            continue;
-        }
-        new.push_str(&format!("{line}\n"));
-        new.push_str(&command.map(|command| answer(command, &cwd)).unwrap_or_default());
-    }
-    new
-}
-
 /// A page with the part between the comments of `name` made anew.
 fn with_part(page: &str, name: &str, part: &str) -> String {
     let begin = page.find(&format!("<!-- {name}: ")).unwrap();
@@ -204,7 +181,7 @@ fn pages_are_up_to_date() {
     up_to_date(&repository().join("docs/xacro-lint.schema.json"), &format!("{schema:#}\n"));
     let page = |name: &str| {
         let path = repository().join("docs").join(name);
-        (with_answers(&fs::read_to_string(&path).unwrap()), path)
+        (fs::read_to_string(&path).unwrap(), path)
     };
     let (text, path) = page("configuration.md");
     let keys = format!("\n| key | type | meaning |\n|---|---|---|\n{}\n", key_rows(&schema, ""));

@@ -243,8 +243,8 @@ fn every_page_has_a_rule_and_codes_are_unique() {
 /// The table of all rules.
 fn index() -> String {
     let mut text = String::from(
-        "# Rules\n\nWritten by `UPDATE=1 cargo test --test rules`. A rule is named by its name (`orphan-link`), its code\n\
-         (`STR008`) or the beginning of its code (`STR`). `xacro-lint explain NAME` prints its page.\n",
+        "# Rules\n\n<!-- written by UPDATE=1 cargo test --test rules -->\n\nA rule is named by its name (`orphan-link`), its code \
+         (`STR008`) or the beginning of its code (`STR`).\n`xacro-lint explain NAME` prints its page.\n",
     );
     for category in Category::ALL {
         if !rules::all().any(|rule| rule.category == category) {

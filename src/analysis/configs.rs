@@ -8,7 +8,7 @@ use crate::rules::{
     Finding, Rule, Selection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector,
 };
 use crate::vfs::{LoadError, Vfs};
-use crate::workspace::config::{Config, ConfigWarning, Level, Loaded, Mention, find_config};
+use crate::workspace::config::{Config, ConfigWarning, Level, Loaded, Mention, Profile, find_config};
 use crate::workspace::nearest;
 
 /// What the command line says over every configuration file.
@@ -52,7 +52,11 @@ struct State {
 }
 
 impl Settings {
-    fn new(config: Config, overrides: &Overrides) -> Self {
+    fn new(mut config: Config, overrides: &Overrides) -> Self {
+        // some rules ask for the profiles themselves
+        if let Some(names) = &overrides.profiles {
+            config.profiles = names.iter().filter_map(|name| Profile::named(name)).collect();
+        }
         let own = |given: &Option<Vec<String>>, configured: &[String]| {
             given.clone().unwrap_or_else(|| configured.to_vec())
         };
@@ -63,7 +67,7 @@ impl Settings {
             select: overrides.select.clone().or_else(|| config.select.clone()),
             extend_select: own(&overrides.extend_select, &config.extend_select),
             ignore: own(&overrides.ignore, &config.ignore),
-            profiles: own(&overrides.profiles, &profiles),
+            profiles,
             severity: severity.collect(),
         });
         Self { config, selection }

@@ -96,7 +96,7 @@ end
 function Child:edit(name)
   self:lua('vim.cmd.edit(vim.fn.fnameescape(...))', self.folder .. '/' .. name)
   self:wait([[(function()
-    local client = vim.lsp.get_clients({ bufnr = 0, name = 'xacro' })[1]
+    local client = vim.lsp.get_clients({ bufnr = 0 })[1]
     return client and client.initialized
   end)()]])
 end

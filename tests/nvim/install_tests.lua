@@ -1,7 +1,41 @@
 --- Installing, health, help, and doing without the plugin.
 local fixture = require('fixture')
 
+local repository = vim.fn.fnamemodify(debug.getinfo(1, 'S').source:sub(2), ':p:h:h:h')
+
+--- A block of docs/editors.md, by the comment above it.
+local function snippet(name)
+  local page = table.concat(vim.fn.readfile(repository .. '/docs/editors.md'), '\n')
+  local _, above = page:find(('<!-- run: %s -->\n```lua\n'):format(name), 1, true)
+  assert(above, name)
+  return page:sub(above + 1, page:find('\n```', above, true))
+end
+
+--- The page's configuration, with the server where the page expects it.
+local function by_the_page(block)
+  return function(server)
+    local path = ('vim.env.PATH = %q .. ":" .. vim.env.PATH\n'):format(vim.fn.fnamemodify(server, ':h'))
+    local files = ('vim.opt.runtimepath:prepend(%q)\n'):format(repository .. '/editors/nvim-lspconfig')
+    return path .. files .. block
+  end
+end
+
 return function(test)
+  local start, enable = snippet('nvim-start'), snippet('nvim-enable')
+  test('the page of the editors, for 0.10', { plugin = false, init = by_the_page(start) }, function(child)
+    child:edit(fixture.robot)
+    child:change('${m0 / 3}', '${m_0 / 3}')
+    child:wait('#vim.diagnostic.get(0) == 1')
+  end)
+
+  if vim.lsp.config then
+    test('the page of the editors, for 0.11', { plugin = false, init = by_the_page(enable) }, function(child)
+      child:edit(fixture.robot)
+      child:change('${m0 / 3}', '${m_0 / 3}')
+      child:wait('#vim.diagnostic.get(0) == 1')
+    end)
+  end
+
   test('file types are known', function(child)
     local types = child:value([[vim.tbl_map(function(name) return vim.filetype.match({ filename = name }) or '' end,
       { 'a.xacro', 'a.urdf.xacro', 'a.srdf.xacro', 'a.urdf', 'a.yaml' })]])

@@ -22,6 +22,13 @@ pub struct Setting {
 }
 
 impl Profile {
+    const ALL: [Profile; 4] = [Profile::RosIndustrial, Profile::Mobile, Profile::Gazebo, Profile::Pedantic];
+
+    /// The profile of that name.
+    pub fn named(name: &str) -> Option<Profile> {
+        Self::ALL.into_iter().find(|profile| profile.name() == name)
+    }
+
     /// Its name.
     pub fn name(self) -> &'static str {
         PROFILES.get(self as usize).copied().unwrap_or_default()
@@ -153,8 +160,7 @@ mod tests {
     fn names() {
         let levels = [Level::Off, Level::Hint, Level::Info, Level::Warning, Level::Error];
         assert_eq!(levels.map(Level::name), ["off", "hint", "info", "warning", "error"]);
-        let profiles = [Profile::RosIndustrial, Profile::Mobile, Profile::Gazebo, Profile::Pedantic];
-        assert_eq!(profiles.map(Profile::name), ["ros-industrial", "mobile", "gazebo", "pedantic"]);
+        assert_eq!(Profile::ALL.map(Profile::name), ["ros-industrial", "mobile", "gazebo", "pedantic"]);
     }
 
     #[test]
