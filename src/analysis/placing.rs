@@ -54,11 +54,14 @@ fn at_call(finding: &Finding, way: &Way) -> Finding {
 
 /// Notes at the calls that lead to a finding.
 fn notes(finding: &Finding, moved: &[Finding], vfs: &Vfs, open: impl Fn(Span) -> bool) -> Vec<Finding> {
-    // an error of a closed file is shown at the call as it is, which the server does
-    if finding.severity < Severity::Warning || finding.severity == Severity::Error && !open(finding.span) {
+    if finding.severity < Severity::Warning {
         return Vec::new();
     }
-    let calls = finding.related.iter().filter(|related| {
+    // an error of a closed file is shown as it is at the first call in an open one, which the server does
+    let is_elsewhere = finding.severity == Severity::Error && !open(finding.span);
+    let mut open_calls = finding.related.iter().filter(|related| related.is_call && open(related.span));
+    let shown = open_calls.next().filter(|_| is_elsewhere).map(|call| call.span);
+    let calls = finding.related.iter().filter(|related| Some(related.span) != shown).filter(|related| {
         let told = moved.iter().any(|other| other.span == related.span) || related.span == finding.span;
         related.is_call && !told && open(related.span) && is_call_tag(related.span, vfs)
     });

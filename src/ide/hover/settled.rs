@@ -31,7 +31,8 @@ pub fn hover_while_typing(
 ) -> Option<Hover> {
     let at = locate(&cx.source.document, offset);
     let text = ExprText::at(&cx.source.document, &at)?;
-    let (expr, start) = parsed(text.token_at(offset)?)?;
+    let token = text.token_at(offset)?;
+    let (expr, start) = parsed(token)?;
     let path = path_to(expr, text.offset(offset).saturating_sub(start));
     let part = path.last()?;
     let ExprKind::Name(name) = &part.kind else { return None };
@@ -40,15 +41,17 @@ pub fn hover_while_typing(
         return None;
     }
     let changes = Changes::of(cx, current);
-    let page = match changes.only_property(name)? {
-        Some(id) => changes.property(id, name)?,
+    let named = text.range(part.range.shift(start));
+    let (page, range) = match changes.only_property(name)? {
+        Some(id) => (changes.property(id, name)?, named),
         None => {
-            let mut page = Page::titled(code(name));
+            let mut page = Page::titled(format!("{} = {}", code(name), shown(&Value::Unknown)));
             page.add("the value cannot be computed");
-            page
+            let is_whole = std::ptr::eq(*part, expr);
+            (page, if is_whole { text.range(token.range()) } else { named })
         }
     };
-    Some(Hover { markdown: page.finish(), range: text.range(part.range.shift(start)) })
+    Some(Hover { markdown: page.finish(), range })
 }
 
 /// Whether a name at a place means the same as anywhere in the file, and the place is come by: not under a condition,
