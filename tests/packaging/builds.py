@@ -1,0 +1,92 @@
+"""What is handed out: wheel, crate, static program."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tarfile
+
+from common import EXAMPLES, ROOT, TARGET, WORK, Failed, demand, fresh, run, tool
+from hooks import QUICK
+
+# What crates.io takes, in bytes.
+MOST_CRATE = 10 * 1024 * 1024
+
+BROKEN = EXAMPLES / "broken_cell"
+
+
+def finds_defects(program):
+    """The program checks an example and finds what is wrong with it."""
+    printed = run([program, "check", "--format", "concise", BROKEN], code=1)
+    demand("[undefined-macro]" in printed, printed)
+
+
+def wheel():
+    """The wheel holds both programs and installs into a clean environment."""
+    wheels = fresh("wheel")
+    # the objects of `cargo build --release` are used again
+    command = [tool("maturin"), "build", "--release", "--locked", "--compatibility", "linux", "--out", wheels]
+    run(command, CARGO_TARGET_DIR=TARGET)
+    (file,) = wheels.glob("xacro_lint-*.whl")
+    clean = fresh("wheel-environment")
+    run([sys.executable, "-m", "venv", clean])
+    run([clean / "bin/pip", "install", "--quiet", "--no-index", file])
+    shown = run([clean / "bin/pip", "show", "xacro-lint"])
+    demand("License-Expression: MIT OR Apache-2.0" in shown or "License: MIT OR Apache-2.0" in shown, shown)
+    version = run([clean / "bin/xacro-lint", "--version"])
+    demand(f"Version: {version.split()[-1]}" in shown, f"{version}\n{shown}")
+    finds_defects(clean / "bin/xacro-lint")
+    demand("xacro-lsp" in run([clean / "bin/xacro-lsp", "--version"]), "the server runs")
+    print(f"   {file.name}, {file.stat().st_size / 1e6:.1f} MB")
+
+
+def crate():
+    """The crate is small enough, holds what it needs and nothing else, and builds from itself."""
+    # verifying compiles the unpacked crate, beside the objects of the tests
+    run(["cargo", "package", "--locked", "--allow-dirty", "--quiet"], CARGO_TARGET_DIR=TARGET)
+    file = max((TARGET / "package").glob("xacro-lsp-*.crate"), key=lambda path: path.stat().st_mtime)
+    size = file.stat().st_size
+    demand(size < MOST_CRATE, f"{file.name} has {size} bytes")
+    with tarfile.open(file) as archive:
+        names = [pathlib.PurePath(name).parts[1:] for name in archive.getnames()]
+    tops = {parts[0] for parts in names}
+    demand({"src", "docs", "build.rs", "README.md", "LICENSE-MIT", "LICENSE-APACHE", "Cargo.lock"} <= tops, tops)
+    demand(not tops & {"tests", ".ci", ".github", "target"}, tops)
+    print(f"   {file.name}, {size / 1e6:.1f} MB, {len(names)} files")
+
+
+def static():
+    """A static program runs where there is nothing else: no libraries, no shell, no folders."""
+    host = next(line for line in run(["rustc", "-vV"]).splitlines() if line.startswith("host: ")).split()[1]
+    target, more = host, {}
+    if host.endswith("-linux-gnu"):
+        musl = host.replace("-gnu", "-musl")
+        sysroot = pathlib.Path(run(["rustc", "--print", "sysroot"]).strip())
+        if (sysroot / "lib/rustlib" / musl / "lib").is_dir() and shutil.which("musl-gcc"):
+            target = musl
+        else:
+            more = {"RUSTFLAGS": "-C target-feature=+crt-static"}
+    command = ["cargo", "build", "--release", "--locked", "--quiet", "--bin", "xacro-lint", "--target", target]
+    run([*command, "--no-default-features", "--features", "cli"], **QUICK, **more)
+    program = QUICK["CARGO_TARGET_DIR"] / target / "release/xacro-lint"
+    headers = run(["readelf", "--program-headers", program])
+    demand("INTERP" not in headers, f"the program asks for a loader:\n{headers}")
+    if os.geteuid() != 0:
+        print("   skip the empty root: only root may change it")
+        return
+    empty = fresh("empty-root")
+    shutil.copy2(program, empty)
+    for part in ("src", "xacro-lint.toml"):
+        if (BROKEN / part).is_dir():
+            shutil.copytree(BROKEN / part, empty / part)
+    done = subprocess.run(
+        ["chroot", empty, "/xacro-lint", "check", "--format", "concise"],
+        env={}, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False,
+    )
+    if "Operation not permitted" in done.stdout and done.returncode == 125:
+        print("   skip the empty root: it may not be changed here")
+        return
+    if done.returncode != 1 or "[undefined-macro]" not in done.stdout:
+        raise Failed(f"in an empty root it ended with {done.returncode}:\n{done.stdout}")
+    print(f"   {target}, {program.stat().st_size / 1e6:.1f} MB without optimisation")
