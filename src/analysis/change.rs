@@ -46,8 +46,12 @@ impl<'a> Change<'a> {
             own.is_some_and(|own| !known.contains(&own)) && !self.session.settings(path).excludes(path)
         };
         let files = self.paths.iter().filter(|path| is_description(path) && self.session.vfs.is_file(path));
-        let job =
-            |file: &PathBuf| Job { file: file.clone(), reason: Reason::Walked, args: args.to_vec(), preset: None };
+        let job = |file: &PathBuf| Job {
+            file: file.clone(),
+            reason: Reason::Walked,
+            args: args.to_vec(),
+            preset: None,
+        };
         files.filter(is_new).map(job).collect()
     }
 
@@ -79,9 +83,13 @@ impl<'a> Change<'a> {
         jobs.into_iter().filter(|job| reached.contains(&job.file)).collect()
     }
 
-    /// Whether an expansion read a changed file, or looked for one that is gone.
+    /// Whether an expansion read a changed file, looked for one that is gone, or belongs to a package whose
+    /// manifest changed.
     pub(super) fn is_read_by(&self, outcome: &Outcome) -> bool {
-        self.holds(&outcome.job.file) || outcome.reads.iter().any(|path| self.holds(path))
+        let package = self.session.packages.containing(&outcome.job.file);
+        let manifest = package.map(|package| package.folder.join("package.xml"));
+        let read = std::iter::once(&outcome.job.file).chain(&outcome.reads).chain(&manifest);
+        read.into_iter().any(|path| self.holds(path))
     }
 
     /// Whether a file changed, by its number.
@@ -96,7 +104,8 @@ impl<'a> Change<'a> {
         let ways = finding.ways.iter().map(|way| way.call);
         let files: FastSet<FileId> =
             std::iter::once(finding.span).chain(related).chain(ways).map(|span| span.file).collect();
-        let of_its_file = matches!(finding.rule.check, Check::File(_)) || finding.rule.category == Category::Xml;
+        let of_its_file =
+            matches!(finding.rule.check, Check::File(_)) || finding.rule.category == Category::Xml;
         finding.severity == Severity::Error && !of_its_file || files.into_iter().any(|file| self.has(file))
     }
 }
@@ -117,7 +126,11 @@ mod tests {
 
     fn names(tree: &Tree, report: &Report) -> Vec<String> {
         let below = |path: &std::path::Path| path.strip_prefix(tree.root()).unwrap().display().to_string();
-        report.findings.iter().map(|f| format!("{} {}", below(report.path(f.span.file)), f.rule.name)).collect()
+        report
+            .findings
+            .iter()
+            .map(|f| format!("{} {}", below(report.path(f.span.file)), f.rule.name))
+            .collect()
     }
 
     /// Two robots over a common macro file, a third one beside them.
@@ -126,11 +139,14 @@ mod tests {
         let robot = |name: &str, include: &str, rest: &str| {
             format!(
                 "<robot name='{name}' xmlns:xacro='http://www.ros.org/wiki/xacro'>\
-                 <xacro:include filename='{include}'/><link name='base_link'/>{rest}</robot>"
+                 <xacro:include filename=\"{include}\"/><link name='base_link'/>{rest}</robot>"
             )
         };
         tree.write("a.urdf.xacro", &robot("a", "parts/arm.xacro", "<xacro:arm/><link name='lost'/>"));
-        tree.write("b.urdf.xacro", &robot("b", "${'parts/' + 'arm.xacro'}", "<xacro:property name='n' value='1'/>"));
+        tree.write(
+            "b.urdf.xacro",
+            &robot("b", "${'parts/' + 'arm.xacro'}", "<xacro:property name='n' value='1'/>"),
+        );
         tree.write("c.urdf.xacro", &robot("c", "parts/other.xacro", "${gone}"));
         let library = "<robot xmlns:xacro='http://www.ros.org/wiki/xacro'>";
         tree.write("parts/arm.xacro", &format!("{library}<xacro:macro name='arn'/></robot>"));
@@ -180,6 +196,6 @@ mod tests {
         tree.write("s.urdf", "<robot name='s'><link name='a'/><link name='b'/></robot>");
         tree.write("p.yaml", "[tool]");
         let (report, _) = check(&tree, &["p.yaml"]);
-        assert_eq!(names(&tree, &report), ["r.urdf.xacro orphan-link"]);
+        assert_eq!(names(&tree, &report), ["r.urdf.xacro orphan-link"; 2]);
     }
 }

@@ -41,11 +41,7 @@ impl Session {
     pub fn check(&self, options: &CheckOptions) -> Report {
         let _held = self.vfs.hold();
         let mut report = Report::default();
-        let mut jobs = self.jobs(options, &mut report);
-        let change = Change::of(self, options);
-        if let Some(change) = &change {
-            jobs = change.reached(jobs);
-        }
+        let jobs = self.jobs(options, &mut report);
         options.progress.begin(jobs.len());
         let mut reads: BTreeSet<PathBuf> = jobs.iter().map(|job| job.file.clone()).collect();
         // most files are parts of robots: those are expanded first, and what they include needs no look of its own
@@ -61,7 +57,7 @@ impl Session {
         reads.extend(self.config_files());
         reads.extend(self.mesh_files());
         let mut kept = self.keep(outcomes, &included);
-        if let Some(change) = &change {
+        if let Some(change) = Change::of(self, options) {
             kept.retain(|outcome| change.is_read_by(outcome));
         }
         Report { unreadable: report.unreadable, reads, ..self.conclude(options, kept) }
@@ -143,8 +139,10 @@ impl Session {
         let named = named.into_iter().map(|path| plain(path, Reason::Named));
         let walked = walked.into_iter().map(|path| plain(path, Reason::Walked));
         jobs.extend(named.chain(walked).filter(|job| known.insert(job.file.clone())));
-        let further = Change::of(self, options).map(|change| change.further(&jobs, &options.args));
-        jobs.extend(further.into_iter().flatten());
+        if let Some(change) = Change::of(self, options) {
+            jobs.extend(change.further(&jobs, &options.args));
+            jobs = change.reached(jobs);
+        }
         for job in jobs.iter().filter(|job| job.reason != Reason::Walked) {
             if let Err(error) = self.vfs.document(&job.file) {
                 report.unreadable.push(Unreadable { path: job.file.clone(), error });

@@ -56,17 +56,22 @@ def crate():
     print(f"   {file.name}, {size / 1e6:.1f} MB, {len(names)} files")
 
 
+def can_build_for(target):
+    """Whether there is a standard library for a target; rustup gets it where it can."""
+    library = pathlib.Path(run(["rustc", "--print", "sysroot"]).strip()) / "lib/rustlib" / target / "lib"
+    if not library.is_dir() and shutil.which("rustup"):
+        command = ["timeout", "300", "rustup", "target", "add", target]
+        subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+    return library.is_dir()
+
+
 def static():
     """A static program runs where there is nothing else: no libraries, no shell, no folders."""
     host = next(line for line in run(["rustc", "-vV"]).splitlines() if line.startswith("host: ")).split()[1]
-    target, more = host, {}
-    if host.endswith("-linux-gnu"):
-        musl = host.replace("-gnu", "-musl")
-        sysroot = pathlib.Path(run(["rustc", "--print", "sysroot"]).strip())
-        if (sysroot / "lib/rustlib" / musl / "lib").is_dir() and shutil.which("musl-gcc"):
-            target = musl
-        else:
-            more = {"RUSTFLAGS": "-C target-feature=+crt-static"}
+    target, more = host.replace("-linux-gnu", "-linux-musl"), {}
+    if not can_build_for(target):
+        # the other way to a static program proves the same
+        target, more = host, {"RUSTFLAGS": "-C target-feature=+crt-static"}
     command = ["cargo", "build", "--release", "--locked", "--quiet", "--bin", "xacro-lint", "--target", target]
     run([*command, "--no-default-features", "--features", "cli"], **QUICK, **more)
     program = QUICK["CARGO_TARGET_DIR"] / target / "release/xacro-lint"

@@ -57,9 +57,17 @@ def fresh(name):
 
 
 def blocks(page, language):
-    """The code blocks of a page of the documentation."""
+    """The code blocks of a page of the documentation in a language."""
     text = (ROOT / "docs" / page).read_text()
     return re.findall(rf"^```{language}\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+
+
+def snippet(page, name):
+    """The code block of a page that a comment above it names."""
+    text = (ROOT / "docs" / page).read_text()
+    found = re.findall(rf"^<!-- run: {name} -->\n```\w+\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+    demand(len(found) == 1, f"docs/{page} has {len(found)} blocks `{name}`")
+    return found[0]
 
 
 def install_tools():

@@ -2,13 +2,13 @@
 
 import xml.etree.ElementTree
 
-from common import RELEASE, blocks, demand, fresh, run, tool, with_tools
+from common import RELEASE, demand, fresh, run, snippet, tool, with_tools
 from fixture import BROKEN_MAST, LIFTER, MAST, PACKAGE
 
 
 def workspace():
     """`colcon test` fails on a broken robot, and passes when it is mended."""
-    (recipe,) = blocks("ci.md", "cmake")
+    recipe = snippet("ci.md", "colcon")
     folder = fresh("workspace")
     package = folder / "src/lifter_description"
     (package / "urdf").mkdir(parents=True)
@@ -19,17 +19,17 @@ def workspace():
     (package / "urdf/lifter.urdf.xacro").write_text(LIFTER)
     variables = {"PATH": with_tools(RELEASE), "COLCON_LOG_PATH": folder / "log", "COLCON_DEFAULTS_FILE": folder / "none"}
     colcon = tool("colcon")
-    for mast, code, failures in [(BROKEN_MAST, 1, 1), (MAST, 0, 0)]:
+    for mast, code, failures in [(BROKEN_MAST, 1, "1 failure"), (MAST, 0, "0 failures")]:
         (package / "urdf/mast.xacro").write_text(mast)
         run([colcon, "build"], cwd=folder, **variables)
         run([colcon, "test", "--return-code-on-test-failure"], cwd=folder, code=code, **variables)
         printed = run([colcon, "test-result", "--all"], cwd=folder, code=code, **variables)
-        demand(f"1 test, 0 errors, {failures} failures, 0 skipped" in printed, printed)
+        demand(f"Summary: 1 test, 0 errors, {failures}, 0 skipped" in printed, printed)
 
 
 def pytest():
     """The test for Python packages: it fails, passes, and is skipped where the program is missing."""
-    (recipe,) = blocks("ci.md", "python")
+    recipe = snippet("ci.md", "pytest")
     package = fresh("pytest")
     for name in ("urdf", "test"):
         (package / name).mkdir()

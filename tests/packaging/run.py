@@ -7,6 +7,8 @@
 import sys
 import time
 
+sys.dont_write_bytecode = True
+
 import builds
 import hooks
 import recipes

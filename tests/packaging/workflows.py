@@ -88,7 +88,7 @@ def action():
         ({"ACTION": folder}, "set the input repository"),
     ]:
         printed, _ = install(code=1, **inputs)
-        demand(f"::error title=xacro-lint::" in printed and message in printed, f"{inputs}\n{printed}")
+        demand("::error title=xacro-lint::" in printed and message in printed, f"{inputs}\n{printed}")
     archive = folder / f"server/owner/name/releases/download/v0.1.0/xacro-lint-{target}.tar.gz"
     archive.write_bytes(archive.read_bytes() + b"x")
     printed, _ = install(code=1)
@@ -130,7 +130,7 @@ def judge(folder, program):
     demand("exit-code=1\n" in outputs and f"sarif-file={report}\n" in outputs, outputs)
     demand('"2.1.0"' in report.read_text(), "a report")
     printed, outputs, _ = check_with(PATHS="\n  measuring_cell\n\n", ANNOTATIONS="false")
-    demand("no findings" in printed and "exit-code=0\n" in outputs, printed + outputs)
+    demand(not printed and "exit-code=0\n" in outputs, printed + outputs)
     printed, outputs, _ = check_with(PATHS="broken_cell", OPTIONS="--select\nredundant-identity-origin", SARIF="")
     demand("exit-code=0\n" in outputs and "sarif-file" not in outputs, printed + outputs)
     changed = "src/broken_probe_support/urdf/broken_probe_macro.xacro"
