@@ -51,8 +51,12 @@ def wheel():
     fixing = fixing.replace("xacro-lint check", "xacro-lint fix")
     formatting = formatting.replace("xacro-lint check --changed --format concise", "xacro-lint format")
     repository.write(".pre-commit-config.yaml", local[0] + fixing + formatting)
-    home = fresh("pre-commit-wheel")
-    variables = {"PATH": with_tools(), "PRE_COMMIT_HOME": home, "PIP_FIND_LINKS": WORK / "wheel", "PIP_NO_INDEX": "1"}
+    home, index = fresh("pre-commit-wheel"), fresh("index")
+    # pre-commit builds an empty package of its own with it
+    run([tool("pip"), "download", "--quiet", "--no-deps", "--dest", index, "setuptools"])
+    # nothing from PyPI takes the place of the wheel
+    links = f"{WORK / 'wheel'} {index}"
+    variables = {"PATH": with_tools(), "PRE_COMMIT_HOME": home, "PIP_FIND_LINKS": links, "PIP_NO_INDEX": "1"}
     scenario(repository, variables)
 
 
