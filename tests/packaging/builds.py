@@ -87,7 +87,7 @@ def static():
             shutil.copytree(BROKEN / part, empty / part)
     done = subprocess.run(
         ["chroot", empty, "/xacro-lint", "check", "--format", "concise"],
-        env={}, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False,
+        env={"PATH": os.environ["PATH"]}, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False,
     )
     if "Operation not permitted" in done.stdout and done.returncode == 125:
         print("   skip the empty root: it may not be changed here")

@@ -41,10 +41,10 @@ def main(names):
         try:
             STEPS[name]()
             outcome = "ok"
-        except Failed as problem:
+        except (Failed, OSError, ValueError) as problem:
             outcome = "FAILED"
             failed.append(name)
-            print(problem)
+            print(f"{type(problem).__name__}: {problem}")
         print(f"{outcome:6} {name} ({time.monotonic() - start:.1f} s)", flush=True)
     print(f"packaging: {len(names or STEPS) - len(failed)} passed, {len(failed)} failed")
     return 1 if failed else 0
