@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Find or install xacro-lint for the action; its path becomes the output `program`.
 #
-# Read: INSTALL, PROGRAM, VERSION, EXACT_VERSION, REPOSITORY, SERVER, ACTION (see action.yml); RUNNER_TEMP, GITHUB_OUTPUT.
+# Read: INSTALL, PROGRAM, VERSION, REPOSITORY, SERVER, ACTION (see action.yml); RUNNER_TEMP, GITHUB_OUTPUT.
 set -euo pipefail
 
 fail() { echo "::error title=xacro-lint::$1"; exit 1; }
@@ -39,18 +39,13 @@ esac
 below=${ACTION#*/_actions/}
 if [ -z "${REPOSITORY:-}" ] && [ "$below" != "$ACTION" ]; then
     REPOSITORY=$(echo "$below" | cut -d/ -f1-2)
-    VERSION=${EXACT_VERSION:-$(echo "$below" | cut -d/ -f3-)}
 fi
 [ -n "${REPOSITORY:-}" ] || fail "the repository of the releases is not known: set the input repository"
 
-releases="$SERVER/$REPOSITORY/releases"
-case "${VERSION:-}" in
-    v[0-9]*.[0-9]*.[0-9]*) from="$releases/download/$VERSION" ;;
-    *)
-        [ -z "${EXACT_VERSION:-}" ] || fail "version is written like v0.1.0, not $EXACT_VERSION"
-        from="$releases/latest/download"
-        ;;
-esac
+# whatever name of this action the workflow uses, a branch or a commit: the program is that of its version
+VERSION=${VERSION:-v$(sed -n 's/^version = "\(.*\)"/\1/p' "$ACTION/Cargo.toml" | head -n 1)}
+[[ $VERSION =~ ^v[0-9]+\.[0-9]+\.[0-9]+[-+.0-9A-Za-z]*$ ]] || fail "version is written like v0.1.0, not $VERSION"
+from="$SERVER/$REPOSITORY/releases/download/$VERSION"
 
 archive="xacro-lint-$target.tar.gz"
 cd "$folder"

@@ -38,6 +38,9 @@ def wheel():
     demand(f"Version: {version.split()[-1]}" in shown, f"{version}\n{shown}")
     finds_defects(clean / "bin/xacro-lint")
     demand("xacro-lsp" in run([clean / "bin/xacro-lsp", "--version"]), "the server runs")
+    # and runs without being installed
+    command = [tool("uvx"), "--offline", "--no-config", "--from", file, "xacro-lint", "--version"]
+    demand(version in run(command, UV_CACHE_DIR=fresh("uv-cache")), "uvx runs the program")
     print(f"   {file.name}, {file.stat().st_size / 1e6:.1f} MB")
 
 
@@ -54,6 +57,15 @@ def crate():
     demand({"src", "docs", "build.rs", "README.md", "LICENSE-MIT", "LICENSE-APACHE", "Cargo.lock"} <= tops, tops)
     demand(not tops & {"tests", ".ci", ".github", "target"}, tops)
     print(f"   {file.name}, {size / 1e6:.1f} MB, {len(names)} files")
+    # the source distribution holds the same, and what pip needs
+    folder = fresh("sdist")
+    run([tool("maturin"), "sdist", "--out", folder])
+    (source,) = folder.glob("*.tar.gz")
+    with tarfile.open(source) as archive:
+        held = {pathlib.PurePath(name).parts[1:] for name in archive.getnames()}
+    made = {(name,) for name in (".cargo_vcs_info.json", "Cargo.toml.orig")}
+    missing = set(names) - held - made
+    demand(not missing and ("pyproject.toml",) in held, f"missing in {source.name}: {sorted(missing)[:5]}")
 
 
 def can_build_for(target):

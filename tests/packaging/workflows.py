@@ -58,15 +58,18 @@ def action():
     # where the runner puts `owner/name@v0.1.0`: without a word from GitHub this says whose releases are meant
     place = folder / "_actions/owner/name/v0.1.0"
     place.mkdir(parents=True)
-    (place / ".github").symlink_to(ROOT / ".github")
-    target = release(folder / "server/owner/name/releases/download/v0.1.0")
+    for name in (".github", "Cargo.toml"):
+        (place / name).symlink_to(ROOT / name)
+    version = "v" + re.search(r'^version = "(.*)"', (ROOT / "Cargo.toml").read_text(), re.MULTILINE)[1]
+    releases = folder / "server/owner/name/releases/download" / version
+    target = release(releases)
     common = {"ACTION": place, "RUNNER_TEMP": folder / "temp", "SERVER": (folder / "server").as_uri()}
     (folder / "temp").mkdir()
 
     def install(code=0, **inputs):
         output = folder / "output"
         output.write_text("")
-        unset = dict.fromkeys(["INSTALL", "PROGRAM", "VERSION", "EXACT_VERSION", "REPOSITORY"], "")
+        unset = dict.fromkeys(["INSTALL", "PROGRAM", "VERSION", "REPOSITORY"], "")
         printed = run(
             [place / ".github/action/install.sh"], code=code, **{**unset, **common, "GITHUB_OUTPUT": output, **inputs}
         )
@@ -76,20 +79,21 @@ def action():
     program = outputs["program"]
     demand(program.startswith(str(folder / "temp")) and printed.startswith("xacro-lint "), printed)
     for inputs in [
-        {"VERSION": "v0.1.0", "EXACT_VERSION": "v0.1.0", "REPOSITORY": "owner/name"},
+        {"VERSION": version, "REPOSITORY": "owner/name"},
         {"PROGRAM": program},
     ]:
         demand(install(**inputs)[1]["program"] == program, f"{inputs}")
     for inputs, message in [
-        ({"VERSION": "v9.9.9", "EXACT_VERSION": "v9.9.9", "REPOSITORY": "owner/name"}, "cannot be had"),
-        ({"VERSION": "0.1", "EXACT_VERSION": "0.1", "REPOSITORY": "owner/name"}, "version is written like"),
+        ({"VERSION": "v9.9.9"}, "cannot be had"),
+        ({"VERSION": "0.1"}, "version is written like"),
+        ({"VERSION": "v0.1.0/../.."}, "version is written like"),
         ({"INSTALL": "magic"}, "install is release or source"),
         ({"PROGRAM": "no-such-program"}, "there is no program"),
         ({"ACTION": folder}, "set the input repository"),
     ]:
         printed, _ = install(code=1, **inputs)
         demand("::error title=xacro-lint::" in printed and message in printed, f"{inputs}\n{printed}")
-    archive = folder / f"server/owner/name/releases/download/v0.1.0/xacro-lint-{target}.tar.gz"
+    archive = releases / f"xacro-lint-{target}.tar.gz"
     archive.write_bytes(archive.read_bytes() + b"x")
     printed, _ = install(code=1)
     demand("is not what SHA256SUMS says" in printed, printed)
