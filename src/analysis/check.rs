@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
+use super::change::Change;
 use super::job::{self, Outcome};
 use super::merge::{merge, once_per_package};
 use super::progress::Progress;
@@ -25,6 +26,8 @@ pub struct CheckOptions {
     pub paths: Vec<PathBuf>,
     /// Files that are robots, whatever their content looks like.
     pub entries: Vec<PathBuf>,
+    /// Files that changed, when only what concerns them is asked for; below `paths`, or elsewhere.
+    pub changed: Vec<PathBuf>,
     /// Arguments of every expansion, over those of configured roots.
     pub args: Vec<(String, String)>,
     /// Set to stop early.
@@ -53,7 +56,10 @@ impl Session {
         reads.extend(read.into_iter().cloned());
         reads.extend(self.config_files());
         reads.extend(self.mesh_files());
-        let kept = self.keep(outcomes, &included);
+        let mut kept = self.keep(outcomes, &included);
+        if let Some(change) = Change::of(self, options) {
+            kept.retain(|outcome| change.is_read_by(outcome));
+        }
         Report { unreadable: report.unreadable, reads, ..self.conclude(options, kept) }
     }
 
@@ -89,6 +95,9 @@ impl Session {
         findings.extend(hiding.finish());
         findings.extend(self.config_findings());
         findings.retain_mut(|finding| self.admit(finding, &homes));
+        if let Some(change) = Change::of(self, options) {
+            findings.retain(|finding| change.concerns(finding));
+        }
         findings.sort_by_cached_key(|f| (self.vfs.path(f.span.file), f.span.range.start, f.rule.code));
         once_per_package(&mut findings, |file| Some(self.packages.containing(&self.vfs.path(file))?.folder));
         for finding in &findings {
@@ -130,6 +139,10 @@ impl Session {
         let named = named.into_iter().map(|path| plain(path, Reason::Named));
         let walked = walked.into_iter().map(|path| plain(path, Reason::Walked));
         jobs.extend(named.chain(walked).filter(|job| known.insert(job.file.clone())));
+        if let Some(change) = Change::of(self, options) {
+            jobs.extend(change.further(&jobs, &options.args));
+            jobs = change.reached(jobs);
+        }
         for job in jobs.iter().filter(|job| job.reason != Reason::Walked) {
             if let Err(error) = self.vfs.document(&job.file) {
                 report.unreadable.push(Unreadable { path: job.file.clone(), error });
@@ -163,7 +176,8 @@ impl Session {
     /// The folders whose files are the user's own: in files elsewhere, only errors are news.
     pub(super) fn homes(&self, options: &CheckOptions) -> Vec<PathBuf> {
         let home = self.env.var("HOME").map(Path::new);
-        let paths = options.paths.iter().chain(&options.entries).map(|path| self.vfs.absolute(path));
+        let paths = options.paths.iter().chain(&options.entries).chain(&options.changed);
+        let paths = paths.map(|path| self.vfs.absolute(path));
         let homes = paths.flat_map(|path| {
             let is_dir = self.vfs.is_dir(&path);
             let folder = if is_dir { Some(path.clone()) } else { path.parent().map(Path::to_owned) };

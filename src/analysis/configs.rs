@@ -90,10 +90,14 @@ impl Settings {
 
     /// Whether neither the file nor the rule for it is left out.
     fn passes(&self, rule: &Rule, path: &Path) -> bool {
-        let excluded = self.config.exclude.iter().any(|pattern| pattern.matches(path));
         let mut ignores = self.config.per_file_ignores.iter().filter(|(pattern, _)| pattern.matches(path));
         let ignored = ignores.any(|(_, rules)| rules.iter().any(|name| name == "ALL" || rule.is_named(name)));
-        !excluded && !ignored
+        !self.excludes(path) && !ignored
+    }
+
+    /// Whether the configuration excludes a file.
+    pub fn excludes(&self, path: &Path) -> bool {
+        self.config.exclude.iter().any(|pattern| pattern.matches(path))
     }
 }
 

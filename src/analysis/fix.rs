@@ -6,6 +6,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::change::Change;
 use super::check::CheckOptions;
 use super::report::Report;
 use super::session::Session;
@@ -156,6 +157,8 @@ impl Session {
 struct Work<'a> {
     session: &'a Session,
     homes: Vec<PathBuf>,
+    /// None: every file may be changed.
+    change: Option<Change<'a>>,
     most: Safety,
     files: BTreeMap<FileId, FixedFile>,
     /// Files that a fix would have broken.
@@ -172,9 +175,10 @@ struct Work<'a> {
 impl<'a> Work<'a> {
     fn new(session: &'a Session, options: &CheckOptions, most: Safety) -> Self {
         let homes = session.homes(options).iter().map(|home| session.vfs.canonical(home)).collect();
+        let change = Change::of(session, options);
         let (files, count) = (BTreeMap::new(), 0);
         let (broken, seen, first, own) = Default::default();
-        Self { session, homes, most, files, broken, seen, count, first, own }
+        Self { session, homes, change, most, files, broken, seen, count, first, own }
     }
 
     /// Apply fixes once; whether something changed.
@@ -238,7 +242,8 @@ impl<'a> Work<'a> {
             return known;
         }
         let path = self.session.vfs.path(file);
-        let is_own = self.is_first(&path, file) && self.lies_in_workspace(&path);
+        let is_meant = self.change.as_ref().is_none_or(|change| change.has(file));
+        let is_own = is_meant && self.is_first(&path, file) && self.lies_in_workspace(&path);
         self.own.borrow_mut().insert(file, is_own);
         is_own
     }

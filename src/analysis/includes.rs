@@ -10,11 +10,36 @@ use crate::workspace::config::Pattern;
 
 /// The files that a file may include, as patterns of absolute paths.
 pub(super) fn patterns(source: &SourceFile, packages: &Packages) -> Vec<Pattern> {
+    read(source, packages).flatten().collect()
+}
+
+/// What a file may include.
+pub(super) struct Reach {
+    patterns: Vec<Pattern>,
+    /// Whether one of its includes may be any file, as far as the text says.
+    pub(super) anything: bool,
+}
+
+impl Reach {
+    /// Whether `path` may be included.
+    pub(super) fn has(&self, path: &Path) -> bool {
+        self.patterns.iter().any(|pattern| pattern.matches(path))
+    }
+}
+
+/// What a file may include, unclear includes too.
+pub(super) fn reach(source: &SourceFile, packages: &Packages) -> Reach {
+    let all: Vec<Option<Pattern>> = read(source, packages).collect();
+    Reach { anything: all.iter().any(Option::is_none), patterns: all.into_iter().flatten().collect() }
+}
+
+/// The includes of a file; none: the text does not say which file that is.
+fn read(source: &SourceFile, packages: &Packages) -> impl Iterator<Item = Option<Pattern>> {
     let document = &source.document;
     let nodes =
         document.parts().flat_map(|(_, item)| item.all_nodes()).filter(|node| node.name() == "xacro:include");
     let names = nodes.filter_map(|node| Some(node.attr("filename")?.value(document.entities()).into_owned()));
-    names.filter_map(|name| pattern(&name, &source.path, packages)).collect()
+    names.map(|name| pattern(&name, &source.path, packages))
 }
 
 /// What the files of a workspace include, arranged so that nobody has to try every pattern on every file.

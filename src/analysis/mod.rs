@@ -3,6 +3,7 @@
 //! What the command line and the language server share.
 
 mod baseline;
+mod change;
 mod check;
 mod configs;
 mod context;

@@ -21,8 +21,7 @@ pub(super) fn descriptions(folder: &Path, session: &Session) -> Vec<PathBuf> {
     });
     let files = walk.build().flatten().filter(|entry| !entry.file_type().is_some_and(|kind| kind.is_dir()));
     let files = files.map(ignore::DirEntry::into_path).filter(|path| is_description(path));
-    let excluded = |path: &Path| session.settings(path).config.exclude.iter().any(|p| p.matches(path));
-    let mut found: Vec<PathBuf> = files.filter(|path| !excluded(path)).collect();
+    let mut found: Vec<PathBuf> = files.filter(|path| !session.settings(path).excludes(path)).collect();
     found.sort();
     found
 }

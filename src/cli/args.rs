@@ -153,6 +153,10 @@ pub(super) struct CheckArgs {
     /// Switch on the rules of a profile
     #[arg(long, value_name = "PROFILE", value_delimiter = ',', value_parser = PROFILES)]
     pub(super) profile: Vec<String>,
+    /// The paths are files that changed: check the robots below the folder you are in that read them, and print
+    /// only what concerns them
+    #[arg(long, conflicts_with_all = ["stdin_filename", "write_baseline"])]
+    pub(super) changed: bool,
     /// Look for packages there first
     #[arg(long, value_name = "DIR")]
     pub(super) package_path: Vec<String>,

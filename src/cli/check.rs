@@ -179,7 +179,7 @@ impl Run<'_> {
         } else if !done.is_empty() {
             io.line(done);
         }
-        if report.roots.is_empty() {
+        if report.roots.is_empty() && !self.args.changed {
             io.line("warning: no xacro or URDF file was found");
         }
         exit_code(&report, self.args)

@@ -44,7 +44,8 @@ pub(super) fn run(args: &FormatArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
         return usage(io, &format!("{}: cannot be read", visible(&missing.to_string_lossy())));
     }
     let mut done = Done::default();
-    for path in session.files(&options) {
+    let excluded = |path: &Path| session.settings(path).excludes(path);
+    for path in session.files(&options).into_iter().filter(|path| !excluded(path)) {
         one(args, &session, &path, env, io, &mut done);
     }
     warn_about_config(&session, env, io);

@@ -88,10 +88,13 @@ fn options(args: &CheckArgs) -> Result<CheckOptions, String> {
     let selectors = [&args.select, &args.extend_select, &args.ignore].into_iter().flatten();
     let mut unknown =
         selectors.filter(|selector| *selector != "ALL" && rules::find(selector).next().is_none());
+    // a change is judged by everything around it
+    let changed = if args.changed { std::mem::replace(&mut paths, vec![".".into()]) } else { Vec::new() };
     match unknown.next() {
         Some(unknown) => Err(rules::unknown_selector(unknown)),
         None => Ok(CheckOptions {
             paths,
+            changed,
             entries: args.entry.clone(),
             args: arguments,
             ..CheckOptions::default()
@@ -110,6 +113,8 @@ fn contradictions(args: &CheckArgs) -> Result<(), String> {
         "--diff prints a diff, whatever the format: leave --format out"
     } else if args.unsafe_fixes && !args.fix && !args.diff {
         "--unsafe-fixes goes with --fix or --diff"
+    } else if args.changed && stdin_name(args).is_some() {
+        "--changed goes with names of files, not with standard input"
     } else if args.fix && !args.diff && stdin_name(args).is_some() {
         "standard input cannot be fixed in place: use --diff"
     } else {

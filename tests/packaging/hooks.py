@@ -1,0 +1,119 @@
+"""pre-commit itself: hooks built from source (`language: rust`) and hooks from the wheel."""
+
+import shutil
+
+from common import ROOT, TARGET, WORK, blocks, demand, fresh, run, tool, with_tools
+from fixture import BROKEN_MAST, CROOKED, FIXABLE, LIFTER, MAST, Repository
+
+# Seconds count here, not the speed of the program: pre-commit builds whatever cargo would.
+QUICK = {
+    "CARGO_TARGET_DIR": TARGET / "packaging/quick",
+    "CARGO_PROFILE_RELEASE_OPT_LEVEL": "0",
+    "CARGO_PROFILE_RELEASE_LTO": "off",
+    "CARGO_PROFILE_RELEASE_CODEGEN_UNITS": "16",
+    "CARGO_PROFILE_RELEASE_STRIP": "none",
+}
+
+
+def manifest():
+    """pre-commit accepts the list of hooks, and they take the files that are meant."""
+    run([tool("pre-commit"), "validate-manifest", ROOT / ".pre-commit-hooks.yaml"])
+
+
+def source():
+    """A commit that breaks a robot by a file that it includes is stopped, by hooks that pre-commit builds with cargo."""
+    hooks = sources()
+    repository = Repository("hooks-source", {})
+    repository.write("urdf/mast.xacro", BROKEN_MAST)
+    home = fresh("pre-commit-source")
+    variables = {"PATH": with_tools(), "PRE_COMMIT_HOME": home, **QUICK}
+
+    # `try-repo` installs into a folder that it throws away
+    command = [tool("pre-commit"), "try-repo", hooks, "xacro-lint", "--files", "urdf/mast.xacro"]
+    expect_defect(run(command, code=1, cwd=repository.folder, **variables))
+    # the same by a configuration, so that the rest needs no further build
+    rev = run(["git", "rev-parse", "HEAD"], cwd=hooks).strip()
+    names = ["xacro-lint", "xacro-lint-fix", "xacro-format"]
+    lines = [f"repos:\n- repo: {hooks}\n  rev: {rev}\n  hooks:\n"] + [f"  - id: {name}\n" for name in names]
+    repository.write(".pre-commit-config.yaml", "".join(lines))
+    scenario(repository, variables)
+
+
+def wheel():
+    """The same by the wheel, with the configuration of docs/pre-commit.md."""
+    wheels = list((WORK / "wheel").glob("*.whl"))
+    demand(len(wheels) == 1, "the step `wheel` comes first")
+    local = [text for text in blocks("pre-commit.md", "yaml") if "repo: local" in text]
+    demand(len(local) == 1, "docs/pre-commit.md has one configuration for the wheel")
+    repository = Repository("hooks-wheel", {})
+    repository.write("urdf/mast.xacro", BROKEN_MAST)
+    fixing, formatting = hook(local[0], "xacro-lint-fix"), hook(local[0], "xacro-format")
+    fixing = fixing.replace("xacro-lint check", "xacro-lint fix")
+    formatting = formatting.replace("xacro-lint check --changed --format concise", "xacro-lint format")
+    repository.write(".pre-commit-config.yaml", local[0] + fixing + formatting)
+    home, index = fresh("pre-commit-wheel"), fresh("index")
+    # pre-commit builds an empty package of its own with it
+    run([tool("pip"), "download", "--quiet", "--no-deps", "--dest", index, "setuptools"])
+    # nothing from PyPI takes the place of the wheel
+    links = f"{WORK / 'wheel'} {index}"
+    variables = {"PATH": with_tools(), "PRE_COMMIT_HOME": home, "PIP_FIND_LINKS": links, "PIP_NO_INDEX": "1"}
+    scenario(repository, variables)
+
+
+def hook(configuration, name):
+    """The hook of a configuration under another name."""
+    own = configuration[configuration.index("      - id:") :]
+    return own.replace("id: xacro-lint\n", f"id: {name}\n").replace("name: xacro-lint\n", f"name: {name}\n")
+
+
+def sources():
+    """The sources as they are here, changes that are not committed too, as a repository for pre-commit."""
+    folder = fresh("hooks-repository")
+    listed = run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"])
+    for name in filter(None, listed.split("\0")):
+        path = ROOT / name
+        # what a build needs, and the hooks
+        if name.split("/")[0] in ("src", "docs", "Cargo.toml", "Cargo.lock", "build.rs", ".pre-commit-hooks.yaml", "README.md"):
+            if path.is_file():
+                (folder / name).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copyfile(path, folder / name)
+    run(["git", "init", "--quiet"], cwd=folder)
+    run(["git", "add", "."], cwd=folder)
+    person = ["-c", "user.name=Nobody", "-c", "user.email=nobody@example.org"]
+    run(["git", *person, "commit", "--quiet", "--message", "Sources"], cwd=folder)
+    return folder
+
+
+def expect_defect(printed):
+    demand("urdf/mast.xacro:8:26: error: property `hight` is not defined" in printed, printed)
+    demand("cart" not in printed, f"a robot that does not include the changed file is no news:\n{printed}")
+
+
+def scenario(repository, variables):
+    """Commits that the hooks stop, and those that they let pass."""
+    run([tool("pre-commit"), "install"], cwd=repository.folder, **variables)
+    repository.git("add", ".")
+    # the robot includes the changed file; only that one is passed
+    expect_defect(repository.commit("Mast", code=1, **variables))
+    # right, and with something left to be committed
+    repository.write("urdf/mast.xacro", MAST.replace("  <xacro:macro", "  <!-- a mast -->\n  <xacro:macro"))
+    repository.git("add", ".")
+    repository.commit("Mast", **variables)
+
+    repository.write("urdf/lifter.urdf.xacro", FIXABLE)
+    repository.git("add", ".")
+    printed = repository.commit("Name space", code=1, **variables)
+    demand("files were modified by this hook" in printed, printed)
+    demand(repository.read("urdf/lifter.urdf.xacro") == LIFTER, "the hook mends the name space")
+
+    repository.write("urdf/lifter.urdf.xacro", CROOKED)
+    repository.git("add", ".")
+    printed = repository.commit("Indentation", code=1, **variables)
+    demand("formatted 1 file" in printed, printed)
+    demand(repository.read("urdf/lifter.urdf.xacro") == LIFTER, "the hook indents the file")
+    # files of other kinds are nobody's business
+    repository.git("reset", "--quiet", "--hard")
+    repository.write("README.md", "a robot\n")
+    repository.git("add", ".")
+    printed = repository.commit("Text", **variables)
+    demand("no files to check" in printed, printed)
