@@ -13,6 +13,7 @@ mod io;
 mod json;
 mod options;
 mod packages;
+mod picture;
 mod prepare;
 #[cfg(feature = "preview")]
 mod preview;
@@ -68,6 +69,7 @@ fn dispatch(command: Command, env: &Environment, io: &mut Io<'_>) -> u8 {
         Command::Format(options) => format::run(&options, env, io),
         Command::Expand { args } => expand::run(&args, env, io),
         Command::Tree(options) => tree::run(&options, env, io),
+        Command::Render(options) => picture::run(&options, env, io),
         #[cfg(feature = "preview")]
         Command::Preview(options) => preview::run(&options, env, io),
         Command::Packages(options) => packages::run(&options, env, io),

@@ -10,7 +10,7 @@ use super::files::{Files, MeshFile};
 use crate::analysis::Session;
 use crate::base::FastMap;
 use crate::expand::{Expansion, Origin};
-use crate::model::{self, Material, Meshes, Robot, ShapeKind};
+use crate::model::{self, Material, Robot, ShapeKind};
 use crate::workspace::UriOutcome;
 
 /// What a body looks like; lengths in metres.
@@ -64,7 +64,6 @@ pub(super) struct Look {
 /// Where shapes and colours are looked up.
 pub(super) struct Shapes<'a> {
     session: &'a Session,
-    meshes: &'a Meshes,
     expansion: &'a Expansion,
     table: &'a Files,
     /// Materials with a colour or a texture: the first of each name.
@@ -74,13 +73,7 @@ pub(super) struct Shapes<'a> {
 }
 
 impl<'a> Shapes<'a> {
-    pub fn new(
-        session: &'a Session,
-        meshes: &'a Meshes,
-        expansion: &'a Expansion,
-        robot: &'a Robot,
-        table: &'a Files,
-    ) -> Self {
+    pub fn new(session: &'a Session, expansion: &'a Expansion, robot: &'a Robot, table: &'a Files) -> Self {
         let inside = robot.links.iter().flat_map(|link| &link.visuals);
         let inside = inside.filter_map(|visual| visual.material.as_ref());
         let mut materials = FastMap::default();
@@ -90,7 +83,7 @@ impl<'a> Shapes<'a> {
                 materials.entry(name.clone()).or_insert(material);
             }
         }
-        Self { session, meshes, expansion, table, materials, files: BTreeMap::new() }
+        Self { session, expansion, table, materials, files: BTreeMap::new() }
     }
 
     /// The files that were named.
@@ -167,8 +160,8 @@ impl<'a> Shapes<'a> {
         if self.files.contains_key(&id) {
             return id;
         }
-        let mesh = self.meshes.get(&self.session.vfs, path);
-        let beside = self.meshes.files(&self.session.vfs, path, &mesh);
+        let mesh = self.session.meshes().get(&self.session.vfs, path);
+        let beside = self.session.meshes().files(&self.session.vfs, path, &mesh);
         let files = beside.into_iter().map(|(name, path)| (name, self.file(&path))).collect();
         let bounds = mesh.surface.map(|surface| [surface.bounds.min, surface.bounds.max]);
         self.files.insert(id.clone(), MeshFile { bounds, files, ..self.plain(path) });

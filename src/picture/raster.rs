@@ -1,0 +1,189 @@
+//! Triangles as pixels: each sample keeps the nearest surface, and a pixel is the mean of its samples.
+
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+
+use super::Shot;
+use super::camera::Camera;
+use super::color::{self, Background, Rgba};
+use super::normals::normals;
+use super::scene::{Part, Scene};
+
+/// Samples a pixel, along each side.
+const SAMPLES: usize = 3;
+/// Rows of pixels that are drawn at a time.
+const ROWS: usize = 32;
+
+/// A triangle in the picture.
+struct Facet {
+    /// Right, down and nearness of its corners; samples.
+    corners: [[f64; 3]; 3],
+    /// Light at its corners.
+    light: [[f32; 3]; 3],
+    opacity: f32,
+}
+
+/// The rows of the picture, one after the other, as red, green, blue and opacity.
+pub(super) fn pixels(scene: &Scene, shot: &Shot) -> Vec<u8> {
+    let camera = Camera::around(scene.points(), shot);
+    let (mut solid, mut glass): (Vec<Facet>, Vec<Facet>) = (Vec::new(), Vec::new());
+    for part in scene.parts.iter().chain(&scene.skeleton) {
+        let list = if part.color[3] < 1.0 { &mut glass } else { &mut solid };
+        facets(part, &camera, list);
+    }
+    // what can be seen through is drawn from the back to the front
+    let nearness = |facet: &Facet| facet.corners.iter().map(|[_, _, key]| key).sum::<f64>();
+    glass.sort_by(|a, b| nearness(a).total_cmp(&nearness(b)));
+    let [_, height] = shot.size.map(|side| side as usize);
+    let bands: Vec<Vec<u8>> = (0..height.div_ceil(ROWS))
+        .into_par_iter()
+        .map(|number| {
+            let top = number * ROWS;
+            let mut band = Band::new(shot, top, ROWS.min(height - top));
+            solid.iter().for_each(|facet| band.draw::<true>(facet));
+            glass.iter().for_each(|facet| band.draw::<false>(facet));
+            band.pixels(shot.background)
+        })
+        .collect();
+    bands.concat()
+}
+
+/// The triangles of a part as the camera sees them.
+fn facets(part: &Part, camera: &Camera, found: &mut Vec<Facet>) {
+    let Rgba4 { base, opacity } = Rgba4::of(part.color);
+    for (triangle, normals) in part.solid.triangles.iter().zip(normals(&part.solid)) {
+        let corners = part.solid.corners(*triangle).map(|corner| {
+            let [x, y, key] = camera.project(corner);
+            [x * SAMPLES as f64, y * SAMPLES as f64, key]
+        });
+        let light = normals.map(|normal| {
+            let shade = color::shade(camera.turned(normal)) as f32;
+            base.map(|channel| (channel * shade).min(1.0))
+        });
+        found.push(Facet { corners, light, opacity });
+    }
+}
+
+/// A colour as amounts of light.
+struct Rgba4 {
+    base: [f32; 3],
+    opacity: f32,
+}
+
+impl Rgba4 {
+    fn of([r, g, b, a]: Rgba) -> Self {
+        Self {
+            base: [r, g, b].map(|channel| color::light(channel) as f32),
+            opacity: a.clamp(0.0, 1.0) as f32,
+        }
+    }
+}
+
+/// Some rows of the picture while they are drawn.
+struct Band {
+    width: usize,
+    height: usize,
+    /// The first row, samples.
+    top: f64,
+    near: Vec<f64>,
+    /// Light times opacity, and opacity.
+    light: Vec<[f32; 4]>,
+}
+
+impl Band {
+    fn new(shot: &Shot, top: usize, rows: usize) -> Self {
+        let (width, height) = (shot.size[0] as usize * SAMPLES, rows * SAMPLES);
+        let count = width * height;
+        let top = (top * SAMPLES) as f64;
+        Self { width, height, top, near: vec![f64::NEG_INFINITY; count], light: vec![[0.0; 4]; count] }
+    }
+
+    /// Draw a triangle; a solid one hides what is behind it.
+    fn draw<const SOLID: bool>(&mut self, facet: &Facet) {
+        let [a, b, c] = facet.corners.map(|[x, y, key]| [x, y - self.top, key]);
+        let area = cross(a, b, c);
+        let (x0, x1) = (a[0].min(b[0]).min(c[0]), a[0].max(b[0]).max(c[0]));
+        let (y0, y1) = (a[1].min(b[1]).min(c[1]), a[1].max(b[1]).max(c[1]));
+        if area == 0.0 || y1 < 0.0 || y0 > self.height as f64 {
+            return;
+        }
+        // samples are in the middle of their squares
+        let first = |at: f64| (at - 0.5).ceil().max(0.0) as usize;
+        let behind = |at: f64, end: usize| ((at - 0.5).floor() + 1.0).clamp(0.0, end as f64) as usize;
+        for y in first(y0)..behind(y1, self.height) {
+            for x in first(x0)..behind(x1, self.width) {
+                let at = [x as f64 + 0.5, y as f64 + 0.5, 0.0];
+                let weights = [cross(b, c, at) / area, cross(c, a, at) / area, cross(a, b, at) / area];
+                if weights.iter().any(|weight| *weight < -1e-9) {
+                    continue;
+                }
+                let key = weights[0] * a[2] + weights[1] * b[2] + weights[2] * c[2];
+                let index = y * self.width + x;
+                let Some((near, light)) = self.near.get_mut(index).zip(self.light.get_mut(index)) else {
+                    continue;
+                };
+                if key <= *near {
+                    continue;
+                }
+                let [p, q, r] = facet.light;
+                let [i, j, k] = weights.map(|weight| weight as f32);
+                let mix = |n: usize| {
+                    let at = |corner: [f32; 3]| corner.get(n).copied().unwrap_or_default();
+                    at(p) * i + at(q) * j + at(r) * k
+                };
+                let over = [mix(0), mix(1), mix(2), 1.0];
+                if SOLID {
+                    *near = key;
+                    *light = over;
+                } else {
+                    let opacity = facet.opacity;
+                    light.iter_mut().zip(over).for_each(|(under, over)| *under += (over - *under) * opacity);
+                }
+            }
+        }
+    }
+
+    /// The rows as pixels.
+    fn pixels(&self, background: Background) -> Vec<u8> {
+        let behind = match background {
+            Background::Transparent => None,
+            Background::Solid(channels) => {
+                Some(channels.map(|channel| color::light(f64::from(channel) / 255.0) as f32))
+            }
+        };
+        let (columns, rows) = (self.width / SAMPLES, self.height / SAMPLES);
+        let mut bytes = Vec::with_capacity(columns * rows * 4);
+        for row in 0..rows {
+            for column in 0..columns {
+                let [r, g, b, a] = self.mean(column, row);
+                let pixel = match behind {
+                    Some([br, bg, bb]) => {
+                        let left = 1.0 - a;
+                        [r + br * left, g + bg * left, b + bb * left, 1.0]
+                    }
+                    None if a > 0.0 => [r / a, g / a, b / a, a],
+                    None => [0.0; 4],
+                };
+                let [r, g, b, a] = pixel;
+                bytes.extend([r, g, b].map(|light| color::channel(f64::from(light))));
+                bytes.push((f64::from(a) * 255.0).round() as u8);
+            }
+        }
+        bytes
+    }
+
+    fn mean(&self, column: usize, row: usize) -> [f32; 4] {
+        let mut sum = [0.0f32; 4];
+        for y in row * SAMPLES..(row + 1) * SAMPLES {
+            let start = y * self.width + column * SAMPLES;
+            for sample in self.light.get(start..start + SAMPLES).into_iter().flatten() {
+                sum.iter_mut().zip(sample).for_each(|(sum, value)| *sum += value);
+            }
+        }
+        sum.map(|channel| channel / (SAMPLES * SAMPLES) as f32)
+    }
+}
+
+/// Twice the area of a triangle, positive when it runs clockwise in the picture.
+fn cross(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> f64 {
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+}
