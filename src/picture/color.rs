@@ -66,7 +66,7 @@ pub(super) fn shade(normal: Vector3<f64>) -> f64 {
     let key = normal.dot(&Vector3::new(-0.35, 0.62, 0.70).normalize()).max(0.0);
     let fill = normal.dot(&Vector3::new(0.85, -0.1, 0.5).normalize()).max(0.0);
     let sky = 0.5 + 0.5 * normal.y;
-    0.2 + 0.16 * sky + 0.62 * key + 0.16 * fill
+    0.2 + 0.2 * sky + 0.62 * key + 0.16 * fill
 }
 
 /// A channel as an amount of light.

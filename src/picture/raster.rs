@@ -26,9 +26,15 @@ struct Facet {
 pub(super) fn pixels(scene: &Scene, shot: &Shot) -> Vec<u8> {
     let camera = Camera::around(scene.points(), shot);
     let (mut solid, mut glass): (Vec<Facet>, Vec<Facet>) = (Vec::new(), Vec::new());
-    for part in scene.parts.iter().chain(&scene.skeleton) {
-        let list = if part.color[3] < 1.0 { &mut glass } else { &mut solid };
-        facets(part, &camera, list);
+    for part in &scene.parts {
+        facets(part, &camera, &mut |facet| {
+            if facet.opacity < 1.0 { &mut glass } else { &mut solid }.push(facet);
+        });
+    }
+    for part in &scene.skeleton {
+        // lines are no surfaces: they have their colour wherever they are
+        let light = Light::of(part.color);
+        facets(part, &camera, &mut |facet| solid.push(Facet { light: [light.color; 3], ..facet }));
     }
     // what can be seen through is drawn from the back to the front
     let nearness = |facet: &Facet| facet.corners.iter().map(|[_, _, key]| key).sum::<f64>();
@@ -48,31 +54,36 @@ pub(super) fn pixels(scene: &Scene, shot: &Shot) -> Vec<u8> {
 }
 
 /// The triangles of a part as the camera sees them.
-fn facets(part: &Part, camera: &Camera, found: &mut Vec<Facet>) {
-    let Rgba4 { base, opacity } = Rgba4::of(part.color);
-    for (triangle, normals) in part.solid.triangles.iter().zip(normals(&part.solid)) {
+fn facets(part: &Part, camera: &Camera, found: &mut dyn FnMut(Facet)) {
+    let mut tints = part.solid.tints.iter().peekable();
+    let mut now = Light::of(part.color);
+    for (number, (triangle, normals)) in part.solid.triangles.iter().zip(normals(&part.solid)).enumerate() {
+        while let Some((_, tint)) = tints.next_if(|(start, _)| *start <= number) {
+            now = Light::of(part.tinted(*tint));
+        }
         let corners = part.solid.corners(*triangle).map(|corner| {
             let [x, y, key] = camera.project(corner);
             [x * SAMPLES as f64, y * SAMPLES as f64, key]
         });
         let light = normals.map(|normal| {
             let shade = color::shade(camera.turned(normal)) as f32;
-            base.map(|channel| (channel * shade).min(1.0))
+            now.color.map(|channel| (channel * shade).min(1.0))
         });
-        found.push(Facet { corners, light, opacity });
+        found(Facet { corners, light, opacity: now.opacity });
     }
 }
 
 /// A colour as amounts of light.
-struct Rgba4 {
-    base: [f32; 3],
+#[derive(Clone, Copy)]
+struct Light {
+    color: [f32; 3],
     opacity: f32,
 }
 
-impl Rgba4 {
+impl Light {
     fn of([r, g, b, a]: Rgba) -> Self {
         Self {
-            base: [r, g, b].map(|channel| color::light(channel) as f32),
+            color: [r, g, b].map(|channel| color::light(channel) as f32),
             opacity: a.clamp(0.0, 1.0) as f32,
         }
     }

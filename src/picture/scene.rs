@@ -29,6 +29,31 @@ pub struct Content {
 pub(super) struct Part {
     pub solid: Solid,
     pub color: Rgba,
+    /// Whether the colours of its file count.
+    pub own: bool,
+}
+
+impl Part {
+    fn new(solid: Solid, color: Rgba) -> Self {
+        Self { solid, color, own: false }
+    }
+
+    /// Its colour where its file gives this one.
+    pub fn tinted(&self, tint: Option<Rgba>) -> Rgba {
+        let [.., opacity] = self.color;
+        match tint.filter(|_| self.own) {
+            Some([r, g, b, a]) => [r, g, b, a.min(opacity)],
+            None => self.color,
+        }
+    }
+
+    /// The colour that most of it has.
+    pub fn main_color(&self) -> Rgba {
+        let ends = self.solid.tints.iter().skip(1).map(|(start, _)| *start);
+        let runs = self.solid.tints.iter().zip(ends.chain([self.solid.triangles.len()]));
+        let longest = runs.max_by_key(|((start, _), end)| end - start);
+        longest.map_or(self.color, |((_, tint), _)| self.tinted(*tint))
+    }
 }
 
 /// The frame of a link.
@@ -118,7 +143,7 @@ impl Scene {
             }
         };
         let opacity = if content.frames { a.min(GLASS) } else { a };
-        Part { solid, color: [r, g, b, opacity] }
+        Part { own: !content.collisions, ..Part::new(solid, [r, g, b, opacity]) }
     }
 
     /// Where everything is that is drawn.
@@ -145,7 +170,7 @@ fn skeleton(scene: &Scene) -> Vec<Part> {
         for (axis, color) in axes.into_iter().zip(AXES) {
             let mut solid = Solid::beam(axis, unit * 0.08);
             solid.place([1.0; 3], &frame.at);
-            parts.push(Part { solid, color });
+            parts.push(Part::new(solid, color));
         }
         let parent = frame.by.as_ref().and_then(|(parent, ..)| scene.frames.get(*parent));
         let Some(parent) = parent else { continue };
@@ -153,7 +178,7 @@ fn skeleton(scene: &Scene) -> Vec<Part> {
         if to.coords.norm() > unit * 1e-3 {
             let mut solid = Solid::beam(to.coords.into(), unit * 0.05);
             solid.place([1.0; 3], &frame.at);
-            parts.push(Part { solid, color: BONE });
+            parts.push(Part::new(solid, BONE));
         }
     }
     parts

@@ -4,6 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Isometry3, Point3};
 
+use super::color::Rgba;
 use crate::model::Triangles;
 
 /// Sides of a round shape.
@@ -16,11 +17,13 @@ const RINGS: u32 = 32;
 pub(super) struct Solid {
     pub points: Vec<[f64; 3]>,
     pub triangles: Vec<[u32; 3]>,
+    /// From which triangle on there is which colour of its own.
+    pub tints: Vec<(usize, Option<Rgba>)>,
 }
 
 impl From<Triangles> for Solid {
-    fn from(Triangles { points, corners }: Triangles) -> Self {
-        Self { points, triangles: corners }
+    fn from(Triangles { points, corners, tints }: Triangles) -> Self {
+        Self { points, triangles: corners, tints }
     }
 }
 
@@ -30,6 +33,10 @@ impl Solid {
         triangle.map(|index| self.points.get(index as usize).copied().unwrap_or_default())
     }
 
+    fn of(points: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Self {
+        Self { points, triangles, tints: Vec::new() }
+    }
+
     /// A box of full lengths `size` around the origin.
     pub fn cuboid([x, y, z]: [f64; 3]) -> Self {
         let corner = |i: u32| {
@@ -37,7 +44,7 @@ impl Solid {
             [side(0, x), side(1, y), side(2, z)]
         };
         let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-        Self { points: (0..8).map(corner).collect(), triangles: sides.into_iter().flat_map(quad).collect() }
+        Self::of((0..8).map(corner).collect(), sides.into_iter().flat_map(quad).collect())
     }
 
     /// A cylinder along z around the origin.
@@ -52,7 +59,7 @@ impl Solid {
             triangles.extend(quad([here, next, next + 1, here + 1]));
             triangles.extend([[0, next, here], [1, here + 1, next + 1]]);
         }
-        Self { points, triangles }
+        Self::of(points, triangles)
     }
 
     /// A sphere around the origin.
@@ -81,7 +88,7 @@ impl Solid {
                 }
             }
         }
-        Self { points, triangles }
+        Self::of(points, triangles)
     }
 
     /// A box from the origin of a frame to a point in it, as thick as a line.

@@ -10,8 +10,9 @@ use super::scene::{Frame, Part, Scene};
 /// Height of a line of text, and width of a letter in it, pixels.
 const LINE: f64 = 14.0;
 const LETTER: f64 = 6.7;
-/// Distance of a name from its frame, pixels.
-const AWAY: f64 = 9.0;
+/// How far a name is to the right of its frame and below it, pixels: axes mostly point elsewhere.
+const AWAY: f64 = 5.0;
+const BELOW: f64 = 3.0;
 /// Frames nearer than this are one point in the picture, pixels.
 const TOGETHER: f64 = 3.0;
 /// Names at a point at most.
@@ -67,9 +68,10 @@ fn outline(part: &Part, seen: &[[f64; 3]]) -> String {
     for (number, [x, y]) in hull(seen.iter().map(|&[x, y, _]| [x, y]).collect()).into_iter().enumerate() {
         let _ = write!(path, "{}{x:.1} {y:.1}", if number == 0 { 'M' } else { 'L' });
     }
-    let [r, g, b, a] = part.color;
+    let color = part.main_color();
+    let [r, g, b, a] = color;
     let dark = [r * 0.55, g * 0.55, b * 0.55, a];
-    format!("<path d=\"{path}Z\" fill=\"{}\" stroke=\"{}\"/>\n", hex(part.color), hex(dark))
+    format!("<path d=\"{path}Z\" fill=\"{}\" stroke=\"{}\"/>\n", hex(color), hex(dark))
 }
 
 /// The corners of the convex hull of points, in order.
@@ -150,11 +152,11 @@ fn names(scene: &Scene, camera: &Camera, shot: &Shot, out: &mut String) {
                 one[2] <= other[0] || other[2] <= one[0] || one[3] <= other[1] || other[3] <= one[1]
             })
         };
-        let below = (0..).map(|step| y - LINE / 2.0 + f64::from(step) * 3.0);
-        let top = below.take_while(|top| top + LINE < height).find(free).unwrap_or(y - LINE / 2.0);
+        let below = (0..).map(|step| y + BELOW + f64::from(step) * 3.0);
+        let top = below.take_while(|top| top + LINE < height).find(free).unwrap_or(y + BELOW);
         taken.push([left, top, left + long, top + LINE]);
         let middle = top + LINE / 2.0;
-        if (middle - y).abs() > LINE {
+        if middle - y > BELOW + LINE {
             let _ = writeln!(out, "{}</line>", line([x, y], [left - 2.0, middle], "leader", "#8a94a6"));
         }
         let _ = writeln!(out, "<text x=\"{left:.1}\" y=\"{middle:.1}\">{}</text>", escape(&text));
