@@ -44,6 +44,13 @@ pub fn run(args: &[String], env: &Environment, io: &mut Io<'_>) -> u8 {
     {
         return expand::run(rest, env, io);
     }
+    if let [only] = args
+        && (only == "--version" || only == "-V")
+    {
+        // asked by tools again and again: no option needs to be known for it
+        io.out(concat!("xacro-lint ", env!("CARGO_PKG_VERSION"), "\n"));
+        return 0;
+    }
     let name = std::iter::once("xacro-lint").chain(args.iter().map(String::as_str));
     match Arguments::try_parse_from(name) {
         Ok(arguments) => dispatch(arguments.command, env, io),
