@@ -1,8 +1,8 @@
 //! The way from the expanded text to its source and back: what a place came from made that place.
 //!
 //! The descriptions of this repository are gone through. `ROUND_TRIP` names others: a folder, whose descriptions are
-//! all gone through, or a list with a robot a line, `FILE [name:=value ...]`. Packages are looked for in the folder,
-//! or in that of the list.
+//! all gone through, or a list with a robot a line: its file and `name:=value`, with tabs between. Packages are looked
+//! for in the folder, or in that of the list, and in `ROS_PACKAGE_PATH`.
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,
@@ -52,7 +52,7 @@ fn descriptions(folder: &Path, found: &mut Vec<Robot>) {
 fn listed(list: &Path) -> Vec<Robot> {
     let text = fs::read_to_string(list).unwrap();
     let robot = |line: &str| {
-        let mut words = line.split_whitespace();
+        let mut words = line.split('\t');
         let file = list.with_file_name(words.next().unwrap());
         let args = words.filter_map(|word| word.split_once(":="));
         Robot { file, args: args.map(|(name, value)| (name.to_owned(), value.to_owned())).collect() }
@@ -99,7 +99,11 @@ impl Ways<'_> {
 fn round_trip(folder: &Path, robots: &[Robot]) -> usize {
     let vfs = Arc::new(Vfs::with_cwd(u64::MAX, folder.to_path_buf()));
     let vars = BTreeMap::from([("HOME", "/home/user"), ("USER", "user"), ("ROS_VERSION", "2")]);
-    let vars = vars.into_iter().map(|(name, value)| (name.to_owned(), value.to_owned())).collect();
+    let mut vars: BTreeMap<String, String> =
+        vars.into_iter().map(|(name, value)| (name.to_owned(), value.to_owned())).collect();
+    if let Ok(path) = std::env::var("ROS_PACKAGE_PATH") {
+        vars.insert("ROS_PACKAGE_PATH".to_owned(), path);
+    }
     let env = Environment { vars, cwd: folder.to_path_buf() };
     let options =
         PackageOptions { workspace_folders: vec![folder.to_path_buf()], ..PackageOptions::default() };

@@ -33,6 +33,8 @@ impl View {
 
 /// Part of the picture that is left free on each side.
 const MARGIN: f64 = 0.06;
+/// What is left free for axes and names, pixels.
+pub(super) const ROOM: f64 = 28.0;
 /// Distance of the camera, in radii of the robot.
 const DISTANCE: f64 = 4.5;
 /// Half the diagonal of what is drawn at least, metres.
@@ -53,8 +55,8 @@ pub(super) struct Camera {
 }
 
 impl Camera {
-    /// A camera that has all points in the picture.
-    pub fn around<'a>(points: impl Iterator<Item = &'a [f64; 3]> + Clone, shot: &Shot) -> Self {
+    /// A camera that has all points in the picture, with at least `room` pixels around them.
+    pub fn around<'a>(points: impl Iterator<Item = &'a [f64; 3]> + Clone, shot: &Shot, room: f64) -> Self {
         let bounds = Bounds::around(points.clone().copied()).unwrap_or_else(|| Bounds::centred([0.0; 3]));
         let centre: [f64; 3] = std::array::from_fn(|i| {
             let at = |side: [f64; 3]| side.get(i).copied().unwrap_or_default();
@@ -67,12 +69,12 @@ impl Camera {
         let distance = (shot.view == View::Iso).then_some(radius * DISTANCE);
         let axes = [right, back.cross(&right), back];
         let mut camera = Self { axes, centre: centre.into(), distance, scale: 1.0, middle: [0.0; 2] };
-        camera.fit(points, shot.size);
+        camera.fit(points, shot.size, room);
         camera
     }
 
     /// Choose scale and middle so that the points fill the picture.
-    fn fit<'a>(&mut self, points: impl Iterator<Item = &'a [f64; 3]>, size: [u32; 2]) {
+    fn fit<'a>(&mut self, points: impl Iterator<Item = &'a [f64; 3]>, size: [u32; 2], room: f64) {
         let seen = points.map(|point| {
             let [x, y, _] = self.project(*point);
             [x, y, 0.0]
@@ -80,9 +82,8 @@ impl Camera {
         let seen = Bounds::around(seen).unwrap_or_else(|| Bounds::centred([0.0; 3]));
         let [width, height] = size.map(f64::from);
         let [wide, high, _] = seen.size();
-        let least = SMALLEST;
-        let free = 1.0 - 2.0 * MARGIN;
-        let scale = (width * free / wide.max(least)).min(height * free / high.max(least));
+        let free = |side: f64| (side - 2.0 * (side * MARGIN).max(room)).max(side / 2.0);
+        let scale = (free(width) / wide.max(SMALLEST)).min(free(height) / high.max(SMALLEST));
         let ([x0, y0, _], [x1, y1, _]) = (seen.min, seen.max);
         self.middle = [width / 2.0 - scale * (x0 + x1) / 2.0, height / 2.0 - scale * (y0 + y1) / 2.0];
         self.scale = scale;

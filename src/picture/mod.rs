@@ -37,4 +37,4 @@ pub const MOST_PIXELS: u64 = 16_000_000;
 /// Length of a side at most, pixels.
 pub const LONGEST_SIDE: u32 = 16_384;
 /// Triangles of a picture at most.
-pub const MOST_TRIANGLES: usize = 10_000_000;
+pub const MOST_TRIANGLES: usize = 3_000_000;

@@ -9,7 +9,7 @@ use super::{Background, Shot};
 /// # Errors
 /// When the file cannot be made, in words.
 pub fn picture_png(scene: &Scene, shot: &Shot) -> Result<Vec<u8>, String> {
-    let pixels = pixels(scene, shot);
+    let pixels = pixels(scene, shot)?;
     let [width, height] = shot.size;
     let mut file = Vec::new();
     let mut encoder = ::png::Encoder::new(&mut file, width, height);

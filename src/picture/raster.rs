@@ -13,6 +13,9 @@ const SAMPLES: usize = 3;
 /// Rows of pixels that are drawn at a time.
 const ROWS: usize = 32;
 
+/// Samples that are looked at for all triangles together, at most: some minutes.
+const MOST_LOOKS: f64 = 1e11;
+
 /// A triangle in the picture.
 struct Facet {
     /// Right, down and nearness of its corners; samples.
@@ -22,9 +25,23 @@ struct Facet {
     opacity: f32,
 }
 
+impl Facet {
+    /// The samples of the part of a picture with these sides that the triangle may lie in.
+    fn looks(&self, [width, height]: [f64; 2]) -> f64 {
+        let [a, b, c] = self.corners;
+        let side = |a: f64, b: f64, c: f64, end: f64| {
+            (a.max(b).max(c).min(end) - a.min(b).min(c).max(0.0)).max(0.0) + 1.0
+        };
+        side(a[0], b[0], c[0], width) * side(a[1], b[1], c[1], height)
+    }
+}
+
 /// The rows of the picture, one after the other, as red, green, blue and opacity.
-pub(super) fn pixels(scene: &Scene, shot: &Shot) -> Vec<u8> {
-    let camera = Camera::around(scene.points(), shot);
+///
+/// # Errors
+/// When it would take too long.
+pub(super) fn pixels(scene: &Scene, shot: &Shot) -> Result<Vec<u8>, String> {
+    let camera = Camera::around(scene.points(), shot, 0.0);
     let (mut solid, mut glass): (Vec<Facet>, Vec<Facet>) = (Vec::new(), Vec::new());
     for part in &scene.parts {
         facets(part, &camera, &mut |facet| {
@@ -39,6 +56,10 @@ pub(super) fn pixels(scene: &Scene, shot: &Shot) -> Vec<u8> {
     // what can be seen through is drawn from the back to the front
     let nearness = |facet: &Facet| facet.corners.iter().map(|[_, _, key]| key).sum::<f64>();
     glass.sort_by(|a, b| nearness(a).total_cmp(&nearness(b)));
+    let sides = shot.size.map(|side| f64::from(side) * SAMPLES as f64);
+    if solid.iter().chain(&glass).map(|facet| facet.looks(sides)).sum::<f64>() > MOST_LOOKS {
+        return Err("too many shapes lie behind each other: choose a smaller size".to_owned());
+    }
     let [_, height] = shot.size.map(|side| side as usize);
     let bands: Vec<Vec<u8>> = (0..height.div_ceil(ROWS))
         .into_par_iter()
@@ -50,7 +71,7 @@ pub(super) fn pixels(scene: &Scene, shot: &Shot) -> Vec<u8> {
             band.pixels(shot.background)
         })
         .collect();
-    bands.concat()
+    Ok(bands.concat())
 }
 
 /// The triangles of a part as the camera sees them.

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::Shot;
-use super::camera::Camera;
+use super::camera::{Camera, ROOM};
 use super::color::{AXES, BONE, Background, hex};
 use super::scene::{Frame, Part, Scene};
 
@@ -31,7 +31,7 @@ stroke:#fff;stroke-width:3px;stroke-linejoin:round;paint-order:stroke}\
 pub fn picture_svg(scene: &Scene, robot: &str, shot: &Shot) -> String {
     let frames: Vec<[f64; 3]> = scene.frames.iter().map(|frame| frame.at.translation.vector.into()).collect();
     let points = scene.parts.iter().flat_map(|part| &part.solid.points).chain(&frames);
-    let camera = Camera::around(points, shot);
+    let camera = Camera::around(points, shot, ROOM);
     let [width, height] = shot.size;
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \

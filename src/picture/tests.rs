@@ -267,6 +267,37 @@ fn names_do_not_lie_over_each_other() {
 }
 
 #[test]
+fn what_would_take_too_long_is_refused() {
+    let tree = Tree::new();
+    // a heap of large triangles in front of each other
+    let mesh = format!("v 0 -1 -1\nv 0 1 -1\nv 0 0 1\n{}", "f 1 2 3\n".repeat(6000));
+    tree.write("bot/heap.obj", &mesh);
+    let scene = scene(
+        &tree,
+        &chain(&[visual("<mesh filename=\"package://bot/heap.obj\"/>", "1 1 1 1")], ""),
+        &Content::default(),
+    );
+    let large = Shot { size: [2000, 2000], ..shot(View::Front) };
+    assert!(picture_png(&scene, &large).unwrap_err().contains("choose a smaller size"));
+    assert!(picture_png(&scene, &shot(View::Front)).is_ok());
+}
+
+#[test]
+fn colours_of_meshes_count() {
+    let tree = Tree::new();
+    tree.write("bot/two.mtl", "newmtl red\nKd 1 0 0\nnewmtl green\nKd 0 1 0\nd 0.5\n");
+    let points = "v 0 -2 -1\nv 0 0 -1\nv 0 0 1\nv 0 -2 1\nv 0 2 -1\nv 0 2 1\n";
+    let faces = "mtllib two.mtl\nusemtl red\nf 1 2 3 4\nusemtl green\nf 2 5 6 3\n";
+    tree.write("bot/two.obj", &format!("{points}{faces}"));
+    let robot = chain(&[visual("<mesh filename=\"package://bot/two.obj\"/>", "0 0 1 1")], "");
+    let scene = scene(&tree, &robot, &Content::default());
+    let pixels = drawn(&scene, &shot(View::Front));
+    let (left, right) = (&pixels[20][15], &pixels[20][45]);
+    assert!(left[0] > 150 && left[1] < 60 && left[2] < 60, "{left:?}");
+    assert!(right[1] > 150 && (60..220).contains(&right[0]), "half of it is the background: {right:?}");
+}
+
+#[test]
 fn backgrounds() {
     assert_eq!(Background::of("#fa0"), Some(Background::Solid([0xff, 0xaa, 0])));
     assert_eq!(Background::of("#0f1020"), Some(Background::Solid([0x0f, 0x10, 0x20])));

@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use ecow::EcoString;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::Serialize;
 
 use super::files::{Files, MeshFile};
 use crate::analysis::Session;
-use crate::base::FastMap;
+use crate::base::{FastMap, FastSet};
 use crate::expand::{Expansion, Origin};
 use crate::model::{self, Material, Robot, ShapeKind};
 use crate::workspace::UriOutcome;
@@ -84,6 +85,19 @@ impl<'a> Shapes<'a> {
             }
         }
         Self { session, expansion, table, materials, files: BTreeMap::new() }
+    }
+
+    /// Read all meshes of the robot, several at once: of a large robot they take most of the time.
+    pub fn read_meshes(&self, robot: &Robot) {
+        let bodies = robot.links.iter().flat_map(|link| link.visuals.iter().chain(&link.collisions));
+        let paths: FastSet<PathBuf> = bodies
+            .filter_map(|body| match &body.shape()?.kind {
+                ShapeKind::Mesh { filename, .. } => self.find(filename.as_ref()?).ok(),
+                _ => None,
+            })
+            .collect();
+        let Session { vfs, .. } = self.session;
+        paths.par_iter().for_each(|path| drop(self.session.meshes().get(vfs, path)));
     }
 
     /// The files that were named.

@@ -296,7 +296,9 @@ pub fn still(session: &Session, expansion: &Expansion, robot: &Robot) -> (Model,
 }
 
 fn of_robot(session: &Session, robot: &Robot, places: &Places<'_>, files: &Files) -> Model {
-    model(robot, places, &mut Shapes::new(session, places.expansion, robot, files))
+    let mut shapes = Shapes::new(session, places.expansion, robot, files);
+    shapes.read_meshes(robot);
+    model(robot, places, &mut shapes)
 }
 
 fn errors(names: &Names<'_>, analyzed: &Analyzed, root: &RootChoice) -> Vec<ModelError> {

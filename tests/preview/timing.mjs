@@ -1,6 +1,8 @@
 // How long the preview takes, on robots that are named:
 //
-//   XACRO_BIN_DIR=target/release node timing.mjs [--edits 60] FILE[:=ARG...] ...
+//   XACRO_BIN_DIR=target/release node tests/preview/timing.mjs [--edits 60] [--folder PACKAGES] 'FILE [name:=value ...]' ...
+//
+// The folder with the packages of the robot is copied, since its file is changed.
 //
 // open:  from the start of `xacro-lint preview` to the page with all meshes drawn (browser already running)
 // model: from the start of the subscription to the first model, by the language server (no mesh of it known yet)
@@ -18,12 +20,13 @@ const edits = Number(values.edits);
 const sorted = (times) => [...times].sort((a, b) => a - b);
 const share = (times, part) => sorted(times)[Math.min(times.length - 1, Math.floor(times.length * part))];
 
-/** The text with one number of an origin or a size changed, another one each time. */
+/** The text with one number of a pose or a size changed, another one each time; without one, with a link more. */
 function changed(text, turn) {
-  const found = /(?:xyz|size|radius|length|value)="[^"]*?(\d+\.\d+)/.exec(text);
-  if (!found) throw new Error('no number to change');
+  const found = /\b(?:xyz|size|radius|length)="[^"$]*?(\d+(?:\.\d+)?)/.exec(text);
+  if (!found) return text.replace(/<\/robot>\s*$/, `<link name="timing_${turn}"/></robot>\n`);
   const at = found.index + found[0].length - found[1].length;
-  return text.slice(0, at) + `${found[1]}${1 + (turn % 9)}${turn}` + text.slice(at + found[1].length);
+  const number = found[1].includes('.') ? found[1] : `${found[1]}.0`;
+  return `${text.slice(0, at)}${number}${1 + (turn % 9)}${turn}${text.slice(at + found[1].length)}`;
 }
 
 /** `open` and `save`. */

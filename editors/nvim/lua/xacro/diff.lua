@@ -88,7 +88,9 @@ function M.open(revision)
     talk.ask(source, 'xacro/expand', params, function(before)
       if not before.ok or not now.ok then
         talk.say(
-          ('%s has errors: the robot is compared as far as it goes'):format(now.ok and 'the earlier version' or 'the robot'),
+          ('%s has errors: the robot is compared as far as it goes'):format(
+            now.ok and 'the earlier version' or 'the robot'
+          ),
           vim.log.levels.WARN
         )
       end
