@@ -307,7 +307,7 @@ pub(super) struct RenderArgs {
     pub(super) output: PathBuf,
     /// From where the robot is seen
     #[arg(long, value_enum, default_value_t)]
-    pub(super) view: Side,
+    pub(super) view: Viewpoint,
     /// Width and height, pixels
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "800x600")]
     pub(super) size: String,
@@ -333,7 +333,7 @@ pub(super) struct RenderArgs {
 
 /// Directions to look from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(super) enum Side {
+pub(super) enum Viewpoint {
     /// From the front, the right and above
     #[default]
     Iso,

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::args::{RenderArgs, Side};
+use super::args::{RenderArgs, Viewpoint};
 use super::io::Io;
 use super::render::visible;
 use super::svg;
@@ -111,10 +111,10 @@ fn form(output: &Path, tree: bool) -> Result<Form, String> {
 /// How the picture is taken.
 fn shot(args: &RenderArgs) -> Result<Shot, String> {
     let view = match args.view {
-        Side::Iso => View::Iso,
-        Side::Front => View::Front,
-        Side::Side => View::Side,
-        Side::Top => View::Top,
+        Viewpoint::Iso => View::Iso,
+        Viewpoint::Front => View::Front,
+        Viewpoint::Side => View::Side,
+        Viewpoint::Top => View::Top,
     };
     let background = Background::of(&args.background).ok_or_else(|| {
         format!("background `{}`: it is `white`, `black`, `transparent` or like `#f0f4ff`", args.background)
