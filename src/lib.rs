@@ -12,6 +12,8 @@ pub mod expr;
 pub mod facts;
 pub mod ide;
 pub mod model;
+#[cfg(feature = "cli")]
+pub mod picture;
 pub mod preview;
 pub mod rules;
 #[cfg(feature = "lsp")]

@@ -18,6 +18,7 @@ const LEVELS: &[&[&str]] = &[
     &["ide"],
     &["analysis"],
     &["preview"],
+    &["picture"],
     &["server", "cli"],
 ];
 

@@ -98,6 +98,11 @@ impl Session {
         self.configs.warnings()
     }
 
+    /// The meshes.
+    pub fn meshes(&self) -> &Meshes {
+        &self.meshes
+    }
+
     /// The meshes that were read or looked for so far.
     pub(super) fn mesh_files(&self) -> BTreeSet<PathBuf> {
         self.meshes.looked_for()

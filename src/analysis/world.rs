@@ -123,6 +123,15 @@ impl World {
         }
     }
 
+    /// A world with the same folders and settings that sees the files on the disk, whatever is open.
+    pub fn on_disk(&self) -> Self {
+        let mut world = Self::new(self.env.clone(), self.folders.clone());
+        if let Some((settings, _)) = &self.editor {
+            world.set_editor_settings(settings.clone());
+        }
+        world
+    }
+
     /// Files, packages and configuration.
     pub fn session(&self) -> &Session {
         &self.session

@@ -30,6 +30,8 @@ pub(super) enum Command {
     },
     /// Print the links of a robot as a tree, as `check_urdf` does
     Tree(TreeArgs),
+    /// Draw a robot: a still picture, for documents and pull requests
+    Render(RenderArgs),
     /// Show a robot in 3D in a browser, and follow its files
     #[cfg(feature = "preview")]
     Preview(PreviewArgs),
@@ -297,6 +299,54 @@ pub(super) enum TreeFormat {
     Json,
     /// A picture
     Svg,
+}
+
+#[derive(Args, Debug)]
+pub(super) struct RenderArgs {
+    /// The file, and name:=value for its arguments
+    #[arg(value_name = "FILE", required = true)]
+    pub(super) file: Vec<String>,
+    /// The picture: `.png` for shaded shapes, `.svg` for outlines, frames and names
+    #[arg(short, long, value_name = "PICTURE")]
+    pub(super) output: PathBuf,
+    /// From where the robot is seen
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) view: Viewpoint,
+    /// Width and height, pixels
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "800x600")]
+    pub(super) size: String,
+    /// Put a joint somewhere: radians, degrees as `90deg`, or metres; may be given several times
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(super) joint: Vec<String>,
+    /// Draw collisions instead of visuals
+    #[arg(long)]
+    pub(super) collision: bool,
+    /// Draw the frames of the links too, and shapes so that one sees through them
+    #[arg(long)]
+    pub(super) frames: bool,
+    /// What is behind the robot: `white`, `black`, `transparent` or `#rrggbb`
+    #[arg(long, value_name = "COLOR", default_value = "white")]
+    pub(super) background: String,
+    /// Draw the tree of links and joints, as `tree --format svg` does
+    #[arg(long, conflicts_with_all = ["view", "size", "joint", "collision", "frames", "background"])]
+    pub(super) tree: bool,
+    /// Look for packages there first
+    #[arg(long, value_name = "DIR")]
+    pub(super) package_path: Vec<String>,
+}
+
+/// Directions to look from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum Viewpoint {
+    /// From the front, the right and above
+    #[default]
+    Iso,
+    /// From the front
+    Front,
+    /// From the right: the robot looks to the right
+    Side,
+    /// From above: the robot looks to the right
+    Top,
 }
 
 #[cfg(feature = "preview")]

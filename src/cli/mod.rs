@@ -13,6 +13,7 @@ mod io;
 mod json;
 mod options;
 mod packages;
+mod picture;
 mod prepare;
 #[cfg(feature = "preview")]
 mod preview;
@@ -43,6 +44,13 @@ pub fn run(args: &[String], env: &Environment, io: &mut Io<'_>) -> u8 {
     {
         return expand::run(rest, env, io);
     }
+    if let [only] = args
+        && (only == "--version" || only == "-V")
+    {
+        // asked by tools again and again: no option needs to be known for it
+        io.out(concat!("xacro-lint ", env!("CARGO_PKG_VERSION"), "\n"));
+        return 0;
+    }
     let name = std::iter::once("xacro-lint").chain(args.iter().map(String::as_str));
     match Arguments::try_parse_from(name) {
         Ok(arguments) => dispatch(arguments.command, env, io),
@@ -68,6 +76,7 @@ fn dispatch(command: Command, env: &Environment, io: &mut Io<'_>) -> u8 {
         Command::Format(options) => format::run(&options, env, io),
         Command::Expand { args } => expand::run(&args, env, io),
         Command::Tree(options) => tree::run(&options, env, io),
+        Command::Render(options) => picture::run(&options, env, io),
         #[cfg(feature = "preview")]
         Command::Preview(options) => preview::run(&options, env, io),
         Command::Packages(options) => packages::run(&options, env, io),

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use serde_json::json;
 
@@ -17,8 +17,11 @@ use crate::preview::{FromViewer, Hub, Location, Names, Received, RootName, Views
 use crate::vfs::Environment;
 use crate::workspace::percent_decoded;
 
-/// Between two looks at the disk.
-const LOOK: Duration = Duration::from_millis(250);
+/// Between two looks at the files of the robot; looking takes no more than one part in `SHARE` of the time.
+const LOOK: Duration = Duration::from_millis(30);
+const SHARE: u32 = 40;
+/// Between two looks at everything else: packages that came, patterns that match more, pages that were opened.
+const LOOK_AROUND: Duration = Duration::from_millis(250);
 
 /// Run `preview`; it ends with the process.
 pub(super) fn run(args: &PreviewArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
@@ -67,19 +70,30 @@ impl Preview {
         io.line("open this address in a browser; Ctrl-C ends");
         io.flush();
         let mut state = State::new();
+        let mut around = Instant::now();
+        self.follow(&mut state, State::new());
         loop {
-            self.follow(&mut state);
-            match self.said.recv_timeout(LOOK) {
-                Ok(received) => self.answer(received, env, io),
+            let begin = Instant::now();
+            let now = self.state();
+            let pause = LOOK.max(begin.elapsed() * SHARE);
+            if now != state || around.elapsed() >= LOOK_AROUND {
+                self.follow(&mut state, now);
+                around = Instant::now();
+            }
+            match self.said.recv_timeout(pause) {
+                Ok(received) => {
+                    self.answer(received, env, io);
+                    // what is to be shown may be another robot now
+                    around = begin.checked_sub(LOOK_AROUND).unwrap_or(begin);
+                }
                 Err(RecvTimeoutError::Timeout) => {}
                 Err(RecvTimeoutError::Disconnected) => return 0,
             }
         }
     }
 
-    /// Send what became of changed files.
-    fn follow(&mut self, state: &mut State) {
-        let now = self.state();
+    /// Send what became of changed files: those that are `now` not as they were in `state`.
+    fn follow(&mut self, state: &mut State, now: State) {
         let differs = |(path, one): &(&PathBuf, &u64)| state.get(*path).is_some_and(|known| known != *one);
         let changed: Vec<PathBuf> = now.iter().filter(differs).map(|(path, _)| path.clone()).collect();
         if !changed.is_empty() {
@@ -89,7 +103,9 @@ impl Preview {
         let watched = |id| hub.is_watched(id);
         let (messages, _) = with_names(|names| views.update(world, names, &watched, &CancelFlag::default()));
         messages.iter().for_each(|message| hub.tell(message));
+        // what changed while it was read counts as not seen yet
         *state = self.state();
+        now.into_iter().for_each(|(path, one)| drop(state.entry(path).and_modify(|known| *known = one)));
     }
 
     fn state(&self) -> State {

@@ -38,7 +38,7 @@ fn takes_value(arg: &Arg) -> bool {
     arg.get_action().takes_values()
 }
 
-/// `` `--format FORMAT` ``
+/// `` `--format FORMAT` ``, `` `-o`, `--output FILE` ``
 fn name(arg: &Arg) -> String {
     let id = arg.get_id().as_str().to_uppercase();
     let value = arg.get_value_names().and_then(|names| names.first()).map_or(id, ToString::to_string);
@@ -46,7 +46,8 @@ fn name(arg: &Arg) -> String {
     let value = if takes_value(arg) { format!(" {value}") } else { String::new() };
     let aliases = arg.get_all_aliases().unwrap_or_default();
     let aliases: String = aliases.iter().map(|alias| format!(", `--{alias}`")).collect();
-    format!("`--{long}{value}`{aliases}")
+    let short = arg.get_short().map(|short| format!("`-{short}`, ")).unwrap_or_default();
+    format!("{short}`--{long}{value}`{aliases}")
 }
 
 fn meaning(arg: &Arg) -> String {

@@ -58,7 +58,9 @@ pub(super) fn run(args: &TreeArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     }
     let robot = Robot::of(&expansion);
     let Some(tree) = robot.as_ref().filter(|_| !expansion.has_errors()).and_then(good_tree) else {
-        return explain(&session, &file, arguments, env, io);
+        explain(&session, &file, arguments, env, io);
+        io.line("error: the links of this robot make no tree");
+        return 1;
     };
     match args.format {
         TreeFormat::Text => io.out(&text_tree(&tree, args.joints)),
@@ -69,13 +71,13 @@ pub(super) fn run(args: &TreeArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     0
 }
 
-fn fails(io: &mut Io<'_>, message: &str) -> u8 {
+pub(super) fn fails(io: &mut Io<'_>, message: &str) -> u8 {
     io.line(&format!("error: {}", visible(message)));
     2
 }
 
 /// The tree of a robot in which every link but one hangs on exactly one joint.
-fn good_tree(robot: &Robot) -> Option<Tree<'_>> {
+pub(super) fn good_tree(robot: &Robot) -> Option<Tree<'_>> {
     let kinematics = Kinematics::of(robot);
     robot.name.as_ref().filter(|name| !name.value.is_empty())?;
     let mut roots = kinematics.roots(robot).into_iter();
@@ -86,14 +88,14 @@ fn good_tree(robot: &Robot) -> Option<Tree<'_>> {
     (single && joined && kinematics.cycles().is_empty()).then_some(Tree { robot, kinematics, root })
 }
 
-/// Say why there is no tree.
-fn explain(
+/// Say what keeps a robot from being one.
+pub(super) fn explain(
     session: &Session,
     file: &str,
     args: Vec<(String, String)>,
     env: &Environment,
     io: &mut Io<'_>,
-) -> u8 {
+) {
     let options = CheckOptions { entries: vec![file.into()], args, ..CheckOptions::default() };
     let mut report = session.check(&options);
     let categories = [Category::Xml, Category::Xacro, Category::Structure, Category::Package];
@@ -101,8 +103,6 @@ fn explain(
     for line in text::drawings(&report, &env.cwd, io.color) {
         io.line(&line);
     }
-    io.line("error: the links of this robot make no tree");
-    1
 }
 
 /// Expand the one file among `names`, with `name:=value` from there as well.
@@ -122,7 +122,12 @@ pub(super) fn expand_named(
 }
 
 /// A session about one file.
-fn open(file: &str, package_path: &[String], env: &Environment, io: &mut Io<'_>) -> Result<Session, String> {
+pub(super) fn open(
+    file: &str,
+    package_path: &[String],
+    env: &Environment,
+    io: &mut Io<'_>,
+) -> Result<Session, String> {
     let package_path = package_path.iter().map(PathBuf::from).collect();
     let setup = Setup { about: file.into(), package_path, ..Setup::default() };
     let session = Session::new(env, setup).map_err(|error| error.to_string())?;
@@ -130,7 +135,7 @@ fn open(file: &str, package_path: &[String], env: &Environment, io: &mut Io<'_>)
     Ok(session)
 }
 
-fn expand_in(session: &Session, file: &str, args: Vec<(String, String)>) -> Expansion {
+pub(super) fn expand_in(session: &Session, file: &str, args: Vec<(String, String)>) -> Expansion {
     let world = World { vfs: &session.vfs, packages: &session.packages, env: &session.env };
     expand(world, &Request { file: file.to_owned(), args, ..Request::default() })
 }

@@ -29,8 +29,6 @@ mod schema;
 mod search;
 mod selection;
 mod source_map;
-#[cfg(test)]
-mod source_map_tests;
 mod tag_reader;
 mod tags;
 mod tokens;

@@ -28,7 +28,7 @@ impl Pose {
 }
 
 /// A robot.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Model {
     /// Its name.
     pub robot: String,

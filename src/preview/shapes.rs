@@ -4,13 +4,14 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use ecow::EcoString;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::Serialize;
 
 use super::files::{Files, MeshFile};
 use crate::analysis::Session;
-use crate::base::FastMap;
+use crate::base::{FastMap, FastSet};
 use crate::expand::{Expansion, Origin};
-use crate::model::{self, Material, Meshes, Robot, ShapeKind};
+use crate::model::{self, Material, Robot, ShapeKind};
 use crate::workspace::UriOutcome;
 
 /// What a body looks like; lengths in metres.
@@ -64,7 +65,6 @@ pub(super) struct Look {
 /// Where shapes and colours are looked up.
 pub(super) struct Shapes<'a> {
     session: &'a Session,
-    meshes: &'a Meshes,
     expansion: &'a Expansion,
     table: &'a Files,
     /// Materials with a colour or a texture: the first of each name.
@@ -74,13 +74,7 @@ pub(super) struct Shapes<'a> {
 }
 
 impl<'a> Shapes<'a> {
-    pub fn new(
-        session: &'a Session,
-        meshes: &'a Meshes,
-        expansion: &'a Expansion,
-        robot: &'a Robot,
-        table: &'a Files,
-    ) -> Self {
+    pub fn new(session: &'a Session, expansion: &'a Expansion, robot: &'a Robot, table: &'a Files) -> Self {
         let inside = robot.links.iter().flat_map(|link| &link.visuals);
         let inside = inside.filter_map(|visual| visual.material.as_deref());
         let mut materials = FastMap::default();
@@ -90,7 +84,20 @@ impl<'a> Shapes<'a> {
                 materials.entry(name.clone()).or_insert(material);
             }
         }
-        Self { session, meshes, expansion, table, materials, files: BTreeMap::new() }
+        Self { session, expansion, table, materials, files: BTreeMap::new() }
+    }
+
+    /// Read all meshes of the robot, several at once: of a large robot they take most of the time.
+    pub fn read_meshes(&self, robot: &Robot) {
+        let bodies = robot.links.iter().flat_map(|link| link.visuals.iter().chain(&link.collisions));
+        let paths: FastSet<PathBuf> = bodies
+            .filter_map(|body| match &body.shape()?.kind {
+                ShapeKind::Mesh { filename, .. } => self.find(filename.as_ref()?).ok(),
+                _ => None,
+            })
+            .collect();
+        let Session { vfs, .. } = self.session;
+        paths.par_iter().for_each(|path| drop(self.session.meshes().get(vfs, path)));
     }
 
     /// The files that were named.
@@ -167,8 +174,8 @@ impl<'a> Shapes<'a> {
         if self.files.contains_key(&id) {
             return id;
         }
-        let mesh = self.meshes.get(&self.session.vfs, path);
-        let beside = self.meshes.files(&self.session.vfs, path, &mesh);
+        let mesh = self.session.meshes().get(&self.session.vfs, path);
+        let beside = self.session.meshes().files(&self.session.vfs, path, &mesh);
         let files = beside.into_iter().map(|(name, path)| (name, self.file(&path))).collect();
         let bounds = mesh.surface.map(|surface| [surface.bounds.min, surface.bounds.max]);
         self.files.insert(id.clone(), MeshFile { bounds, files, ..self.plain(path) });

@@ -11,9 +11,10 @@ use super::model::{Model, model};
 use super::places::{Location, Names, Places};
 use super::select;
 use super::shapes::Shapes;
-use crate::analysis::{Analyzed, RootChoice, World};
-use crate::base::{CancelFlag, FastSet};
-use crate::expand::{Read, Severity};
+use crate::analysis::{Analyzed, RootChoice, Session, World};
+use crate::base::{CancelFlag, Encoding, FastSet};
+use crate::expand::{Expansion, Read, Severity};
+use crate::model::Robot;
 
 /// Errors that are sent at most.
 const MOST_ERRORS: usize = 100;
@@ -279,20 +280,25 @@ impl Shown {
 
 /// The model of an expansion.
 fn drawn(world: &World, names: &Names<'_>, files: &Files, analyzed: &Analyzed) -> Model {
-    let Some(robot) = &analyzed.robot else {
-        return Model {
-            robot: String::new(),
-            links: Vec::new(),
-            joints: Vec::new(),
-            meshes: BTreeMap::new(),
-        };
-    };
-    let session = world.session();
-    let settings = session.settings(&analyzed.root.file);
-    let around = session.surroundings(&settings.config);
     let places = Places { names, expansion: &analyzed.expansion };
-    let mut shapes = Shapes::new(session, around.meshes, &analyzed.expansion, robot, files);
-    model(robot, &places, &mut shapes)
+    match &analyzed.robot {
+        Some(robot) => of_robot(world.session(), robot, &places, files),
+        None => Model::default(),
+    }
+}
+
+/// The model of a robot, and the files of its meshes; without places.
+pub fn still(session: &Session, expansion: &Expansion, robot: &Robot) -> (Model, Files) {
+    let files = Files::default();
+    let names = Names { uri: &|_| None, path: &|_| None, encoding: Encoding::Utf8 };
+    let model = of_robot(session, robot, &Places { names: &names, expansion }, &files);
+    (model, files)
+}
+
+fn of_robot(session: &Session, robot: &Robot, places: &Places<'_>, files: &Files) -> Model {
+    let mut shapes = Shapes::new(session, places.expansion, robot, files);
+    shapes.read_meshes(robot);
+    model(robot, places, &mut shapes)
 }
 
 fn errors(names: &Names<'_>, analyzed: &Analyzed, root: &RootChoice) -> Vec<ModelError> {

@@ -105,6 +105,9 @@ impl Engine {
                 }
             }
         }
+        for list in found.values_mut() {
+            list.sort_by_key(|diagnostic| diagnostic.range.start);
+        }
         for (path, count) in left_out {
             found.entry(path).or_default().push(more(count));
         }

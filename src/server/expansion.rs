@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::engine::Engine;
 use super::failure::Failure;
-use crate::analysis::RootChoice;
+use crate::analysis::{RootChoice, World};
 use crate::base::{CancelFlag, Span};
 use crate::expand::{Expansion, Place, Severity};
 use crate::ide::SourceMap;
@@ -32,6 +32,9 @@ pub(super) struct ExpandParams {
     pub args: BTreeMap<String, String>,
     #[serde(default)]
     pub source_map: bool,
+    /// Expand what is on the disk instead of what is open, with these texts in place of some files: an earlier
+    /// version to compare with.
+    pub texts: Option<BTreeMap<Url, String>>,
 }
 
 /// The expanded document, and what kept it from being complete.
@@ -75,17 +78,32 @@ impl Engine {
             root.args.retain(|(known, _)| *known != name);
             root.args.push((name, value));
         }
-        let analyzed = self.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+        let other = params.texts.is_some();
+        let analyzed = match params.texts {
+            Some(texts) => self.earlier(texts).analyzed(&root, cancel),
+            None => self.world.analyzed(&root, cancel),
+        };
+        let analyzed = analyzed.ok_or(Failure::Cancelled)?;
         let expansion = &analyzed.expansion;
         Ok(Expanded {
             ok: !expansion.has_errors() && expansion.root_error.is_none(),
             urdf: analyzed.written().text.clone(),
             root: self.named(&root)?,
             args: expansion.arguments.iter().map(|(n, v)| (n.to_string(), v.to_string())).collect(),
-            errors: self.errors(expansion),
-            source_map: params.source_map.then(|| self.map_of(&analyzed)),
+            // places in texts that nobody sees lead nowhere
+            errors: if other { Vec::new() } else { self.errors(expansion) },
+            source_map: (params.source_map && !other).then(|| self.map_of(&analyzed)),
             ms: begin.elapsed().as_secs_f64() * 1e3,
         })
+    }
+
+    /// The files on the disk, with other texts for some.
+    fn earlier(&self, texts: BTreeMap<Url, String>) -> World {
+        let mut world = self.world.on_disk();
+        for (uri, text) in texts {
+            world.set_text(&self.path(&uri), text);
+        }
+        world
     }
 
     /// A root that the client names.

@@ -1,6 +1,6 @@
 //! F33: the expanded document.
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::client::Client;
 use super::workspace::{ROBOT, UNIT};
@@ -73,6 +73,29 @@ fn the_parts_of_a_name_lead_to_those_who_gave_them() {
         ["pan_tilt.urdf.xacro:8 tilt origin", "unit.xacro:5 ${name} argument", call]
     );
     assert_eq!(sources(&mut client, "<link name=\"tilt_b|ody\""), ["unit.xacro:4 _body origin", call]);
+}
+
+#[test]
+fn an_earlier_version_is_expanded_beside_the_present_one() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    client.open(UNIT);
+    client.edit(ROBOT, "name=\"m0\" value=\"0.15\"", "name=\"m0\" value=\"0.25\"");
+    let urdf = |client: &mut Client, texts: Option<Value>| {
+        let mut params = client.of(ROBOT);
+        params["texts"] = texts.unwrap_or_default();
+        let answer = client.request("xacro/expand", params);
+        assert_eq!(answer["ok"], true, "{answer}");
+        answer["urdf"].as_str().unwrap().to_owned()
+    };
+    assert!(urdf(&mut client, None).contains("<mass value=\"0.5\"/>"));
+    assert!(urdf(&mut client, Some(json!({}))).contains("<mass value=\"0.3\"/>"), "that of the disk");
+    let unit = client.text(UNIT).replace("_body", "_case");
+    let texts = json!({ (client.uri(UNIT)): unit });
+    let earlier = urdf(&mut client, Some(texts));
+    assert!(earlier.contains("tilt_case") && earlier.contains("<mass value=\"0.3\"/>"), "{earlier}");
+    // what is open stays as it is
+    assert!(urdf(&mut client, None).contains("tilt_body"));
 }
 
 #[test]

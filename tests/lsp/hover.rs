@@ -112,7 +112,7 @@ fn elements_and_attributes_are_explained() {
         &["unit vector in the joint frame", "`1 0 0`", "`<joint>`", "wiki.ros.org"],
     );
     check(&mut client, UNIT, "<iner|tia ", "inertia", &["about the centre of mass", "kg m²"]);
-    check(&mut client, UNIT, "upper=\"1.|57\"", "1.57", &["`1.57 rad` = `89.95°`"]);
+    check(&mut client, UNIT, "upper=\"1.|57\"", "1.57", &["`1.57 rad (89.95°)`"]);
     check(&mut client, UNIT, "velocity=\"|2\"", "2", &["114.59°/s"]);
     check(&mut client, UNIT, "<xacro:ma|cro", "xacro:macro", &["Defines"]);
 }

@@ -152,6 +152,55 @@ return function(test, skip)
     assert(marked:find('mount', 1, true) or marked == 'desk', marked)
   end)
 
+  -- The texts of the two windows that are compared, the earlier one first.
+  local compared = [[(function()
+    local texts = {}
+    for _, window in ipairs(vim.api.nvim_tabpage_list_wins(0)) do
+      if vim.wo[window].diff then
+        local bufnr = vim.api.nvim_win_get_buf(window)
+        texts[#texts + 1] = table.concat(vim.api.nvim_buf_get_lines(bufnr, 0, -1, false), '\n')
+      end
+    end
+    return #texts == 2 and texts
+  end)()]]
+
+  test('XacroDiff shows what unsaved changes make of the robot', function(child)
+    child:edit(fixture.robot)
+    child:change('value="0.15"', 'value="0.25"')
+    child:type(':XacroDiff<CR>')
+    local texts = child:wait(compared)
+    assert(texts[1]:find('<mass value="0.3"/>', 1, true), texts[1])
+    assert(texts[2]:find('<mass value="0.5"/>', 1, true), texts[2])
+    child:type('q')
+    child:wait('#vim.api.nvim_list_tabpages() == 1')
+  end)
+
+  test('XacroDiff compares with a revision of git', function(child)
+    if vim.fn.executable('git') == 0 then
+      skip('there is no git')
+    end
+    child:edit(fixture.unit)
+    child:type(':XacroDiff HEAD<CR>')
+    assert(child:wait('_G.said[1]'):find('no git repository', 1, true))
+    -- the folder is a repository from here on
+    local folder = child:value('vim.fs.dirname(vim.api.nvim_buf_get_name(0))')
+    local function git(...)
+      local run = vim.system({ 'git', '-C', folder, '-c', 'user.name=a', '-c', 'user.email=a@b.c', ... }):wait()
+      assert(run.code == 0, run.stderr)
+    end
+    git('init', '--quiet')
+    git('add', '.')
+    git('commit', '--quiet', '--no-verify', '--message', 'first')
+    child:change('${m0 * 2}', '${m0 * 4}')
+    child:type(':write<CR>')
+    child:type(':XacroDiff nothing<CR>')
+    assert(child:wait('_G.said[2]'):find('no revision `nothing`', 1, true))
+    child:type(':XacroDiff HEAD<CR>')
+    local texts = child:wait(compared)
+    assert(texts[1]:find('<mass value="0.3"/>', 1, true), texts[1])
+    assert(texts[2]:find('<mass value="0.6"/>', 1, true), texts[2])
+  end)
+
   test('XacroExpandAt shows one call', function(child)
     child:edit(fixture.robot)
     child:at('<xacro:un|it name="pan"')

@@ -74,6 +74,7 @@ test('a value is typed in degrees, clipped at the limit, and shown in radians', 
   assert.equal(await row('arm_joint').locator('input[type=number]').inputValue(), '1.571');
   await action('unit').click();
   assert.equal(await row('arm_joint').locator('input[type=number]').inputValue(), '90');
+  assert.equal(await typed.getAttribute('title'), '1.571 rad (90°)');
 });
 
 test('metres stay metres', async () => {

@@ -94,7 +94,12 @@ export class JointPanel {
     if (joint.mimic) {
       const follows = el('small', { text: '' });
       body.append(el('small', { class: 'text', text: `follows ${joint.mimic.joint}` }), follows);
-      return { element, key, show: () => (follows.textContent = short(this.values.get(joint.name) * factor, digits) + unit) };
+      const show = (): void => {
+        const value = this.values.get(joint.name);
+        follows.textContent = short(value * factor, digits) + unit;
+        follows.title = inWords(joint, value);
+      };
+      return { element, key, show };
     }
     const sweep = toggle('▶', `sweep ${joint.name} between its limits`, false, () => this.values.sweep(joint.name, performance.now()), 'sweep');
     head.append(sweep);
@@ -112,6 +117,7 @@ export class JointPanel {
       const value = this.values.get(joint.name);
       control.show(value);
       if (document.activeElement !== typed || this.values.isSweeping(joint.name)) typed.value = short(value * factor, digits);
+      typed.title = inWords(joint, value);
       sweep.setAttribute('aria-pressed', String(this.values.isSweeping(joint.name)));
     };
     typed.addEventListener('blur', show);
@@ -158,4 +164,10 @@ export class JointPanel {
     };
     return { element: wheel, show };
   }
+}
+
+/** A position with its unit: `-1.658 rad (-95°)`, `0.25 m`. */
+function inWords(joint: Joint, value: number): string {
+  if (joint.type === 'prismatic') return `${short(value, 4)} m`;
+  return `${short(value, 3)} rad (${short((value * 180) / Math.PI, 1)}°)`;
 }

@@ -3,6 +3,7 @@
  */
 import * as vscode from "vscode";
 import { bannerText } from "./expandedText";
+import { committedTexts } from "./git";
 import { EXPANDED_SCHEME, baseName, isRobotDescription } from "./languages";
 import * as protocol from "./protocol";
 import type { ExpandError, ExpandedAt } from "./protocol";
@@ -12,6 +13,9 @@ import type { Contexts } from "./contexts";
 /** Pause after a keystroke before the robot is expanded again. */
 const DELAY_MS = 40;
 
+/** What a robot is compared with: the saved files, or the last commit. */
+export type Version = "saved" | "committed";
+
 /** One robot as it was expanded last. */
 interface Robot {
   text: string;
@@ -19,8 +23,8 @@ interface Robot {
   time: Date;
   errors: ExpandError[];
   ok: boolean;
-  /** The text when all files were saved. */
-  saved?: string;
+  /** The texts of earlier versions, as far as they were asked for. */
+  earlier: Partial<Record<Version, string>>;
   running?: Promise<void>;
   again: boolean;
 }
@@ -62,8 +66,9 @@ export class ExpandedDocuments
     const fragment = query.get("fragment");
     if (fragment !== null) return this.fragments.get(fragment) ?? "";
     const root = query.get("root") ?? "";
-    if (query.has("saved")) return this.robots.get(root)?.saved ?? "";
     const robot = this.robots.get(root);
+    const version = query.get("version");
+    if (version !== null) return robot?.earlier[version as Version] ?? "";
     return robot ? robot.text : this.update(root).then(() => this.robots.get(root)?.text ?? "");
   }
 
@@ -100,25 +105,38 @@ export class ExpandedDocuments
     });
   }
 
-  /** What the unsaved changes make of a robot. */
-  async compare(document: vscode.TextDocument | undefined): Promise<void> {
+  /** What the changes since an earlier version make of a robot. */
+  async compare(document: vscode.TextDocument | undefined, version: Version): Promise<void> {
     const expanded = vscode.window.activeTextEditor?.document.uri;
     const root = (expanded && rootOf(expanded)) ?? (await this.rootFor(document));
     if (root === undefined) return;
     await this.update(root);
-    if (this.robots.get(root)?.saved === undefined) {
-      void vscode.window.showInformationMessage(
-        "There is no saved version to compare with yet: save all files of the robot once while its expanded view is open.",
-      );
-      return;
-    }
+    if (!(await this.expandEarlier(root, version))) return;
     const name = baseName(expandedUri(root).path);
     await vscode.commands.executeCommand(
       "vscode.diff",
-      expandedUri(root, true),
+      expandedUri(root, version),
       expandedUri(root),
-      `${name} (saved ↔ now)`,
+      `${name} (${version} ↔ now)`,
     );
+  }
+
+  /** Expand an earlier version of a robot; whether there is one. */
+  private async expandEarlier(root: string, version: Version): Promise<boolean> {
+    const texts = version === "saved" ? {} : await committedTexts(vscode.Uri.parse(root));
+    if (!texts) {
+      void vscode.window.showInformationMessage("The robot lies in no Git repository that the editor knows.");
+      return false;
+    }
+    const answer = await this.server.askForUser(protocol.expand, { textDocument: { uri: root }, texts });
+    const robot = this.robots.get(root);
+    if (!answer || !robot) return false;
+    if (!answer.ok) {
+      void vscode.window.showWarningMessage("The earlier version has errors: it is shown as far as it goes.");
+    }
+    robot.earlier[version] = answer.urdf;
+    this.changed.fire(expandedUri(root, version));
+    return true;
   }
 
   /** Show what one place expands to. */
@@ -174,7 +192,7 @@ export class ExpandedDocuments
 
   /** Expand again; while one expansion runs, further wishes become one. */
   private update(root: string): Promise<void> {
-    const robot = this.robots.get(root) ?? { text: "", time: new Date(), errors: [], ok: false, again: false };
+    const robot = this.robots.get(root) ?? { text: "", time: new Date(), errors: [], ok: false, again: false, earlier: {} };
     this.robots.set(root, robot);
     robot.again = true;
     if (robot.running) return robot.running;
@@ -198,9 +216,9 @@ export class ExpandedDocuments
       robot.time = new Date();
       if (differs) this.changed.fire(expandedUri(root));
     }
-    if (answer.ok && saved && robot.saved !== answer.urdf) {
-      robot.saved = answer.urdf;
-      this.changed.fire(expandedUri(root, true));
+    if (answer.ok && saved && robot.earlier.saved !== undefined && robot.earlier.saved !== answer.urdf) {
+      robot.earlier.saved = answer.urdf;
+      this.changed.fire(expandedUri(root, "saved"));
     }
     this.banners.fire();
   }
@@ -218,18 +236,18 @@ function wanted(robot: Robot): boolean {
   return again;
 }
 
-/** The document with a robot in it. */
-export function expandedUri(root: string, saved = false): vscode.Uri {
+/** The document with a robot in it, as it is now or was. */
+export function expandedUri(root: string, version?: Version): vscode.Uri {
   const stem = baseName(root).replace(/(\.urdf)?\.xacro$|\.urdf$/, "");
-  const query = new URLSearchParams(saved ? { root, saved: "1" } : { root });
+  const query = new URLSearchParams(version ? { root, version } : { root });
   return vscode.Uri.from({ scheme: EXPANDED_SCHEME, path: `/${stem}.urdf`, query: query.toString() });
 }
 
-/** The root of an expanded document; none for saved versions and fragments. */
+/** The root of an expanded document; none for earlier versions and fragments. */
 export function rootOf(uri: vscode.Uri): string | undefined {
   if (uri.scheme !== EXPANDED_SCHEME) return undefined;
   const query = new URLSearchParams(uri.query);
-  return query.has("saved") ? undefined : (query.get("root") ?? undefined);
+  return query.has("version") ? undefined : (query.get("root") ?? undefined);
 }
 
 function sameUri(one: vscode.Uri, other: vscode.Uri): boolean {

@@ -54,7 +54,8 @@ export function activate(context: vscode.ExtensionContext): void {
   };
   command("xacro.openExpanded", (uri?: vscode.Uri) => fileOf(uri, contexts).then((file) => documents.open(file)));
   command("xacro.openPreview", () => preview.open());
-  command("xacro.compareExpanded", () => documents.compare(contexts.document));
+  command("xacro.compareExpanded", () => documents.compare(contexts.document, "saved"));
+  command("xacro.compareCommitted", () => documents.compare(contexts.document, "committed"));
   command("xacro.expandMacro", () => expandMacro(server, documents));
   command("xacro.pickRoot", () => pickers.pickRoot());
   command("xacro.pickArguments", () => pickers.pickArguments());

@@ -25,6 +25,8 @@ export interface ExpandParams {
   root?: Root;
   args?: Record<string, string>;
   sourceMap?: boolean;
+  /** Expand what is on the disk, with these texts in place of some files; by URI. */
+  texts?: Record<string, string>;
 }
 
 export interface Expanded {

@@ -6,7 +6,6 @@ use super::super::values::number_text;
 use super::elements;
 use super::page::Page;
 use crate::base::TextRange;
-use crate::expr::display;
 use crate::model::decimal;
 use crate::xml::Node;
 
@@ -30,7 +29,7 @@ pub(super) fn about(cx: &super::Cx<'_>, at: &At<'_>) -> Option<(TextRange, Page)
     Some((at.shift(range.shift(attr.value_range().start)), page))
 }
 
-/// `1.57 rad = 89.95°`, where the attribute at a place holds angles.
+/// `1.57 rad (89.95°)`, where the attribute at a place holds angles.
 pub(super) fn in_degrees(at: &At<'_>, number: f64) -> Option<String> {
     let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else { return None };
     let unit = schema::attribute(node, attr.name())?.unit?;
@@ -40,8 +39,8 @@ pub(super) fn in_degrees(at: &At<'_>, number: f64) -> Option<String> {
         "rad/s or m/s" if turns(node) => "rad/s",
         _ => return None,
     };
-    let (per, exact) = (angle.trim_start_matches("rad"), number_text(number));
-    Some(format!("`{exact} {angle}` = `{}°{per}`", degrees(number)))
+    let (per, short) = (angle.trim_start_matches("rad"), rounded(number, 1e4));
+    Some(format!("`{short} {angle} ({}°{per})`", degrees(number)))
 }
 
 /// Whether the joint around an element is known to turn.
@@ -53,8 +52,13 @@ fn turns(node: Node<'_>) -> bool {
 
 /// Radians in degrees with two places.
 pub(super) fn degrees(radians: f64) -> String {
-    let rounded = (radians.to_degrees() * 100.0).round() / 100.0;
-    let text = display::to_str(&crate::expr::Value::Float(rounded)).unwrap_or_default();
+    rounded(radians.to_degrees(), 100.0)
+}
+
+/// A number in steps of `1 / parts`; small ones as they are, so that they do not become zero.
+pub(super) fn rounded(number: f64, parts: f64) -> String {
+    let near = (number * parts).round() / parts;
+    let text = number_text(if near == 0.0 { number } else { near });
     text.strip_suffix(".0").unwrap_or(&text).to_owned()
 }
 

@@ -5,7 +5,7 @@ use super::super::locate::{At, Part};
 use super::super::names::{named_at, robot_names};
 use super::expression::call_label;
 use super::files::{lengths, three_digits};
-use super::numbers::degrees;
+use super::numbers::{degrees, rounded};
 use super::page::{Page, code};
 use crate::base::{FastSet, TextRange};
 use crate::expand::BindingKind;
@@ -184,9 +184,12 @@ fn limits(joint: &Joint, kind: Option<JointType>) -> Option<String> {
     let range = match (kind, limit.range()) {
         (Some(JointType::Continuous), _) => Some("no end".to_owned()),
         (Some(JointType::Revolute), Some((lower, upper))) => {
-            Some(format!("{lower} … {upper} rad = {}° … {}°", degrees(lower), degrees(upper)))
+            let (from, to) = (rounded(lower, 1e4), rounded(upper, 1e4));
+            Some(format!("{from} … {to} rad ({}° … {}°)", degrees(lower), degrees(upper)))
         }
-        (Some(JointType::Prismatic), Some((lower, upper))) => Some(format!("{lower} … {upper} m")),
+        (Some(JointType::Prismatic), Some((lower, upper))) => {
+            Some(format!("{} … {} m", rounded(lower, 1e6), rounded(upper, 1e6)))
+        }
         _ => None,
     };
     let effort = number(&limit.effort, if turns { "N·m" } else { "N" });

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix4, Rotation3, Translation3, Unit, Vector3};
 use roxmltree::{Document, Node, ParsingOptions};
 
-use super::dae_geometry::{Arrays, Triangles, numbers, triangles};
+use super::dae_geometry::{Arrays, Surfaced, numbers, triangles};
 use super::defect::{Defect, DefectKind};
 use super::draft::{Dependency, Draft, UpAxis};
 use super::placed::Placed;
@@ -13,6 +13,8 @@ use crate::base::FastMap;
 const MOST_NODES: u32 = 4_000_000;
 /// Elements of scenes that are visited, instances counted.
 const MOST_VISITS: usize = 1_000_000;
+/// Materials of an instance that are looked at.
+const MOST_BOUND: usize = 256;
 
 /// Read a Collada file. Some exporters write `<` into attributes, and most readers do not mind.
 pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Defect> {
@@ -100,7 +102,7 @@ fn header(root: Node<'_, '_>, draft: &mut Draft) {
 /// A file on its way to triangles.
 struct Scene<'a, 'input, 'd> {
     ids: FastMap<&'a str, Node<'a, 'input>>,
-    made: FastMap<&'a str, Triangles>,
+    made: FastMap<&'a str, Surfaced<Option<&'a str>>>,
     arrays: Arrays,
     draft: &'d mut Draft,
 }
@@ -114,7 +116,7 @@ impl<'a, 'input> Scene<'a, 'input, '_> {
             // without a scene, there is what is in the library
             let geometries =
                 children(root, "library_geometries").flat_map(|library| children(library, "geometry"));
-            return geometries.into_iter().try_for_each(|geometry| self.place(geometry, &start));
+            return geometries.into_iter().try_for_each(|geometry| self.place(geometry, &start, None));
         };
         let mut open = vec![(scene, start)];
         let mut visits = 0;
@@ -129,13 +131,16 @@ impl<'a, 'input> Scene<'a, 'input, '_> {
                     "node" => open.push((part, here)),
                     "instance_node" => open.extend(self.target(part).map(|node| (node, here))),
                     "instance_geometry" => {
-                        self.target(part).into_iter().try_for_each(|geometry| self.place(geometry, &here))?;
+                        self.target(part)
+                            .into_iter()
+                            .try_for_each(|geometry| self.place(geometry, &here, Some(part)))?;
                     }
                     "instance_controller" => {
                         let skin = self.target(part).and_then(|controller| child(controller, "skin"));
                         let geometry =
                             skin.and_then(|skin| self.ids.get(fragment(skin.attribute("source")?)?));
-                        geometry.copied().into_iter().try_for_each(|geometry| self.place(geometry, &here))?;
+                        let mut geometry = geometry.copied().into_iter();
+                        geometry.try_for_each(|geometry| self.place(geometry, &here, Some(part)))?;
                     }
                     _ => {}
                 }
@@ -149,15 +154,51 @@ impl<'a, 'input> Scene<'a, 'input, '_> {
         self.ids.get(fragment(instance.attribute("url")?)?).copied()
     }
 
-    fn place(&mut self, geometry: Node<'a, 'input>, at: &Matrix4<f64>) -> Result<(), Defect> {
+    /// Take the triangles of a geometry, placed by an instance that says which materials it has.
+    fn place(
+        &mut self,
+        geometry: Node<'a, 'input>,
+        at: &Matrix4<f64>,
+        instance: Option<Node<'a, 'input>>,
+    ) -> Result<(), Defect> {
         let id = geometry.attribute("id").unwrap_or_default();
         if !self.made.contains_key(id) || id.is_empty() {
             self.made.insert(id, triangles(geometry, &self.ids, &mut self.arrays)?);
         }
         let placed = Placed::new(*at);
-        let triangles = self.made.get(id).map(Vec::as_slice).unwrap_or_default();
-        triangles.iter().try_for_each(|corners| self.draft.soup.push(placed.triangle(*corners)))
+        let Some(Surfaced { triangles, materials }) = self.made.get(id) else { return Ok(()) };
+        let mut materials = materials.iter().peekable();
+        for (number, corners) in triangles.iter().enumerate() {
+            if self.draft.tinted
+                && let Some((_, symbol)) = materials.next_if(|(start, _)| *start == number)
+            {
+                self.draft.soup.tint(symbol.and_then(|symbol| color(symbol, instance, &self.ids)));
+            }
+            self.draft.soup.push(placed.triangle(*corners))?;
+        }
+        Ok(())
     }
+}
+
+/// The diffuse colour of a material, which an instance may name otherwise than the geometry.
+fn color<'a, 'input>(
+    symbol: &'a str,
+    instance: Option<Node<'a, 'input>>,
+    ids: &FastMap<&'a str, Node<'a, 'input>>,
+) -> Option<[f64; 4]> {
+    let common = instance.and_then(|instance| child(child(instance, "bind_material")?, "technique_common"));
+    let bound = common.and_then(|common| {
+        let mut bound = children(common, "instance_material").take(MOST_BOUND);
+        let bound = bound.find(|bound| bound.attribute("symbol") == Some(symbol))?;
+        fragment(bound.attribute("target")?)
+    });
+    let material = *ids.get(bound.unwrap_or(symbol))?;
+    let effect = *ids.get(fragment(child(material, "instance_effect")?.attribute("url")?)?)?;
+    let technique = child(child(effect, "profile_COMMON")?, "technique")?;
+    let shader = ["phong", "lambert", "blinn"].iter().find_map(|name| child(technique, name))?;
+    let color: Vec<f64> = numbers(child(child(shader, "diffuse")?, "color")?).ok()?;
+    let [r, g, b, ..] = *color.as_slice() else { return None };
+    Some([r, g, b, 1.0])
 }
 
 /// The transform of a node: its elements one after the other.

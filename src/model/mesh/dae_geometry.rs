@@ -13,6 +13,26 @@ use crate::base::FastMap;
 /// Corners of triangles in the frame of a geometry.
 pub(super) type Triangles = Vec<[Point; 3]>;
 
+/// Triangles, and from which one on there is which material.
+#[derive(Debug)]
+pub(super) struct Surfaced<M> {
+    pub(super) triangles: Triangles,
+    pub(super) materials: Vec<(usize, M)>,
+}
+
+impl<M> Surfaced<M> {
+    pub(super) fn new() -> Self {
+        Self { triangles: Vec::new(), materials: Vec::new() }
+    }
+
+    /// What came since there were `start` triangles has this material.
+    pub(super) fn since(&mut self, start: usize, material: M) {
+        if self.triangles.len() > start {
+            self.materials.push((start, material));
+        }
+    }
+}
+
 /// Arrays that were read, with their stride: a file may name the same large one again and again.
 pub(super) type Arrays = FastMap<(NodeId, usize), Rc<[Point]>>;
 
@@ -21,8 +41,8 @@ pub(super) fn triangles<'a, 'input>(
     geometry: Node<'a, 'input>,
     ids: &FastMap<&'a str, Node<'a, 'input>>,
     arrays: &mut Arrays,
-) -> Result<Triangles, Defect> {
-    let mut found = Vec::new();
+) -> Result<Surfaced<Option<&'a str>>, Defect> {
+    let mut found = Surfaced::new();
     let Some(mesh) = child(geometry, "mesh") else { return Ok(found) };
     for part in mesh.children().filter(Node::is_element) {
         let name = part.tag_name().name();
@@ -34,7 +54,9 @@ pub(super) fn triangles<'a, 'input>(
         let vertices =
             vertices.ok_or_else(|| Defect::corrupt(format!("`{name}` names vertices that are missing")))?;
         let points = points(vertices, ids, arrays)?;
-        primitive(part, &layout, &points, &mut found)?;
+        let start = found.triangles.len();
+        primitive(part, &layout, &points, &mut found.triangles)?;
+        found.since(start, part.attribute("material"));
     }
     Ok(found)
 }

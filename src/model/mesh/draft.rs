@@ -62,12 +62,14 @@ pub(super) struct Draft {
     pub(super) dependencies: Vec<Dependency>,
     /// A defect that does not keep the rest from being read.
     pub(super) defect: Option<Defect>,
+    /// Whether colours are wanted.
+    pub(super) tinted: bool,
 }
 
 impl Draft {
     pub(super) fn new(format: MeshFormat) -> Self {
         let (soup, dependencies) = (Soup::default(), Vec::new());
-        Self { format, soup, unit: None, up_axis: None, dependencies, defect: None }
+        Self { format, soup, unit: None, up_axis: None, dependencies, defect: None, tinted: false }
     }
 
     /// Note a file that is needed, once.

@@ -119,12 +119,30 @@ fn scene(gltf: &Gltf, data: &Data<'_>, draft: &mut Draft) -> Result<(), Defect> 
         open.extend(node.children.iter().map(|&child| (child, here)));
         if let Some(mesh) = node.mesh {
             let placed = Placed::new(here);
-            for corners in triangles(data, mesh)? {
+            let found = triangles(data, mesh)?;
+            let mut materials = found.materials.into_iter().peekable();
+            for (number, corners) in found.triangles.into_iter().enumerate() {
+                if draft.tinted
+                    && let Some((_, material)) = materials.next_if(|(start, _)| *start == number)
+                {
+                    draft.soup.tint(material.and_then(|material| color(gltf, material)));
+                }
                 draft.soup.push(placed.triangle(corners))?;
             }
         }
     }
     Ok(())
+}
+
+/// The colour of a material; glTF says how much light there is, URDF what a screen is told.
+fn color(gltf: &Gltf, material: usize) -> Option<[f64; 4]> {
+    let material = gltf.materials.get(material)?;
+    let [r, g, b, a] = material.pbr_metallic_roughness.base_color_factor.unwrap_or([1.0; 4]);
+    let [r, g, b] = [r, g, b].map(|light| {
+        let light = light.clamp(0.0, 1.0);
+        if light <= 0.003_130_8 { light * 12.92 } else { 1.055 * libm::pow(light, 1.0 / 2.4) - 0.055 }
+    });
+    Some([r, g, b, a])
 }
 
 fn transform(node: &Node) -> Matrix4<f64> {

@@ -13,6 +13,7 @@ pub(super) struct Gltf {
     pub(super) buffer_views: Vec<BufferView>,
     pub(super) buffers: Vec<Buffer>,
     pub(super) images: Vec<Buffer>,
+    pub(super) materials: Vec<Material>,
     pub(super) extensions_required: Vec<String>,
 }
 
@@ -45,6 +46,19 @@ pub(super) struct Primitive {
     pub(super) attributes: Attributes,
     pub(super) indices: Option<usize>,
     pub(super) mode: Option<u32>,
+    pub(super) material: Option<usize>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub(super) struct Material {
+    pub(super) pbr_metallic_roughness: Roughness,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub(super) struct Roughness {
+    pub(super) base_color_factor: Option<[f64; 4]>,
 }
 
 #[derive(Debug, Default, Deserialize)]

@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use super::dae_geometry::{Triangles, fan, strip};
+use super::dae_geometry::{Surfaced, fan, strip};
 use super::defect::Defect;
 use super::gltf_json::{Accessor, Gltf, Primitive};
 use super::soup::Point;
@@ -24,18 +24,20 @@ pub(super) struct Data<'a> {
 pub(super) const MOST_ELEMENTS: usize = 50_000_000;
 
 /// The triangles of a mesh in its own frame.
-pub(super) fn triangles(data: &Data<'_>, mesh: usize) -> Result<Triangles, Defect> {
+pub(super) fn triangles(data: &Data<'_>, mesh: usize) -> Result<Surfaced<Option<usize>>, Defect> {
     let missing = || Defect::corrupt(format!("it names mesh {mesh}, which is missing"));
     let mesh = data.gltf.meshes.get(mesh).ok_or_else(missing)?;
-    let mut found = Vec::new();
+    let mut found = Surfaced::new();
     for primitive in &mesh.primitives {
         let corners = corners(data, primitive)?;
+        let start = found.triangles.len();
         match primitive.mode.unwrap_or(4) {
-            4 => found.extend_from_slice(corners.as_chunks::<3>().0),
-            5 => strip(&corners, &mut found),
-            6 => fan(&corners, &mut found),
+            4 => found.triangles.extend_from_slice(corners.as_chunks::<3>().0),
+            5 => strip(&corners, &mut found.triangles),
+            6 => fan(&corners, &mut found.triangles),
             _ => {}
         }
+        found.since(start, primitive.material);
     }
     Ok(found)
 }

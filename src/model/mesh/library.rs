@@ -6,9 +6,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::defect::Defect;
 use super::draft::{Dependency, MeshFormat};
-use super::{Mesh, obj};
+use super::{Mesh, Triangles, obj};
 use crate::base::FastSet;
-use crate::vfs::{FileCache, LoadErrorKind, Vfs};
+use crate::vfs::{FileCache, LoadError, LoadErrorKind, Vfs};
 use crate::workspace::percent_decoded;
 
 /// Bytes of a mesh that are read at most.
@@ -51,32 +51,22 @@ impl Meshes {
 
     /// The mesh in a file.
     pub fn get(&self, vfs: &Vfs, path: &Path) -> Arc<Mesh> {
-        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-        let beside = |name: &str| {
-            let path = candidates(path, name).into_iter().find(|path| vfs.is_file(path))?;
-            vfs.bytes(&path, MOST_BYTES).ok()
-        };
-        let read = vfs.derive(&self.meshes, path, MOST_BYTES, |bytes| Mesh::read(&ending, &bytes, &beside));
+        let make = |bytes: Vec<u8>| Mesh::read(&ending(path), &bytes, &|name| beside(vfs, path, name));
+        let read = vfs.derive(&self.meshes, path, MOST_BYTES, make);
         read.unwrap_or_else(|error| {
-            let defect = match error.kind {
-                LoadErrorKind::TooLarge { limit } => {
-                    Defect::too_large(format!("it has more than {} megabytes", limit / 1_000_000))
-                }
-                LoadErrorKind::PermissionDenied | LoadErrorKind::Other => {
-                    Defect::unread(format!("it cannot be read: {}", error.strerror))
-                }
-                _ => Defect::corrupt(format!("it cannot be read: {}", error.strerror)),
-            };
             let (format, dependencies) = (MeshFormat::Other, Vec::new());
-            Arc::new(Mesh {
-                format,
-                surface: None,
-                defect: Some(defect),
-                unit: None,
-                up_axis: None,
-                dependencies,
-            })
+            let defect = Some(unreadable(&error));
+            Arc::new(Mesh { format, surface: None, defect, unit: None, up_axis: None, dependencies })
         })
+    }
+
+    /// The triangles in a file. They are read each time: only who draws them needs more than [`Meshes::get`] keeps.
+    ///
+    /// # Errors
+    /// What is wrong with the file, when it has no triangles that can be drawn.
+    pub fn triangles(vfs: &Vfs, path: &Path) -> Result<Triangles, Defect> {
+        let bytes = vfs.bytes(path, MOST_BYTES).map_err(|error| unreadable(&error))?;
+        Triangles::read(&ending(path), &bytes, &|name| beside(vfs, path, name))
     }
 
     /// The files that the mesh at `path` needs and that are not there.
@@ -142,6 +132,29 @@ impl Missing {
             .is_some_and(|(drive, rest)| drive.len() == 1 && rest.starts_with(['/', '\\']));
         let is_windows_path = drive || name.starts_with("\\\\");
         Self { name: name.to_owned(), is_windows_path, named_in: named_in.map(str::to_owned) }
+    }
+}
+
+/// The ending of a file in small letters.
+fn ending(path: &Path) -> String {
+    path.extension().unwrap_or_default().to_string_lossy().to_lowercase()
+}
+
+/// The bytes of a file that the mesh at `path` names; none when it is not there.
+fn beside(vfs: &Vfs, path: &Path, name: &str) -> Option<Vec<u8>> {
+    let path = candidates(path, name).into_iter().find(|path| vfs.is_file(path))?;
+    vfs.bytes(&path, MOST_BYTES).ok()
+}
+
+fn unreadable(error: &LoadError) -> Defect {
+    match error.kind {
+        LoadErrorKind::TooLarge { limit } => {
+            Defect::too_large(format!("it has more than {} megabytes", limit / 1_000_000))
+        }
+        LoadErrorKind::PermissionDenied | LoadErrorKind::Other => {
+            Defect::unread(format!("it cannot be read: {}", error.strerror))
+        }
+        _ => Defect::corrupt(format!("it cannot be read: {}", error.strerror)),
     }
 }
 

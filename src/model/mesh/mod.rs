@@ -12,6 +12,7 @@ mod gltf;
 mod gltf_json;
 mod gltf_mesh;
 mod library;
+mod mtl;
 mod obj;
 mod placed;
 mod rewrite;
@@ -20,6 +21,7 @@ mod stl;
 #[cfg(test)]
 mod tests;
 mod topology;
+mod triangles;
 
 pub use bounds::Bounds;
 pub use defect::{Defect, DefectKind};
@@ -27,6 +29,7 @@ pub use draft::{Dependency, MeshFormat, UpAxis};
 pub use library::{Meshes, Missing};
 pub use rewrite::plain_stl;
 pub use topology::Edges;
+pub use triangles::Triangles;
 
 use draft::Draft;
 use gltf::Beside;
@@ -65,27 +68,12 @@ pub struct Surface {
 impl Mesh {
     /// Read a file from its ending (small letters, without point) and bytes.
     fn read(ending: &str, bytes: &[u8], beside: Beside<'_>) -> Self {
-        let format = match ending {
-            "stl" => MeshFormat::StlBinary { solid: false },
-            "obj" => MeshFormat::Obj,
-            "dae" => MeshFormat::Dae,
-            "gltf" | "glb" => MeshFormat::Gltf,
-            _ => MeshFormat::Other,
-        };
-        let mut draft = Draft::new(format);
-        let read = match format {
-            _ if is_lfs_pointer(bytes) => Err(lfs_pointer()),
-            MeshFormat::StlAscii | MeshFormat::StlBinary { .. } => stl::read(bytes, &mut draft),
-            MeshFormat::Obj => obj::read(bytes, &mut draft),
-            MeshFormat::Dae => dae::read(&crate::vfs::text_of(bytes.to_vec()), &mut draft),
-            MeshFormat::Gltf => gltf::read(bytes, beside, &mut draft),
-            MeshFormat::Other => Err(Defect::unread("its format is not read")),
-        };
+        let (draft, read) = draft(ending, bytes, beside, false);
         Self::of(draft, read)
     }
 
     fn of(draft: Draft, read: Result<(), Defect>) -> Self {
-        let Draft { format, soup, unit, up_axis, dependencies, defect } = draft;
+        let Draft { format, soup, unit, up_axis, dependencies, defect, .. } = draft;
         let surface = read.as_ref().ok().and_then(|()| Surface::of(&soup.complete()));
         let defect = match read {
             Err(defect) => Some(defect),
@@ -94,6 +82,27 @@ impl Mesh {
         };
         Self { format, surface, defect, unit, up_axis, dependencies }
     }
+}
+
+/// What the reader of a format finds; colours only when they are wanted.
+fn draft(ending: &str, bytes: &[u8], beside: Beside<'_>, tinted: bool) -> (Draft, Result<(), Defect>) {
+    let format = match ending {
+        "stl" => MeshFormat::StlBinary { solid: false },
+        "obj" => MeshFormat::Obj,
+        "dae" => MeshFormat::Dae,
+        "gltf" | "glb" => MeshFormat::Gltf,
+        _ => MeshFormat::Other,
+    };
+    let mut draft = Draft { tinted, ..Draft::new(format) };
+    let read = match format {
+        _ if is_lfs_pointer(bytes) => Err(lfs_pointer()),
+        MeshFormat::StlAscii | MeshFormat::StlBinary { .. } => stl::read(bytes, &mut draft),
+        MeshFormat::Obj => obj::read(bytes, beside, &mut draft),
+        MeshFormat::Dae => dae::read(&crate::vfs::text_of(bytes.to_vec()), &mut draft),
+        MeshFormat::Gltf => gltf::read(bytes, beside, &mut draft),
+        MeshFormat::Other => Err(Defect::unread("its format is not read")),
+    };
+    (draft, read)
 }
 
 impl Surface {

@@ -4,11 +4,14 @@ use std::borrow::Cow;
 
 use super::defect::Defect;
 use super::draft::{Dependency, Draft, MOST_DEPENDENCIES};
+use super::gltf::Beside;
+use super::mtl::Colors;
 use super::soup::Point;
 
 /// Read an OBJ file.
-pub(super) fn read(bytes: &[u8], draft: &mut Draft) -> Result<(), Defect> {
+pub(super) fn read(bytes: &[u8], beside: Beside<'_>, draft: &mut Draft) -> Result<(), Defect> {
     let text = String::from_utf8_lossy(bytes);
+    let mut colors = Colors::default();
     let mut points: Vec<Point> = Vec::new();
     for (number, line) in logical_lines(&text) {
         let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((&line, ""));
@@ -24,8 +27,12 @@ pub(super) fn read(bytes: &[u8], draft: &mut Draft) -> Result<(), Defect> {
             })?,
             "mtllib" => {
                 let name = rest.trim().to_owned();
+                if draft.tinted {
+                    colors.read(&name, beside);
+                }
                 draft.needs(Dependency { name, is_material_library: true });
             }
+            "usemtl" if draft.tinted => draft.soup.tint(colors.of(rest)),
             _ => {}
         }
     }
@@ -54,7 +61,7 @@ pub(super) fn textures(bytes: &[u8]) -> Vec<String> {
 }
 
 /// Lines with their numbers, without comments; those that end with a backslash go on in the next one.
-fn logical_lines(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
+pub(super) fn logical_lines(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     let mut lines = (1..).zip(text.lines());
     std::iter::from_fn(move || {
         let (number, line) = lines.next()?;

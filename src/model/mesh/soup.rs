@@ -16,6 +16,8 @@ pub(super) struct Soup {
     pub(super) points: Vec<Point>,
     /// Corners as indices of points, counter-clockwise seen from outside.
     pub(super) triangles: Vec<[u32; 3]>,
+    /// From which triangle on there is which colour: red, green, blue, opacity.
+    pub(super) tints: Vec<(usize, Option<[f64; 4]>)>,
     known: FastMap<[u64; 3], u32>,
 }
 
@@ -35,6 +37,17 @@ impl Soup {
         let triangle = corners.map(|corner| self.point(corner));
         self.triangles.push(triangle);
         Ok(())
+    }
+
+    /// The triangles that come now have this colour.
+    pub(super) fn tint(&mut self, tint: Option<[f64; 4]>) {
+        let next = self.triangles.len();
+        match self.tints.last_mut() {
+            Some((_, now)) if *now == tint => {}
+            Some((start, now)) if *start == next => *now = tint,
+            None if tint.is_none() => {}
+            _ => self.tints.push((next, tint)),
+        }
     }
 
     fn point(&mut self, point: Point) -> u32 {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::io;
-use std::net::{Ipv4Addr, TcpListener};
+use std::net::{Ipv4Addr, Ipv6Addr, TcpListener};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use tokio::sync::watch;
@@ -51,7 +51,7 @@ pub struct Hub {
 }
 
 impl Hub {
-    /// Listen on a free port of 127.0.0.1. `receive` is told what pages say.
+    /// Listen on a free port of 127.0.0.1, and on the same of ::1 where it is free. `receive` is told what pages say.
     ///
     /// # Errors
     /// When there is no port or no source of random numbers.
@@ -61,10 +61,17 @@ impl Hub {
         receive: impl Fn(Received) + Send + Sync + 'static,
     ) -> io::Result<Arc<Self>> {
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0))?;
-        listener.set_nonblocking(true)?;
+        let port = listener.local_addr()?.port();
+        // some systems take `localhost` for the one, some for the other, and some have no ::1 at all
+        let listeners: Vec<TcpListener> =
+            [Some(listener), TcpListener::bind((Ipv6Addr::LOCALHOST, port)).ok()]
+                .into_iter()
+                .flatten()
+                .collect();
+        listeners.iter().try_for_each(|listener| listener.set_nonblocking(true))?;
         let hub = Arc::new(Self {
             token: token()?,
-            port: listener.local_addr()?.port(),
+            port,
             views: Mutex::default(),
             files,
             vfs,
@@ -75,7 +82,7 @@ impl Hub {
         });
         let served = hub.clone();
         let thread = std::thread::Builder::new().name("preview".to_owned());
-        thread.spawn(move || serve::run(served, listener))?;
+        thread.spawn(move || serve::run(&served, listeners))?;
         Ok(hub)
     }
 

@@ -28,15 +28,20 @@ const MOST_HEAD: usize = 16 << 10;
 const MOST_BYTES: u64 = 256_000_000;
 
 /// Serve until the process ends.
-pub(super) fn run(hub: Arc<Hub>, listener: TcpListener) {
-    if let Ok(runtime) = Builder::new_current_thread().enable_all().build() {
-        runtime.block_on(accept(hub, listener));
-    }
+pub(super) fn run(hub: &Arc<Hub>, listeners: Vec<TcpListener>) {
+    let Ok(runtime) = Builder::new_current_thread().enable_all().build() else { return };
+    let router = routes(hub.clone());
+    let accept = |listener| runtime.spawn(accept(hub.clone(), router.clone(), listener));
+    let accepted: Vec<_> = listeners.into_iter().map(accept).collect();
+    runtime.block_on(async {
+        for listener in accepted {
+            let _ = listener.await;
+        }
+    });
 }
 
-async fn accept(hub: Arc<Hub>, listener: TcpListener) {
+async fn accept(hub: Arc<Hub>, router: Router, listener: TcpListener) {
     let Ok(listener) = tokio::net::TcpListener::from_std(listener) else { return };
-    let router = routes(hub.clone());
     loop {
         let Ok((stream, peer)) = listener.accept().await else {
             // out of file handles: those there are will be given back soon

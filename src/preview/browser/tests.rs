@@ -1,7 +1,7 @@
 //! Attacks on the server, by hand: what a browser would not let a page do is done here too.
 
 use std::io::{Read, Write};
-use std::net::TcpStream;
+use std::net::{TcpListener, TcpStream};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver};
@@ -44,7 +44,10 @@ impl Rig {
     }
 
     fn send(&self, text: &str) -> String {
-        let mut stream = self.connect();
+        Self::answer(self.connect(), text)
+    }
+
+    fn answer(mut stream: TcpStream, text: &str) -> String {
         // the server may hang up in the middle of what is too long
         let _ = stream.write_all(text.as_bytes());
         let mut answer = Vec::new();
@@ -163,6 +166,18 @@ fn other_names_of_this_machine_are_ours() {
     for host in ["localhost", "[::1]"] {
         let answer = rig.send(&format!("GET / HTTP/1.1\r\nHost: {host}:{}\r\n\r\n", rig.port()));
         assert!(answer.starts_with("HTTP/1.1 200"), "{host}: {answer}");
+    }
+}
+
+#[test]
+fn both_addresses_of_this_machine_answer() {
+    let rig = rig();
+    let text = format!("GET / HTTP/1.1\r\nHost: localhost:{}\r\n\r\n", rig.port());
+    assert!(rig.send(&text).starts_with("HTTP/1.1 200"));
+    match TcpStream::connect(("::1", rig.port())) {
+        Ok(stream) => assert!(Rig::answer(stream, &text).starts_with("HTTP/1.1 200")),
+        // without IPv6 there is nothing that could answer
+        Err(error) => assert!(TcpListener::bind(("::1", 0)).is_err(), "{error}"),
     }
 }
 

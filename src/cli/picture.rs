@@ -1,0 +1,174 @@
+//! `xacro-lint render`.
+
+use std::path::Path;
+
+use super::args::{RenderArgs, Viewpoint};
+use super::io::Io;
+use super::render::visible;
+use super::svg;
+use super::tree::{expand_in, explain, fails, file_and_arguments, good_tree, open};
+use crate::analysis::Session;
+use crate::expand::Expansion;
+use crate::model::Robot;
+use crate::picture::{
+    Background, Content, LONGEST_SIDE, MOST_PIXELS, Positions, Scene, Shot, View, movable, picture_png,
+    picture_svg,
+};
+use crate::preview::{Joint, Model, still};
+use crate::vfs::{Environment, write_atomically};
+use crate::workspace::nearest;
+
+/// Forms of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Form {
+    Png,
+    Svg,
+}
+
+/// Run `render`.
+pub(super) fn run(args: &RenderArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
+    match draw(args, env, io) {
+        Ok(code) => code,
+        Err(message) => fails(io, &message),
+    }
+}
+
+/// Draw the picture and write it; the exit code.
+fn draw(args: &RenderArgs, env: &Environment, io: &mut Io<'_>) -> Result<u8, String> {
+    let form = form(&args.output, args.tree)?;
+    let shot = shot(args)?;
+    let (file, arguments) = file_and_arguments(&args.file)?;
+    let session = open(&file, &args.package_path, env, io)?;
+    let expansion = expand_in(&session, &file, arguments.clone());
+    if let Some(error) = &expansion.root_error {
+        return Err(format!("{file}: {}", error.strerror));
+    }
+    let robot = Robot::of(&expansion);
+    let tree = robot.as_ref().filter(|_| !expansion.has_errors()).and_then(good_tree);
+    if tree.is_none() {
+        explain(&session, &file, arguments, env, io);
+    }
+    let bytes = match (args.tree, tree.as_ref(), robot.as_ref()) {
+        (true, Some(tree), _) => svg::draw(tree).into_bytes(),
+        (false, _, Some(robot)) => {
+            let Some((bytes, whole)) = picture(args, form, &shot, (&session, &expansion, robot), io)? else {
+                return Ok(1);
+            };
+            write(args, &bytes, env)?;
+            return Ok(u8::from(tree.is_none() || !whole));
+        }
+        _ => {
+            io.line("error: the links of this robot make no tree");
+            return Ok(1);
+        }
+    };
+    write(args, &bytes, env)?;
+    Ok(0)
+}
+
+/// The picture of a robot, and whether all of it could be drawn; none when there is nothing to draw.
+fn picture(
+    args: &RenderArgs,
+    form: Form,
+    shot: &Shot,
+    (session, expansion, robot): (&Session, &Expansion, &Robot),
+    io: &mut Io<'_>,
+) -> Result<Option<(Vec<u8>, bool)>, String> {
+    let (model, files) = still(session, expansion, robot);
+    let positions = positions(&args.joint, &model)?;
+    let content = Content { collisions: args.collision, frames: args.frames, positions };
+    let scene = Scene::of(&model, &files, &session.vfs, &content)?;
+    if scene.is_empty() {
+        io.line("error: the robot has no link, there is nothing to draw");
+        return Ok(None);
+    }
+    for problem in &scene.problems {
+        io.line(&format!("warning: {}", visible(problem)));
+    }
+    let bytes = match form {
+        Form::Png => picture_png(&scene, shot)?,
+        Form::Svg => picture_svg(&scene, &model.robot, shot).into_bytes(),
+    };
+    Ok(Some((bytes, scene.problems.is_empty())))
+}
+
+fn write(args: &RenderArgs, bytes: &[u8], env: &Environment) -> Result<(), String> {
+    let written = write_atomically(&env.cwd.join(&args.output), bytes);
+    written.map_err(|error| format!("{}: {error}", args.output.display()))
+}
+
+/// The form that a file name asks for.
+fn form(output: &Path, tree: bool) -> Result<Form, String> {
+    let ending = output.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+    match (ending.as_str(), tree) {
+        ("svg", _) => Ok(Form::Svg),
+        ("png", false) => Ok(Form::Png),
+        (_, false) => Err(format!("{}: the name of a picture ends in .png or .svg", output.display())),
+        (_, true) => Err(format!("{}: a tree is drawn as SVG, the name ends in .svg", output.display())),
+    }
+}
+
+/// How the picture is taken.
+fn shot(args: &RenderArgs) -> Result<Shot, String> {
+    let view = match args.view {
+        Viewpoint::Iso => View::Iso,
+        Viewpoint::Front => View::Front,
+        Viewpoint::Side => View::Side,
+        Viewpoint::Top => View::Top,
+    };
+    let background = Background::of(&args.background).ok_or_else(|| {
+        format!("background `{}`: it is `white`, `black`, `transparent` or like `#f0f4ff`", args.background)
+    })?;
+    Ok(Shot { view, size: size(&args.size)?, background })
+}
+
+/// `800x600`
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let side = |text: &str| text.parse::<u32>();
+    let sides = text.split_once('x').map(|(width, height)| (side(width), side(height)));
+    let Some((Ok(width), Ok(height))) = sides else {
+        return Err(format!("size `{text}`: it is written like `800x600`"));
+    };
+    let pixels = u64::from(width) * u64::from(height);
+    if pixels == 0 || pixels > MOST_PIXELS || width.max(height) > LONGEST_SIDE {
+        let millions = MOST_PIXELS / 1_000_000;
+        return Err(format!(
+            "size `{text}`: a picture has 1 to {millions} million pixels, and no side above {LONGEST_SIDE}"
+        ));
+    }
+    Ok([width, height])
+}
+
+/// The positions of joints that were asked for.
+fn positions(wanted: &[String], model: &Model) -> Result<Positions, String> {
+    let mut positions = Positions::default();
+    for text in wanted {
+        let (name, value) =
+            text.split_once('=').ok_or_else(|| format!("joint `{text}`: it is written like `elbow=0.5`"))?;
+        let joint = model.joints.iter().find(|joint| joint.name == name).ok_or_else(|| {
+            let names = model.joints.iter().filter(|joint| movable(joint)).map(|joint| joint.name.as_str());
+            let near = nearest(name, names).map(|near| format!("; did you mean `{near}`?"));
+            format!("the robot has no joint `{name}`{}", near.unwrap_or_default())
+        })?;
+        positions.insert(name.to_owned(), position(joint, value)?);
+    }
+    Ok(positions)
+}
+
+/// Radians, degrees as `90deg`, or metres.
+fn position(joint: &Joint, value: &str) -> Result<f64, String> {
+    let name = &joint.name;
+    if let Some(mimic) = &joint.mimic {
+        return Err(format!("joint `{name}` follows joint `{}`: give the position of that one", mimic.joint));
+    }
+    if !movable(joint) {
+        return Err(format!("joint `{name}` has no position: it is of type {}", joint.kind));
+    }
+    let number = |text: &str| text.trim().parse().ok().filter(|number: &f64| number.is_finite());
+    let found = match value.strip_suffix("deg") {
+        Some(degrees) if joint.kind != "prismatic" => number(degrees).map(f64::to_radians),
+        Some(_) => return Err(format!("joint `{name}` moves along its axis: its position is in metres")),
+        None => number(value),
+    };
+    found.ok_or_else(|| format!("joint `{name}`: `{value}` is no position: write `0.5` or `30deg`"))
+}
