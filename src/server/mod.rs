@@ -59,6 +59,15 @@ pub fn run(env: Environment) -> u8 {
     runtime.block_on(serve(env))
 }
 
+/// What the service is given of a stream of bytes: messages with plain headers, whatever arrives.
+pub fn reframe(input: &[u8]) -> Vec<u8> {
+    let mut output = Vec::new();
+    if let Ok(runtime) = Builder::new_current_thread().build() {
+        runtime.block_on(framing::pump(input, &mut output));
+    }
+    output
+}
+
 async fn serve(env: Environment) -> u8 {
     let shutdown = Shutdown::default();
     let (letterbox, jobs, pressure) = letterbox::letterbox();

@@ -29,7 +29,6 @@ pub use rewrite::plain_stl;
 pub use topology::Edges;
 
 use draft::Draft;
-use gltf::Beside;
 use soup::Soup;
 
 /// A mesh file.
@@ -63,8 +62,8 @@ pub struct Surface {
 }
 
 impl Mesh {
-    /// Read a file from its ending (small letters, without point) and bytes.
-    fn read(ending: &str, bytes: &[u8], beside: Beside<'_>) -> Self {
+    /// Read a file from its ending (small letters, without point) and bytes; `beside` reads a file that it names.
+    pub fn read(ending: &str, bytes: &[u8], beside: &dyn Fn(&str) -> Option<Vec<u8>>) -> Self {
         let format = match ending {
             "stl" => MeshFormat::StlBinary { solid: false },
             "obj" => MeshFormat::Obj,
