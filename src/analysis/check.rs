@@ -13,6 +13,7 @@ use super::roots::{Job, Reason};
 use super::session::Session;
 use super::suppress::Hiding;
 use super::walk;
+use crate::base::limits::MESSAGE_LETTERS;
 use crate::base::{CancelFlag, FastSet};
 use crate::expand::large_stacks;
 use crate::rules::{Finding, Severity, invalid_config};
@@ -201,9 +202,8 @@ impl Session {
 
 /// Names can be as long as files: what a message shows of them has a bound.
 fn shorten(message: &mut String) {
-    const MOST: usize = 1000;
-    if message.len() > MOST {
-        message.truncate(message.floor_char_boundary(MOST));
+    if message.len() > MESSAGE_LETTERS {
+        message.truncate(message.floor_char_boundary(MESSAGE_LETTERS));
         message.push('…');
     }
 }

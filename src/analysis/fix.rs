@@ -9,13 +9,11 @@ use std::sync::Arc;
 use super::check::CheckOptions;
 use super::report::Report;
 use super::session::Session;
+use crate::base::limits::FIX_ROUNDS;
 use crate::base::{FastMap, FastSet, FileId, TextRange};
 use crate::rules::{Edit, Finding, Fix, Safety};
 use crate::workspace::workspace_root;
 use crate::xml::Document;
-
-/// How often findings are fixed and looked for anew, at most.
-const MOST_ROUNDS: usize = 50;
 
 /// Folders of build tools: what lies in them is made from something else.
 const BUILT: [&str; 4] = ["build", "install", "log", "devel"];
@@ -131,7 +129,7 @@ impl Session {
         let found = self.check(options);
         let mut work = Work::new(self, options, most);
         let mut left = None;
-        for _ in 0..MOST_ROUNDS {
+        for _ in 0..FIX_ROUNDS {
             let report = left.as_ref().unwrap_or(&found);
             if !work.round(report) {
                 break;

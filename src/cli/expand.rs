@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use annotate_snippets::Level;
 
-use super::io::Io;
+use super::io::{Io, all_of};
 use super::options::{self, ExpandOptions, UsageError};
 use super::render::{Mark, Report, ShownFile, render, shown_path, visible};
 use crate::base::Encoding;
@@ -15,6 +15,7 @@ use crate::expand::{
 };
 use crate::ide::source_map;
 use crate::vfs::{Environment, LoadError, Vfs};
+use crate::workspace::config::Config;
 use crate::workspace::{PackageOptions, Packages};
 
 const USAGE: &str = "usage: xacro-lint expand [options] <input> [name:=value ...]";
@@ -59,8 +60,12 @@ pub fn run(args: &[String], env: &Environment, io: &mut Io<'_>) -> u8 {
 }
 
 fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
-    let limits = Limits::default();
-    let vfs = Arc::new(Vfs::new(20 << 20));
+    let vfs = Arc::new(Vfs::with_cwd(Config::default().limits.file_bytes(), env.cwd.clone()));
+    let root = env.cwd.join(options.root_dir.as_deref().unwrap_or(""));
+    // of a configuration only the limits count here: what comes out is as with the reference
+    let config = Config::for_file(&vfs, &root.join(&options.input)).config;
+    vfs.set_max_file_bytes(config.limits.file_bytes());
+    let limits = Limits::configured(&config.limits);
     let file = match read_stdin(options, env, &vfs, io) {
         Ok(file) => file,
         Err(message) => {
@@ -119,12 +124,9 @@ fn read_stdin(
     if options.input != "-" {
         return Ok(options.input.clone());
     }
-    let mut bytes = Vec::new();
-    let most = 20 << 20;
-    let read = std::io::Read::read_to_end(&mut std::io::Read::take(&mut *io.stdin, most), &mut bytes);
-    read.map_err(|error| format!("standard input cannot be read: {error}"))?;
+    let text = all_of(io.stdin).map_err(|error| format!("standard input cannot be read: {error}"))?;
     let root = options.root_dir.as_deref().unwrap_or("");
-    vfs.set_buffer(&env.cwd.join(root).join(NAME), Some(String::from_utf8_lossy(&bytes).into_owned()));
+    vfs.set_buffer(&env.cwd.join(root).join(NAME), Some(text));
     Ok(NAME.to_owned())
 }
 

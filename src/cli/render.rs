@@ -5,6 +5,7 @@ use std::path::Path;
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
+use crate::base::limits::DRAWN_LINE;
 use crate::base::{Encoding, TextRange};
 use crate::vfs::SourceFile;
 
@@ -44,8 +45,6 @@ pub struct Report<'a> {
     pub help: Option<String>,
 }
 
-/// Longest line that is still drawn: nobody reads a line of a megabyte.
-const MOST_LINE: usize = 20_000;
 /// Steps of a trace that are drawn.
 const MOST_STEPS: usize = 8;
 
@@ -114,7 +113,7 @@ impl Piece {
 
     fn draw<'g>(&'g self, group: Group<'g>, kind: AnnotationKind) -> Group<'g> {
         let label = (!self.label.is_empty()).then_some(self.label.as_str());
-        if self.text.len() > MOST_LINE {
+        if self.text.len() > DRAWN_LINE {
             let origin = Origin::path(self.path.as_str()).line(self.line).char_column(self.span.start + 1);
             let group = group.element(origin);
             return group.elements(label.map(|label| Level::NOTE.message(label)));

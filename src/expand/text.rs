@@ -6,7 +6,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::functions::ExprHost;
-use super::machine::{Cx, Expander};
+use super::machine::{Cx, Expander, raise};
 use super::origin::Origin;
 use super::scope::Place;
 use super::tree::Piece;
@@ -252,7 +252,11 @@ impl Expander<'_> {
             "XAC001" => error.message.clone(),
             _ => format!("`{}` cannot be evaluated: {}", at.code.trim(), error.message),
         };
-        self.error(code, place, message, reference);
+        let mut problem = self.problem(code, place, message).says(reference);
+        if error.kind == ErrorKind::Budget && error.message.contains(" steps") {
+            problem = problem.help(raise("eval-steps"));
+        }
+        self.push(problem);
     }
 
     /// The origin of a range of decoded text.

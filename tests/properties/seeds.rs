@@ -15,10 +15,14 @@ pub fn of(target: &Target) -> Vec<Vec<u8>> {
         match *kind {
             "expressions" => found.extend(expressions()),
             "messages" => found.extend(MESSAGES.iter().map(|text| framed(text))),
-            "meshes" => found.extend(MESHES.iter().map(|(choice, text)| with_choice(*choice, text.as_bytes()))),
-            "yaml" => found.extend(files("yaml").into_iter().chain(YAML.iter().map(|text| text.as_bytes().to_vec()))),
+            "meshes" => {
+                found.extend(MESHES.iter().map(|(choice, text)| with_choice(*choice, text.as_bytes())))
+            }
+            "yaml" => found
+                .extend(files("yaml").into_iter().chain(YAML.iter().map(|text| text.as_bytes().to_vec()))),
             "stl" => found.extend(files("stl").iter().take(4).map(|bytes| with_choice(0, bytes))),
-            "toml" => found.extend(files("toml").into_iter().chain(TOML.iter().map(|text| text.as_bytes().to_vec()))),
+            "toml" => found
+                .extend(files("toml").into_iter().chain(TOML.iter().map(|text| text.as_bytes().to_vec()))),
             ending if target.has_choice => {
                 let numbered = files(ending).into_iter().enumerate();
                 found.extend(numbered.map(|(number, bytes)| with_choice(number as u8, &bytes)));
@@ -114,7 +118,10 @@ const TOML: &[&str] = &[
 ];
 
 const MESHES: &[(u8, &str)] = &[
-    (0, "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n"),
+    (
+        0,
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n",
+    ),
     (1, "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1/1/1 2//2 -1\nf 1 2 3 4\n"),
     (
         2,

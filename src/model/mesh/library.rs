@@ -8,13 +8,9 @@ use super::defect::Defect;
 use super::draft::{Dependency, MeshFormat};
 use super::{Mesh, obj};
 use crate::base::FastSet;
+use crate::base::limits::{MATERIAL_BYTES, MESH_BYTES};
 use crate::vfs::{FileCache, LoadErrorKind, Vfs};
 use crate::workspace::percent_decoded;
-
-/// Bytes of a mesh that are read at most.
-const MOST_BYTES: u64 = 100_000_000;
-/// Bytes of a material library that are read at most.
-const MOST_MATERIAL_BYTES: u64 = 10_000_000;
 
 /// Meshes by path; each is read once, and again when it has changed.
 #[derive(Default)]
@@ -54,18 +50,18 @@ impl Meshes {
         let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
         let beside = |name: &str| {
             let path = candidates(path, name).into_iter().find(|path| vfs.is_file(path))?;
-            vfs.bytes(&path, MOST_BYTES).ok()
+            vfs.bytes(&path, MESH_BYTES).ok()
         };
-        let read = vfs.derive(&self.meshes, path, MOST_BYTES, |bytes| Mesh::read(&ending, &bytes, &beside));
+        let read = vfs.derive(&self.meshes, path, MESH_BYTES, |bytes| Mesh::read(&ending, &bytes, &beside));
         read.unwrap_or_else(|error| {
             let defect = match error.kind {
                 LoadErrorKind::TooLarge { limit } => {
                     Defect::too_large(format!("it has more than {} megabytes", limit / 1_000_000))
                 }
                 LoadErrorKind::PermissionDenied | LoadErrorKind::Other => {
-                    Defect::unread(format!("it cannot be read: {}", error.strerror))
+                    Defect::unread(format!("it cannot be read: {}", error.reason()))
                 }
-                _ => Defect::corrupt(format!("it cannot be read: {}", error.strerror)),
+                _ => Defect::corrupt(format!("it cannot be read: {}", error.reason())),
             };
             let (format, dependencies) = (MeshFormat::Other, Vec::new());
             Arc::new(Mesh {
@@ -118,7 +114,7 @@ impl Meshes {
             };
             for (_, library) in found.iter().filter(|_| *is_material_library) {
                 let make = |bytes: Vec<u8>| obj::textures(&bytes);
-                let read = vfs.derive(&self.textures, library, MOST_MATERIAL_BYTES, make);
+                let read = vfs.derive(&self.textures, library, MATERIAL_BYTES, make);
                 files.extend(read.unwrap_or_default().iter().filter_map(|name| there(library, name)));
             }
             files.extend(found);
@@ -128,7 +124,7 @@ impl Meshes {
 
     fn missing_textures(&self, vfs: &Vfs, library: &Path, name: &str) -> Vec<Missing> {
         let make = |bytes: Vec<u8>| obj::textures(&bytes);
-        let textures = vfs.derive(&self.textures, library, MOST_MATERIAL_BYTES, make).unwrap_or_default();
+        let textures = vfs.derive(&self.textures, library, MATERIAL_BYTES, make).unwrap_or_default();
         let gone = textures.iter().filter(|texture| find(vfs, library, texture).is_none());
         gone.map(|texture| Missing::new(texture, Some(name))).collect()
     }

@@ -81,10 +81,48 @@ pub fn edits(data: &[u8]) {
 }
 
 const PIECES: &[&str] = &[
-    "", "<", ">", "/", "\"", "'", "=", "&", "-->", "<!--", "<![CDATA[", "]]>", "</", "/>", "<?", "?>", " ", "\n", "\r\n",
-    "\r", "x", "a:", "${", "}", "é", "😀", "&amp;", "&zz;", "<b>", "</b>", "<link name=\"n\"/>", "\n<joint name='j'>",
-    "</robot>", "<robot>", "<robot ", "<!DOCTYPE r [<!ENTITY zz \"q\">]>", "<?xml version=\"1.0\"?>", " name=\"x\"",
-    " xmlns:a=\"u\"", "<a:b/>", "\n<", "\"\n<x/>\n",
+    "",
+    "<",
+    ">",
+    "/",
+    "\"",
+    "'",
+    "=",
+    "&",
+    "-->",
+    "<!--",
+    "<![CDATA[",
+    "]]>",
+    "</",
+    "/>",
+    "<?",
+    "?>",
+    " ",
+    "\n",
+    "\r\n",
+    "\r",
+    "x",
+    "a:",
+    "${",
+    "}",
+    "é",
+    "😀",
+    "&amp;",
+    "&zz;",
+    "<b>",
+    "</b>",
+    "<link name=\"n\"/>",
+    "\n<joint name='j'>",
+    "</robot>",
+    "<robot>",
+    "<robot ",
+    "<!DOCTYPE r [<!ENTITY zz \"q\">]>",
+    "<?xml version=\"1.0\"?>",
+    " name=\"x\"",
+    " xmlns:a=\"u\"",
+    "<a:b/>",
+    "\n<",
+    "\"\n<x/>\n",
 ];
 
 fn boundary(text: &str, mut at: usize) -> usize {
@@ -140,7 +178,8 @@ fn infoset(document: &Document) -> Vec<String> {
         for node in item.all_nodes() {
             match node.kind() {
                 NodeKind::Element => {
-                    let attributes: Vec<_> = node.attrs().map(|a| format!("{}={}", a.name(), a.raw())).collect();
+                    let attributes: Vec<_> =
+                        node.attrs().map(|a| format!("{}={}", a.name(), a.raw())).collect();
                     let depth = std::iter::successors(node.parent(), |node| node.parent()).count();
                     found.push(format!("{depth} {} {attributes:?}", node.name()));
                 }
