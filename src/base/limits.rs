@@ -144,7 +144,7 @@ limits! {
         /// Levels of folders that are looked at for the name of a missing file.
         NAMESAKE_DEPTH: usize = 24, "no file is suggested";
         /// Nodes of a `package.xml`.
-        MANIFEST_NODES: u32 = 100_000, "the folder counts as no package";
+        MANIFEST_NODES: u32 = 100_000, "its name is looked for as plain text, its dependencies are not known";
     }
     "Meshes" {
         /// Triangles of a mesh, instances counted.
@@ -179,6 +179,10 @@ limits! {
         RELATED: usize = 100, "further ones are left out";
         /// Symbols at the top of a file, and folds.
         SYMBOLS: usize = 20_000, "further ones are left out";
+        /// Symbols inside symbols; answers that are nested deeper overflow the stacks of clients.
+        SYMBOL_DEPTH: usize = 100, "deeper ones stand beside each other";
+        /// Ranges of one growing selection.
+        SELECTIONS: usize = 100, "the whole file comes next";
         /// Symbols of an answer about the workspace.
         WORKSPACE_SYMBOLS: usize = 1_000, "further ones are left out";
         /// Items of one completion.

@@ -190,9 +190,9 @@ fn as_report<'a>(problem: &Problem, files: &'a [ShownFile<'a>]) -> Option<Report
         id: None,
         url: None,
         title: title.trim_end().to_owned(),
-        primary: mark(problem.place, problem.message.clone())?,
-        trace: trace.filter_map(|step| mark(step.place, step.message.clone())).collect(),
-        help: problem.help.clone(),
+        primary: mark(problem.place, problem.message.replace('\n', " "))?,
+        trace: trace.filter_map(|step| mark(step.place, step.message.replace('\n', " "))).collect(),
+        help: problem.help.as_ref().map(|help| help.replace('\n', " ")),
     })
 }
 

@@ -51,7 +51,8 @@ const MOST_STEPS: usize = 8;
 /// A path relative to `cwd` when it lies below, with `/` between its parts.
 pub fn shown_path(path: &Path, cwd: &Path) -> String {
     let path = path.strip_prefix(cwd).unwrap_or(path);
-    path.to_string_lossy().replace('\\', "/")
+    // a name must not begin a line of its own
+    path.to_string_lossy().replace('\\', "/").replace('\n', "␊")
 }
 
 /// Draw a report.
@@ -93,6 +94,13 @@ struct Piece {
     label: String,
 }
 
+/// A source line without the control characters that the drawing passes on; it stays as long as it is.
+fn harmless(line: &str) -> String {
+    // as many bytes as one of them
+    const INSTEAD: &str = "·";
+    line.replace(|c| ('\u{80}'..='\u{9f}').contains(&c), INSTEAD)
+}
+
 impl Piece {
     fn cut(mark: &Mark<'_>) -> Self {
         let document = &mark.file.source.document;
@@ -106,7 +114,7 @@ impl Piece {
             path: visible(&mark.file.path),
             line: start.line as usize + 1,
             span: col..to.clamp(col, first.len().max(col)),
-            text: first,
+            text: harmless(&first),
             label: visible(&mark.label),
         }
     }

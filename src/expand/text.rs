@@ -228,7 +228,10 @@ impl Expander<'_> {
         let mut problem = match error.kind {
             ExprErrorKind::ForbiddenName => self.problem("XAC024", whole, error.message.clone()),
             _ if code.is_empty() => self.problem("XAC024", whole, "the expression is empty"),
-            _ => self.problem("XAC024", whole, format!("`{code}` is not an expression: {}", error.message)),
+            _ => {
+                let message = format!("`{}` is not an expression: {}", shortened(code), error.message);
+                self.problem("XAC024", whole, message)
+            }
         }
         .says(reference);
         if let Some(name) = code.strip_prefix("arg ") {
@@ -250,7 +253,7 @@ impl Expander<'_> {
         };
         let message = match code {
             "XAC001" => error.message.clone(),
-            _ => format!("`{}` cannot be evaluated: {}", at.code.trim(), error.message),
+            _ => format!("`{}` cannot be evaluated: {}", shortened(at.code.trim()), error.message),
         };
         let mut problem = self.problem(code, place, message).says(reference);
         if error.kind == ErrorKind::Budget && error.message.contains(" steps") {
@@ -298,4 +301,13 @@ pub(super) struct CodeSite<'t> {
 /// The dollar signs a text starts with.
 fn lead(text: &str) -> &str {
     text.get(..text.len() - text.trim_start_matches('$').len()).unwrap_or("")
+}
+
+/// An expression as messages name it: the reason behind a long one is what matters.
+fn shortened(code: &str) -> Cow<'_, str> {
+    const MOST: usize = 300;
+    if code.len() <= MOST {
+        return Cow::Borrowed(code);
+    }
+    Cow::Owned(format!("{}...", code.get(..code.floor_char_boundary(MOST)).unwrap_or_default()))
 }

@@ -203,7 +203,11 @@ impl Vfs {
         output::change(&self.absolute(path), self.max_file_bytes.load(Ordering::Relaxed), |old| {
             let (mark, text) = if old.starts_with(MARK) { old.split_at(MARK.len()) } else { old.split_at(0) };
             if text == before.as_bytes() {
-                return Ok([mark, after.as_bytes()].concat());
+                return Ok(Some([mark, after.as_bytes()].concat()));
+            }
+            if text == after.as_bytes() {
+                // another run was faster
+                return Ok(None);
             }
             let is_utf8 = std::str::from_utf8(text).is_ok();
             let why = if is_utf8 { "it changed in the meantime" } else { "it is not UTF-8" };

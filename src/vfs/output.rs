@@ -19,6 +19,11 @@ const PATIENCE: Duration = Duration::from_secs(5);
 /// # Errors
 /// Those of the system.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    replace(path, bytes, &|| true)
+}
+
+/// The same, if at the last moment everything is still `as_before`.
+fn replace(path: &Path, bytes: &[u8], as_before: &dyn Fn() -> bool) -> io::Result<()> {
     let target = std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let existing = std::fs::metadata(&target).ok();
     if existing.as_ref().is_some_and(|found| !found.is_file()) {
@@ -33,7 +38,12 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
         OpenOptions::new().write(true).open(&target)?;
     }
     let (temporary, file) = new_beside(&target)?;
-    let written = fill(file, bytes, existing.as_ref()).and_then(|()| std::fs::rename(&temporary, &target));
+    let written = fill(file, bytes, existing.as_ref()).and_then(|()| {
+        if !as_before() {
+            return Err(io::Error::other("it changed in the meantime"));
+        }
+        std::fs::rename(&temporary, &target)
+    });
     if written.is_err() {
         // The first error is the one to tell.
         let _ = std::fs::remove_file(&temporary);
@@ -41,19 +51,21 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
     written
 }
 
-/// Replace the bytes of an existing file of at most `limit` bytes by what `change` makes of them. While one program
-/// does this, others that do the same wait, so that no change is lost.
+/// Replace the bytes of an existing file of at most `limit` bytes by what `change` makes of them, if anything. While
+/// one program does this, others that do the same wait, so that no change is lost.
 ///
 /// # Errors
 /// That of `change`, and those of the system.
 pub(super) fn change(
     path: &Path,
     limit: u64,
-    change: impl FnOnce(&[u8]) -> io::Result<Vec<u8>>,
+    change: impl FnOnce(&[u8]) -> io::Result<Option<Vec<u8>>>,
 ) -> io::Result<()> {
     let _lock = lock(path)?;
+    let state = || read::stat(path).map(|found| found.stamp).ok();
+    let before = state();
     let old = read::bytes(path, limit).map_err(|error| io::Error::other(error.reason()))?;
-    write_atomically(path, &change(&old)?)
+    change(&old)?.map_or(Ok(()), |new| replace(path, &new, &|| state() == before))
 }
 
 /// The file at `path`, locked against others that use this function.

@@ -79,7 +79,7 @@ class Maker:
             lambda: f'dict(a={sub()}, b={sub()})', lambda: f"dict(a={sub()})['{r.choice('ab')}']",
             lambda: f'python.list(python.range({r.randrange(-3, 9)}, {r.randrange(-3, 9)}))',
             lambda: f'python.sorted({sub()}, reverse=True)', lambda: f'(lambda i: {sub()})({sub()})',
-            lambda: f'python.enumerate({sub()})' if False else f'python.list(python.zip({sub()}, l))',
+            lambda: f'python.list(python.zip({sub()}, l))',
             lambda: f'({r.choice(NUMBERS[:8])} {r.choice(["&", "|", "^", "<<", ">>"])} {r.randrange(9)})',
             lambda: f'{{{sub()}: {sub()}}}', lambda: f'{{{sub()}}}',
         ])()
@@ -88,7 +88,7 @@ class Maker:
         r = self.rng
         spec = r.choice(SPECS)
         return r.choice([f"'{{:{spec}}}'.format({sub()})", f"'%{r.choice(['d', 's', '.2f', 'r', 'x', '5d', 'g', 'e'])}' % ({sub()},)",
-                         f"'{{}}-{{}}'.format({sub()}, {sub()})", f"f'{{{sub()}:{spec}}}'", f"'{{0[0]}}'.format({sub()})"])
+                         f"'{{}}-{{}}'.format({sub()}, {sub()})", f'f"{{{sub()}:{spec}}}"', f"'{{0[0]}}'.format({sub()})"])
 
     def text(self):
         return repr(self.rng.choice(TEXTS)) if self.rng.random() < 0.8 else 's'
