@@ -93,6 +93,12 @@ fn lint_bound(folder: &Path, arguments: &[&str]) -> Option<(i32, String)> {
     let mut command = Command::new("setpriv");
     let works = command.args(nobody).arg("true").output().is_ok_and(|done| done.status.success());
     let result = works.then(|| {
+        // a program that another thread inherits open for writing is busy for a moment
+        let ready =
+            || Command::new(&program).arg("--version").output().is_ok_and(|done| done.status.success());
+        while !ready() {
+            std::thread::sleep(Duration::from_millis(10));
+        }
         let mut command = Command::new("setpriv");
         command.args(nobody).arg(&program).args(arguments);
         run(command, folder)

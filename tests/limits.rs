@@ -550,12 +550,14 @@ const MANIFEST: &str = "<package format=\"3\"><name>far</name><version>1.0.0</ve
 fn found_below(levels: usize) -> bool {
     let folder = folder();
     let deep: PathBuf = (0..levels).map(|_| "d").collect();
-    write(&folder, &format!("{}/package.xml", deep.display()), MANIFEST);
+    // packages of the other tests lie in the same workspace
+    let name = format!("far{levels}");
+    write(&folder, &format!("{}/package.xml", deep.display()), MANIFEST.replace("far", &name));
     write(&folder, "r.urdf", "<robot name=\"r\"/>");
     let env = Environment { vars: BTreeMap::new(), cwd: folder.clone() };
     let options = PackageOptions { explicit: vec![folder.clone()], ..PackageOptions::default() };
     Packages::new(Arc::new(Vfs::with_cwd(1 << 20, folder.clone())), &env, options)
-        .find("far", &folder.join("r.urdf"))
+        .find(&name, &folder.join("r.urdf"))
         .is_ok()
 }
 
@@ -569,11 +571,12 @@ fn suggested_below(levels: usize) -> bool {
     let folder = folder();
     let deep: PathBuf = (0..levels).map(|_| "d").collect();
     write(&folder, "package.xml", MANIFEST.replace("far", "near"));
-    write(&folder, &format!("{}/part.stl", deep.display()), "");
+    let name = format!("part{levels}.stl");
+    write(&folder, &format!("{}/{name}", deep.display()), "");
     let env = Environment { vars: BTreeMap::new(), cwd: folder.clone() };
     let packages =
         Packages::new(Arc::new(Vfs::with_cwd(1 << 20, folder.clone())), &env, PackageOptions::default());
-    packages.namesake(&folder.join("gone/part.stl"), Some(&folder), &folder.join("r.urdf")).is_some()
+    packages.namesake(&folder.join("gone").join(name), Some(&folder), &folder.join("r.urdf")).is_some()
 }
 
 #[test]

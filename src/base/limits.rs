@@ -179,8 +179,8 @@ limits! {
         RELATED: usize = 100, "further ones are left out";
         /// Symbols at the top of a file, and folds.
         SYMBOLS: usize = 20_000, "further ones are left out";
-        /// Symbols inside symbols; answers that are nested deeper overflow the stacks of clients.
-        SYMBOL_DEPTH: usize = 100, "deeper ones stand beside each other";
+        /// Symbols inside symbols; some clients read no answers that are nested much deeper.
+        SYMBOL_DEPTH: usize = 50, "deeper ones stand beside each other";
         /// Ranges of one growing selection.
         SELECTIONS: usize = 100, "the whole file comes next";
         /// Symbols of an answer about the workspace.

@@ -8,7 +8,9 @@ use annotate_snippets::Level;
 use super::io::{Io, all_of};
 use super::options::{self, ExpandOptions, UsageError};
 use super::render::{Mark, Report, ShownFile, render, shown_path, visible};
+use super::text::is_source;
 use crate::base::Encoding;
+use crate::base::limits::DRAWN_OF_A_RULE;
 use crate::expand::{
     Expansion, FileUse, Limits, Place, Problem, Request, Severity, World, Written, expand, write,
     write_mapped,
@@ -154,7 +156,7 @@ fn report(expansion: &Expansion, options: &ExpandOptions, env: &Environment, io:
         .iter()
         .map(|f| ShownFile { source: &f.source, path: shown_path(&f.source.path, &env.cwd) })
         .collect();
-    let mut errors = 0;
+    let (mut errors, mut drawn) = (0, 0);
     for problem in &expansion.problems {
         if problem.reference.is_empty() && problem.severity == Severity::Warning {
             continue;
@@ -162,6 +164,10 @@ fn report(expansion: &Expansion, options: &ExpandOptions, env: &Environment, io:
         errors += usize::from(problem.severity == Severity::Error);
         if options.verbosity < 1 && problem.severity == Severity::Warning {
             io.line(&visible(&format!("warning: {}", problem.reference)));
+            continue;
+        }
+        drawn += 1;
+        if drawn > DRAWN_OF_A_RULE {
             continue;
         }
         if let Some(report) = as_report(problem, &files) {
@@ -185,12 +191,21 @@ fn as_report<'a>(problem: &Problem, files: &'a [ShownFile<'a>]) -> Option<Report
     // the first line is what people search for; the others repeat what the snippet shows
     let title = problem.reference.lines().next().unwrap_or(&problem.message);
     let trace = problem.trace.iter().chain(&problem.more_calls);
+    // what is no description by its name may be anything: its text is not for a log
+    let file = files.get(problem.place.file.0 as usize)?;
+    let is_shown =
+        |place: &Place| files.get(place.file.0 as usize).is_some_and(|file| is_source(&file.source.path));
+    let caller = problem.trace.iter().find(|step| is_shown(&step.place));
+    let (place, message) = match caller.filter(|_| !is_shown(&problem.place)) {
+        Some(step) => (step.place, format!("{}: {}", file.path, problem.message)),
+        None => (problem.place, problem.message.clone()),
+    };
     Some(Report {
         level,
         id: None,
         url: None,
         title: title.trim_end().to_owned(),
-        primary: mark(problem.place, problem.message.replace('\n', " "))?,
+        primary: mark(place, message.replace('\n', " "))?,
         trace: trace.filter_map(|step| mark(step.place, step.message.replace('\n', " "))).collect(),
         help: problem.help.as_ref().map(|help| help.replace('\n', " ")),
     })

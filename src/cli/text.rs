@@ -123,7 +123,7 @@ fn drawing(
 }
 
 /// Whether the text of a file may be shown.
-fn is_source(path: &Path) -> bool {
+pub(super) fn is_source(path: &Path) -> bool {
     const ENDINGS: [&str; 9] = ["xacro", "urdf", "xml", "srdf", "sdf", "yaml", "yml", "toml", "txt"];
     path.extension().and_then(|ending| ending.to_str()).is_some_and(|ending| ENDINGS.contains(&ending))
 }
