@@ -126,6 +126,7 @@ impl Session {
     /// session show the new texts from then on. A fix that would break the XML is left out, and so is one
     /// for files outside of the workspace.
     pub fn fix(&self, options: &CheckOptions, most: Safety) -> Fixed {
+        let _held = self.vfs.hold();
         let found = self.check(options);
         let mut work = Work::new(self, options, most);
         let mut left = None;
@@ -183,9 +184,11 @@ impl<'a> Work<'a> {
             let mut broken = BTreeSet::new();
             for (&file, edits) in &plan.edits {
                 let path = self.session.vfs.path(file);
-                let Ok(old) = self.session.vfs.text(&path) else { continue };
-                let text = apply(&old.text, edits);
-                if errors(&text) > errors(&old.text) {
+                // the text that the findings are about: the file may be another one by now
+                let Some(source) = report.source(file) else { continue };
+                let old = source.document.text();
+                let text = apply(&old, edits);
+                if errors(&text) > errors(&old) {
                     broken.insert(file);
                 }
                 new.push((file, path, old, text));
@@ -198,17 +201,13 @@ impl<'a> Work<'a> {
     }
 
     /// Show the new texts.
-    fn commit(
-        &mut self,
-        new: Vec<(FileId, Arc<Path>, Arc<crate::vfs::TextFile>, String)>,
-        count: usize,
-    ) -> bool {
-        let changed: Vec<_> = new.into_iter().filter(|(_, _, old, text)| old.text != *text).collect();
+    fn commit(&mut self, new: Vec<(FileId, Arc<Path>, String, String)>, count: usize) -> bool {
+        let changed: Vec<_> = new.into_iter().filter(|(_, _, old, text)| old != text).collect();
         if changed.is_empty() {
             return false;
         }
         for (file, path, old, text) in changed {
-            let before = || old.text.clone();
+            let before = || old.clone();
             let fixed = self.files.entry(file).or_insert_with(|| FixedFile {
                 path,
                 before: before(),

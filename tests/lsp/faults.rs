@@ -45,7 +45,7 @@ fn changed(client: &mut Client, file: &str) {
 fn has(client: &mut Client, rule: &str) -> bool {
     client.eventually(|client| {
         client.request("textDocument/foldingRange", client.of(ROBOT));
-        client.findings(ROBOT).iter().any(|finding| finding.contains(rule)) == !rule.is_empty()
+        client.findings(ROBOT).iter().any(|finding| finding.contains(rule)) != rule.is_empty()
     })
 }
 
