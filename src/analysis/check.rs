@@ -14,6 +14,7 @@ use super::roots::{Job, Reason};
 use super::session::Session;
 use super::suppress::Hiding;
 use super::walk;
+use crate::base::limits::MESSAGE_LETTERS;
 use crate::base::{CancelFlag, FastSet};
 use crate::expand::large_stacks;
 use crate::rules::{Finding, Severity, invalid_config};
@@ -208,16 +209,20 @@ impl Session {
         }
         shorten(&mut finding.message);
         finding.help.iter_mut().for_each(shorten);
+        finding.related.iter_mut().for_each(|related| shorten(&mut related.message));
         let is_config = finding.rule.code == "LNT004";
         severity == Severity::Error || is_config || homes.iter().any(|home| path.starts_with(home))
     }
 }
 
-/// Names can be as long as files: what a message shows of them has a bound.
+/// Names can be as long as files and hold line ends: what a message shows of them has a bound and stands in one
+/// line, so that it is never taken for a line of its own by whoever reads a log.
 fn shorten(message: &mut String) {
-    const MOST: usize = 1000;
-    if message.len() > MOST {
-        message.truncate(message.floor_char_boundary(MOST));
+    if message.contains(['\n', '\r']) {
+        *message = message.split(['\n', '\r']).map(str::trim).collect::<Vec<_>>().join(" ");
+    }
+    if message.len() > MESSAGE_LETTERS {
+        message.truncate(message.floor_char_boundary(MESSAGE_LETTERS));
         message.push('…');
     }
 }

@@ -10,13 +10,11 @@ use super::change::Change;
 use super::check::CheckOptions;
 use super::report::Report;
 use super::session::Session;
+use crate::base::limits::FIX_ROUNDS;
 use crate::base::{FastMap, FastSet, FileId, TextRange};
 use crate::rules::{Edit, Finding, Fix, Safety};
 use crate::workspace::workspace_root;
 use crate::xml::Document;
-
-/// How often findings are fixed and looked for anew, at most.
-const MOST_ROUNDS: usize = 50;
 
 /// Folders of build tools: what lies in them is made from something else.
 const BUILT: [&str; 4] = ["build", "install", "log", "devel"];
@@ -129,10 +127,11 @@ impl Session {
     /// session show the new texts from then on. A fix that would break the XML is left out, and so is one
     /// for files outside of the workspace.
     pub fn fix(&self, options: &CheckOptions, most: Safety) -> Fixed {
+        let _held = self.vfs.hold();
         let found = self.check(options);
         let mut work = Work::new(self, options, most);
         let mut left = None;
-        for _ in 0..MOST_ROUNDS {
+        for _ in 0..FIX_ROUNDS {
             let report = left.as_ref().unwrap_or(&found);
             if !work.round(report) {
                 break;
@@ -189,9 +188,11 @@ impl<'a> Work<'a> {
             let mut broken = BTreeSet::new();
             for (&file, edits) in &plan.edits {
                 let path = self.session.vfs.path(file);
-                let Ok(old) = self.session.vfs.text(&path) else { continue };
-                let text = apply(&old.text, edits);
-                if errors(&text) > errors(&old.text) {
+                // the text that the findings are about: the file may be another one by now
+                let Some(source) = report.source(file) else { continue };
+                let old = source.document.text();
+                let text = apply(&old, edits);
+                if errors(&text) > errors(&old) {
                     broken.insert(file);
                 }
                 new.push((file, path, old, text));
@@ -204,17 +205,13 @@ impl<'a> Work<'a> {
     }
 
     /// Show the new texts.
-    fn commit(
-        &mut self,
-        new: Vec<(FileId, Arc<Path>, Arc<crate::vfs::TextFile>, String)>,
-        count: usize,
-    ) -> bool {
-        let changed: Vec<_> = new.into_iter().filter(|(_, _, old, text)| old.text != *text).collect();
+    fn commit(&mut self, new: Vec<(FileId, Arc<Path>, String, String)>, count: usize) -> bool {
+        let changed: Vec<_> = new.into_iter().filter(|(_, _, old, text)| old != text).collect();
         if changed.is_empty() {
             return false;
         }
         for (file, path, old, text) in changed {
-            let before = || old.text.clone();
+            let before = || old.clone();
             let fixed = self.files.entry(file).or_insert_with(|| FixedFile {
                 path,
                 before: before(),

@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::Duration;
 
 use super::check::CheckOptions;
 use super::configs::Settings;
@@ -15,8 +14,7 @@ use crate::rules::{
     Activation, Chosen, Finding, RootKind, Rule, Selector, Suppressions, all, by_code, check_expansion,
     check_files,
 };
-use crate::vfs::{LoadError, SourceFile};
-use crate::workspace::config;
+use crate::vfs::{LoadError, LoadErrorKind, SourceFile};
 
 /// What a job gave.
 #[derive(Clone)]
@@ -54,7 +52,7 @@ pub(super) fn part(session: &Session, cancel: &CancelFlag, job: &Job, focus: Opt
         args: job.args.clone(),
         root_dir: None,
         probe: true,
-        limits: limits(&settings.config.limits),
+        limits: Limits::configured(&settings.config.limits),
         focus,
         cancel: cancel.clone(),
     };
@@ -151,22 +149,17 @@ fn reads(expansion: &Expansion) -> Vec<PathBuf> {
     files.skip(1).collect()
 }
 
-/// The budgets of the configuration.
-fn limits(configured: &config::Limits) -> Limits {
-    Limits {
-        eval_steps: configured.eval_steps,
-        expand_nodes: configured.expand_nodes,
-        expand_time: Duration::from_millis(configured.expand_ms),
-        macro_depth: configured.macro_depth,
-        include_depth: configured.include_depth,
-        ..Limits::default()
-    }
-}
-
 /// A file that cannot be read is not well-formed either.
 fn unreadable(file: FileId, error: &LoadError) -> Option<Finding> {
     let rule = by_code("XML001")?;
-    let message = format!("the file cannot be read: {}", error.strerror);
+    let message = format!("the file cannot be read: {}", error.reason());
     let span = Span { file, range: TextRange::default() };
-    Some(Finding::new(rule, span, message))
+    let finding = Finding::new(rule, span, message);
+    match error.kind {
+        LoadErrorKind::TooLarge { .. } => {
+            let help = "if it really is that large, raise `file-mb` under `[limits]` in xacro-lint.toml";
+            Some(Finding { help: Some(help.to_owned()), ..finding })
+        }
+        _ => Some(finding),
+    }
 }

@@ -8,8 +8,7 @@ use super::configs::{Configs, Overrides, Settings};
 use crate::model::Meshes;
 use crate::rules::{Manifests, Surroundings};
 use crate::vfs::{Environment, LoadError, Vfs};
-use crate::workspace::config::Config;
-use crate::workspace::config::ConfigWarning;
+use crate::workspace::config::{self, Config, ConfigWarning};
 use crate::workspace::{PackageOptions, Packages};
 
 /// Files, packages, environment and configuration.
@@ -44,7 +43,7 @@ impl Session {
     /// # Errors
     /// When the configuration file that `setup` names cannot be read.
     pub fn new(env: &Environment, setup: Setup) -> Result<Self, LoadError> {
-        let vfs = Arc::new(Vfs::with_cwd(u64::MAX, env.cwd.clone()));
+        let vfs = Arc::new(Vfs::with_cwd(config::Limits::default().file_bytes(), env.cwd.clone()));
         let configs = Configs::new(&vfs, setup.overrides.clone())?;
         Ok(Self::with(vfs, env, setup, configs))
     }

@@ -16,12 +16,13 @@ use super::report::Report;
 use super::roots::{Job, Reason};
 use super::session::{Session, Setup};
 use super::walk;
+use crate::base::limits::SCAN_FILES;
 use crate::base::{CancelFlag, FastMap, TextRange};
 use crate::expand::{Expansion, Read, Written, write_mapped};
 use crate::model::{Kinematics, Robot};
 use crate::rules::{RootKind, check_recovered};
 use crate::vfs::{Environment, SourceFile, Vfs};
-use crate::workspace::config::Config;
+use crate::workspace::config::{self, Config};
 
 /// A root expanded.
 pub struct Analyzed {
@@ -96,14 +97,12 @@ pub struct World {
 }
 
 impl World {
-    /// Most files that are looked at for roots.
-    const MOST_FILES: usize = 20_000;
     /// Most expansions kept.
     const MOST_CACHED: usize = 64;
 
     /// A world that sees `folders`; without any, single files are shown by themselves.
     pub fn new(env: Environment, folders: Vec<PathBuf>) -> Self {
-        let vfs = Arc::new(Vfs::with_cwd(u64::MAX, env.cwd.clone()));
+        let vfs = Arc::new(Vfs::with_cwd(config::Limits::default().file_bytes(), env.cwd.clone()));
         let session = session(&vfs, &env, &folders, None);
         Self {
             session,
@@ -243,7 +242,7 @@ impl World {
         if !self.scanned {
             self.scanned = true;
             let found = self.folders.iter().flat_map(|folder| walk::descriptions(folder, &self.session));
-            self.unscanned = found.take(Self::MOST_FILES).collect();
+            self.unscanned = found.take(SCAN_FILES).collect();
             self.unscanned.reverse();
         }
         let total = self.unscanned.len();

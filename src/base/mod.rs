@@ -1,6 +1,7 @@
 //! Ids, text ranges, positions and cancellation: the vocabulary all other modules share.
 
 mod cancel;
+pub mod limits;
 mod position;
 mod range;
 

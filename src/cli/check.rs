@@ -130,7 +130,7 @@ impl Run<'_> {
     fn unreadable(&self, report: &Report, io: &mut Io<'_>) -> bool {
         for unreadable in &report.unreadable {
             let path = visible(&self.shown(&unreadable.path));
-            io.line(&format!("error: {path}: {}", unreadable.error.strerror));
+            io.line(&format!("error: {path}: {}", unreadable.error.reason()));
         }
         !report.unreadable.is_empty()
     }

@@ -24,7 +24,7 @@ pub(super) fn run(args: &ConfigArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     let session = match Session::new(env, setup) {
         Ok(session) => session,
         Err(error) => {
-            io.line(&format!("error: {}", visible(&format!("{}: {}", error.path.display(), error.strerror))));
+            io.line(&format!("error: {}", visible(&format!("{}: {}", error.path.display(), error.reason()))));
             return 2;
         }
     };

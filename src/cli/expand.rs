@@ -5,16 +5,19 @@ use std::sync::Arc;
 
 use annotate_snippets::Level;
 
-use super::io::Io;
+use super::io::{Io, all_of};
 use super::options::{self, ExpandOptions, UsageError};
 use super::render::{Mark, Report, ShownFile, render, shown_path, visible};
+use super::text::is_source;
 use crate::base::Encoding;
+use crate::base::limits::DRAWN_OF_A_RULE;
 use crate::expand::{
     Expansion, FileUse, Limits, Place, Problem, Request, Severity, World, Written, expand, write,
     write_mapped,
 };
 use crate::ide::source_map;
 use crate::vfs::{Environment, LoadError, Vfs};
+use crate::workspace::config::Config;
 use crate::workspace::{PackageOptions, Packages};
 
 const USAGE: &str = "usage: xacro-lint expand [options] <input> [name:=value ...]";
@@ -59,8 +62,12 @@ pub fn run(args: &[String], env: &Environment, io: &mut Io<'_>) -> u8 {
 }
 
 fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
-    let limits = Limits::default();
-    let vfs = Arc::new(Vfs::new(20 << 20));
+    let vfs = Arc::new(Vfs::with_cwd(Config::default().limits.file_bytes(), env.cwd.clone()));
+    let root = env.cwd.join(options.root_dir.as_deref().unwrap_or(""));
+    // of a configuration only the limits count here: what comes out is as with the reference
+    let config = Config::for_file(&vfs, &root.join(&options.input)).config;
+    vfs.set_max_file_bytes(config.limits.file_bytes());
+    let limits = Limits::configured(&config.limits);
     let file = match read_stdin(options, env, &vfs, io) {
         Ok(file) => file,
         Err(message) => {
@@ -119,12 +126,9 @@ fn read_stdin(
     if options.input != "-" {
         return Ok(options.input.clone());
     }
-    let mut bytes = Vec::new();
-    let most = 20 << 20;
-    let read = std::io::Read::read_to_end(&mut std::io::Read::take(&mut *io.stdin, most), &mut bytes);
-    read.map_err(|error| format!("standard input cannot be read: {error}"))?;
+    let text = all_of(io.stdin).map_err(|error| format!("standard input cannot be read: {error}"))?;
     let root = options.root_dir.as_deref().unwrap_or("");
-    vfs.set_buffer(&env.cwd.join(root).join(NAME), Some(String::from_utf8_lossy(&bytes).into_owned()));
+    vfs.set_buffer(&env.cwd.join(root).join(NAME), Some(text));
     Ok(NAME.to_owned())
 }
 
@@ -152,7 +156,7 @@ fn report(expansion: &Expansion, options: &ExpandOptions, env: &Environment, io:
         .iter()
         .map(|f| ShownFile { source: &f.source, path: shown_path(&f.source.path, &env.cwd) })
         .collect();
-    let mut errors = 0;
+    let (mut errors, mut drawn) = (0, 0);
     for problem in &expansion.problems {
         if problem.reference.is_empty() && problem.severity == Severity::Warning {
             continue;
@@ -160,6 +164,10 @@ fn report(expansion: &Expansion, options: &ExpandOptions, env: &Environment, io:
         errors += usize::from(problem.severity == Severity::Error);
         if options.verbosity < 1 && problem.severity == Severity::Warning {
             io.line(&visible(&format!("warning: {}", problem.reference)));
+            continue;
+        }
+        drawn += 1;
+        if drawn > DRAWN_OF_A_RULE {
             continue;
         }
         if let Some(report) = as_report(problem, &files) {
@@ -183,14 +191,23 @@ fn as_report<'a>(problem: &Problem, files: &'a [ShownFile<'a>]) -> Option<Report
     // the first line is what people search for; the others repeat what the snippet shows
     let title = problem.reference.lines().next().unwrap_or(&problem.message);
     let trace = problem.trace.iter().chain(&problem.more_calls);
+    // what is no description by its name may be anything: its text is not for a log
+    let file = files.get(problem.place.file.0 as usize)?;
+    let is_shown =
+        |place: &Place| files.get(place.file.0 as usize).is_some_and(|file| is_source(&file.source.path));
+    let caller = problem.trace.iter().find(|step| is_shown(&step.place));
+    let (place, message) = match caller.filter(|_| !is_shown(&problem.place)) {
+        Some(step) => (step.place, format!("{}: {}", file.path, problem.message)),
+        None => (problem.place, problem.message.clone()),
+    };
     Some(Report {
         level,
         id: None,
         url: None,
         title: title.trim_end().to_owned(),
-        primary: mark(problem.place, problem.message.clone())?,
-        trace: trace.filter_map(|step| mark(step.place, step.message.clone())).collect(),
-        help: problem.help.clone(),
+        primary: mark(place, message.replace('\n', " "))?,
+        trace: trace.filter_map(|step| mark(step.place, step.message.replace('\n', " "))).collect(),
+        help: problem.help.as_ref().map(|help| help.replace('\n', " ")),
     })
 }
 

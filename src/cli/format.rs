@@ -1,21 +1,17 @@
 //! `xacro-lint format`.
 
-use std::io::Read;
 use std::path::Path;
 use std::sync::Arc;
 
 use super::args::FormatArgs;
 use super::check::warn_about_config;
 use super::diff::unified;
-use super::io::Io;
+use super::io::{Io, all_of};
 use super::render::{shown_path, visible};
 use super::text::counted;
 use crate::analysis::{CheckOptions, FixedFile, Session, Setup, apply};
 use crate::ide;
 use crate::vfs::Environment;
-
-/// Largest input that is read from standard input, in bytes.
-const MOST_INPUT: u64 = 20_000_000;
 
 /// What became of the files.
 #[derive(Default)]
@@ -70,9 +66,7 @@ fn is_dir(session: &Session, path: &Path) -> bool {
 
 /// Put standard input in the place of a file.
 fn read_input(session: &Session, io: &mut Io<'_>) -> std::io::Result<()> {
-    let mut input = Vec::new();
-    (&mut io.stdin).take(MOST_INPUT).read_to_end(&mut input)?;
-    session.vfs.set_buffer(Path::new("-"), Some(String::from_utf8_lossy(&input).into_owned()));
+    session.vfs.set_buffer(Path::new("-"), Some(all_of(io.stdin)?));
     Ok(())
 }
 

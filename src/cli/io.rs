@@ -2,6 +2,8 @@
 
 use std::io::{Read, Write};
 
+use crate::base::limits::STDIN_BYTES;
+
 /// The streams of a command.
 pub struct Io<'a> {
     /// Results.
@@ -23,6 +25,21 @@ impl<'a> Io<'a> {
     pub fn plain(out: &'a mut dyn Write, err: &'a mut dyn Write, stdin: &'a mut dyn Read) -> Self {
         Self { out, err, stdin, color: false, color_out: false, terminal: false }
     }
+}
+
+/// The text of standard input; nothing is cut.
+///
+/// # Errors
+/// Those of the system, and one for an input that is too large.
+pub(super) fn all_of(stdin: &mut dyn Read) -> std::io::Result<String> {
+    let mut bytes = Vec::new();
+    stdin.take(STDIN_BYTES + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > STDIN_BYTES {
+        let why =
+            format!("it has more than {} MB, the limit: name the file instead", STDIN_BYTES / 1_000_000);
+        return Err(std::io::Error::other(why));
+    }
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
 impl Io<'_> {

@@ -5,14 +5,12 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use super::args::{CheckArgs, Format};
+use super::io::all_of;
 use super::options::mappings;
 use super::watch::State;
 use crate::analysis::{Baseline, CheckOptions, Overrides, Session, Setup};
 use crate::rules;
 use crate::vfs::Environment;
-
-/// Largest input that is read from standard input, in bytes.
-const MOST_INPUT: u64 = 20_000_000;
 
 /// Everything a check needs.
 pub(super) struct Prepared {
@@ -43,7 +41,7 @@ pub(super) fn prepare(args: &CheckArgs, env: &Environment, stdin: &mut dyn Read)
         ..Setup::default()
     };
     let session =
-        Session::new(env, setup).map_err(|error| format!("{}: {}", error.path.display(), error.strerror))?;
+        Session::new(env, setup).map_err(|error| format!("{}: {}", error.path.display(), error.reason()))?;
     if let Some(name) = stdin_name(args) {
         let read = read_stdin(&name, &session, stdin);
         read.map_err(|error| format!("standard input cannot be read: {error}"))?;
@@ -54,7 +52,7 @@ pub(super) fn prepare(args: &CheckArgs, env: &Environment, stdin: &mut dyn Read)
 
 fn read_baseline(path: &Path, session: &Session) -> Result<(Baseline, PathBuf), String> {
     let named = |why: &str| format!("{}: {why}", path.display());
-    let file = session.vfs.text(path).map_err(|error| named(&error.strerror))?;
+    let file = session.vfs.text(path).map_err(|error| named(&error.reason()))?;
     let baseline = Baseline::from_json(&file.text).map_err(|why| named(&why))?;
     let folder = file.path.parent().map(Path::to_owned).unwrap_or_default();
     Ok((baseline, folder))
@@ -68,9 +66,7 @@ fn stdin_name(args: &CheckArgs) -> Option<PathBuf> {
 
 /// Put standard input in the place of a file.
 fn read_stdin(name: &Path, session: &Session, stdin: &mut dyn Read) -> std::io::Result<()> {
-    let mut input = Vec::new();
-    stdin.take(MOST_INPUT).read_to_end(&mut input)?;
-    session.vfs.set_buffer(name, Some(String::from_utf8_lossy(&input).into_owned()));
+    session.vfs.set_buffer(name, Some(all_of(stdin)?));
     Ok(())
 }
 

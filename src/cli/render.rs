@@ -5,6 +5,7 @@ use std::path::Path;
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
+use crate::base::limits::DRAWN_LINE;
 use crate::base::{Encoding, TextRange};
 use crate::vfs::SourceFile;
 
@@ -44,15 +45,14 @@ pub struct Report<'a> {
     pub help: Option<String>,
 }
 
-/// Longest line that is still drawn: nobody reads a line of a megabyte.
-const MOST_LINE: usize = 20_000;
 /// Steps of a trace that are drawn.
 const MOST_STEPS: usize = 8;
 
 /// A path relative to `cwd` when it lies below, with `/` between its parts.
 pub fn shown_path(path: &Path, cwd: &Path) -> String {
     let path = path.strip_prefix(cwd).unwrap_or(path);
-    path.to_string_lossy().replace('\\', "/")
+    // a name must not begin a line of its own
+    path.to_string_lossy().replace('\\', "/").replace('\n', "␊")
 }
 
 /// Draw a report.
@@ -94,6 +94,13 @@ struct Piece {
     label: String,
 }
 
+/// A source line without the control characters that the drawing passes on; it stays as long as it is.
+fn harmless(line: &str) -> String {
+    // as many bytes as one of them
+    const INSTEAD: &str = "·";
+    line.replace(|c| ('\u{80}'..='\u{9f}').contains(&c), INSTEAD)
+}
+
 impl Piece {
     fn cut(mark: &Mark<'_>) -> Self {
         let document = &mark.file.source.document;
@@ -107,14 +114,14 @@ impl Piece {
             path: visible(&mark.file.path),
             line: start.line as usize + 1,
             span: col..to.clamp(col, first.len().max(col)),
-            text: first,
+            text: harmless(&first),
             label: visible(&mark.label),
         }
     }
 
     fn draw<'g>(&'g self, group: Group<'g>, kind: AnnotationKind) -> Group<'g> {
         let label = (!self.label.is_empty()).then_some(self.label.as_str());
-        if self.text.len() > MOST_LINE {
+        if self.text.len() > DRAWN_LINE {
             let origin = Origin::path(self.path.as_str()).line(self.line).char_column(self.span.start + 1);
             let group = group.element(origin);
             return group.elements(label.map(|label| Level::NOTE.message(label)));

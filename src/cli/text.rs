@@ -9,12 +9,10 @@ use indexmap::IndexMap;
 use super::io::Io;
 use super::render::{Mark, Report as Drawing, ShownFile, render, shown_path, visible};
 use crate::analysis::{Position, Report};
+use crate::base::limits::DRAWN_OF_A_RULE;
 use crate::base::{FastMap, FastSet, FileId, Span};
 use crate::rules::{Finding, Severity};
 use crate::vfs::SourceFile;
-
-/// Findings of one rule in one file that are drawn or listed; the others are counted.
-const MOST_OF_A_RULE: usize = 100;
 
 /// With the source text and a summary.
 pub(super) fn full(report: &Report, cwd: &Path, hints: bool, io: &mut Io<'_>) {
@@ -61,14 +59,14 @@ fn listed(report: &Report, hints: bool, mut print: impl FnMut(&Finding, &mut Io<
     for finding in report.findings.iter().filter(|finding| hints || finding.severity > Severity::Hint) {
         let count = seen.entry((finding.rule.code, finding.span.file)).or_default();
         *count += 1;
-        if *count <= MOST_OF_A_RULE {
+        if *count <= DRAWN_OF_A_RULE {
             print(finding, io);
         }
     }
-    let left: usize = seen.values().map(|count| count.saturating_sub(MOST_OF_A_RULE)).sum();
+    let left: usize = seen.values().map(|count| count.saturating_sub(DRAWN_OF_A_RULE)).sum();
     if left > 0 {
         io.line(&format!(
-            "note: {left} findings are not shown: more than {MOST_OF_A_RULE} of one rule in one file"
+            "note: {left} findings are not shown: more than {DRAWN_OF_A_RULE} of one rule in one file"
         ));
     }
 }
@@ -125,7 +123,7 @@ fn drawing(
 }
 
 /// Whether the text of a file may be shown.
-fn is_source(path: &Path) -> bool {
+pub(super) fn is_source(path: &Path) -> bool {
     const ENDINGS: [&str; 9] = ["xacro", "urdf", "xml", "srdf", "sdf", "yaml", "yml", "toml", "txt"];
     path.extension().and_then(|ending| ending.to_str()).is_some_and(|ending| ENDINGS.contains(&ending))
 }

@@ -54,7 +54,7 @@ pub(super) fn run(args: &TreeArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     };
     let expansion = expand_in(&session, &file, arguments.clone());
     if let Some(error) = &expansion.root_error {
-        return fails(io, &format!("{file}: {}", error.strerror));
+        return fails(io, &format!("{file}: {}", error.reason()));
     }
     let robot = Robot::of(&expansion);
     let Some(tree) = robot.as_ref().filter(|_| !expansion.has_errors()).and_then(good_tree) else {
@@ -116,7 +116,7 @@ pub(super) fn expand_named(
     let session = open(&file, package_path, env, io)?;
     let expansion = expand_in(&session, &file, arguments);
     match &expansion.root_error {
-        Some(error) => Err(format!("{file}: {}", error.strerror)),
+        Some(error) => Err(format!("{file}: {}", error.reason())),
         None => Ok(expansion),
     }
 }

@@ -10,6 +10,7 @@ use super::resolve::{BindingInfo, BindingKind};
 use super::scope::{Block, Place, State};
 use super::symbols::{SymbolKind, UseKind};
 use super::tree::{XAttr, XId, XKind};
+use crate::base::limits::BLOCK_DEPTH;
 use crate::expr::{Value, display};
 
 impl Expander<'_> {
@@ -105,8 +106,8 @@ impl Expander<'_> {
         };
         self.note_read(place.origin, info, UseKind::Insert);
         let at = self.tag_origin(tag, cx);
-        if self.block_depth >= Self::MAX_BLOCK_DEPTH {
-            let message = format!("block `{name}` inserts itself");
+        if self.block_depth >= BLOCK_DEPTH {
+            let message = format!("block `{name}` inserts itself, more than {BLOCK_DEPTH} deep");
             return self.stop(at, message, None);
         }
         self.block_depth += 1;

@@ -11,6 +11,7 @@ use super::params::strip;
 use super::scope::Place;
 use super::tree::{XAttr, XId, XKind};
 use crate::base::TextRange;
+use crate::base::limits::ELEMENT_DEPTH;
 use crate::expr::{Value, display};
 use crate::xml::{Attr, Entities, Item, Node, NodeKind};
 
@@ -240,8 +241,8 @@ impl Expander<'_> {
         let id = self.result.tree.add(XKind::Element, tag.name.into(), origin);
         self.result.tree.append(out, id);
         self.eval_attributes(tag, id, cx);
-        if self.nesting >= Self::MAX_NESTING {
-            let message = format!("elements are nested more than {} deep", Self::MAX_NESTING);
+        if self.nesting >= ELEMENT_DEPTH {
+            let message = format!("elements are nested more than {ELEMENT_DEPTH} deep");
             self.stop(origin, message, None);
             return;
         }

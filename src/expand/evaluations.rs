@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 use super::machine::Expander;
 use super::origin::{FrameId, Origin};
 use super::symbols::SourceRange;
+use crate::base::limits::EVALUATIONS;
 use crate::base::{FastMap, TextRange};
 use crate::expr::Value;
 
@@ -30,9 +31,6 @@ pub struct Evaluations {
 }
 
 impl Evaluations {
-    /// Most values kept. A description that evaluates more is shown with what came first.
-    const MOST: usize = 500_000;
-
     /// Those of one `${...}` or `$(...)`, in order.
     pub fn at(&self, place: SourceRange) -> impl Iterator<Item = &Evaluation> {
         let places = self.places.get_or_init(|| {
@@ -65,7 +63,7 @@ impl Evaluations {
 
     /// Whether there were more than are kept.
     pub fn is_full(&self) -> bool {
-        self.list.len() >= Self::MOST
+        self.list.len() >= EVALUATIONS
     }
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::element::Tag;
-use super::machine::{Cx, Expander, FileUse, OpenFile};
+use super::machine::{Cx, Expander, FileUse, OpenFile, raise};
 use super::origin::{FileIdx, FrameKind, Origin, Source, SrcId};
 use super::record::Read;
 use super::resolve::{BindingInfo, BindingKind};
@@ -237,12 +237,16 @@ impl Expander<'_> {
         let message = match error.kind {
             LoadErrorKind::NotFound => format!("included file `{name}` does not exist"),
             LoadErrorKind::IsDirectory => format!("included file `{name}` is a folder"),
-            _ => format!("included file `{name}` cannot be read: {strerror}"),
+            _ => format!("included file `{name}` cannot be read: {}", error.reason()),
+        };
+        let help = match error.kind {
+            LoadErrorKind::TooLarge { .. } => raise("file-mb"),
+            _ => format!("looked for {}", error.path.display()),
         };
         let problem = self
             .problem("XAC008", at, message)
             .says(format!("{strerror}: {shown} [Errno {errno}] {strerror}: '{shown}'"))
-            .help(format!("looked for {}", error.path.display()));
+            .help(help);
         self.push(problem);
     }
 

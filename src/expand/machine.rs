@@ -19,10 +19,11 @@ use super::stack::on_large_stack;
 use super::symbols::Symbols;
 use super::text::CachedText;
 use super::tree::{XAttr, XId, XKind, XTree};
+use crate::base::limits::{self, EVAL_DEPTH};
 use crate::base::{CancelFlag, FastMap, FastSet, TextRange};
 use crate::expr::{Budget, ScopeId};
 use crate::vfs::{Environment, LoadError, SourceFile, Vfs};
-use crate::workspace::Packages;
+use crate::workspace::{Packages, config};
 
 /// Where an expansion reads from.
 #[derive(Clone, Copy)]
@@ -55,12 +56,26 @@ pub struct Limits {
 impl Default for Limits {
     fn default() -> Self {
         Self {
-            eval_steps: 1_000_000,
-            output_bytes: 64 << 20,
-            expand_nodes: 500_000,
-            expand_time: Duration::from_millis(5000),
-            macro_depth: 1000,
-            include_depth: 500,
+            eval_steps: limits::EVAL_STEPS,
+            output_bytes: limits::OUTPUT_BYTES,
+            expand_nodes: limits::EXPAND_NODES,
+            expand_time: Duration::from_millis(limits::EXPAND_MS),
+            macro_depth: limits::MACRO_DEPTH,
+            include_depth: limits::INCLUDE_DEPTH,
+        }
+    }
+}
+
+impl Limits {
+    /// The budgets of a configuration.
+    pub fn configured(limits: &config::Limits) -> Self {
+        Self {
+            eval_steps: limits.eval_steps,
+            expand_nodes: limits.expand_nodes,
+            expand_time: Duration::from_millis(limits.expand_ms),
+            macro_depth: limits.macro_depth,
+            include_depth: limits.include_depth,
+            ..Self::default()
         }
     }
 }
@@ -163,6 +178,11 @@ pub fn expand(world: World<'_>, request: &Request) -> Expansion {
     on_large_stack(|| Expander::new(world, request).run())
 }
 
+/// How to raise a limit of the configuration.
+pub(super) fn raise(key: &str) -> String {
+    format!("if the robot really is that large, raise `{key}` under `[limits]` in xacro-lint.toml")
+}
+
 /// Where evaluation stands: the scope chains and the way that led here.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cx {
@@ -236,13 +256,6 @@ pub(super) struct Expander<'w> {
 }
 
 impl<'w> Expander<'w> {
-    /// Elements inside elements (the reference gives up below a thousand).
-    pub const MAX_NESTING: u32 = 5000;
-    /// Blocks inserted inside blocks.
-    pub const MAX_BLOCK_DEPTH: u32 = 500;
-    /// Nodes and calls inside one expression.
-    const EVAL_DEPTH: u32 = 600;
-
     fn new(world: World<'w>, request: &'w Request) -> Self {
         let mut result = Expansion { complete: true, ..Expansion::default() };
         result.frames.push(Frame {
@@ -266,7 +279,7 @@ impl<'w> Expander<'w> {
             by_path: FastMap::default(),
             texts: FastMap::default(),
             marker,
-            budget: Budget::new(limits.eval_steps, limits.output_bytes, Self::EVAL_DEPTH),
+            budget: Budget::new(limits.eval_steps, limits.output_bytes, EVAL_DEPTH),
             deadline: Instant::now() + limits.expand_time,
             lazy_uses: Vec::new(),
             reads: Vec::new(),
@@ -390,8 +403,7 @@ impl<'w> Expander<'w> {
         self.stopped = true;
         let mut problem = self.problem("XAC034", at, message);
         if let Some(key) = key {
-            let raise = format!("raise `{key}` under `[limits]` in xacro-lint.toml");
-            problem = problem.help(format!("if the robot really is that large, {raise}"));
+            problem = problem.help(raise(key));
         }
         self.problems.push(problem);
     }

@@ -120,9 +120,20 @@ fn bracketed(text: &str, at: usize, open: &str, close: char) -> Option<(usize, u
 /// `'...'`, `"..."` and unquoted text in any order, followed by a blank or the end.
 fn quoted_run(text: &str, at: usize) -> Option<(usize, usize)> {
     let mut failed = vec![false; text.len().saturating_sub(at) + 1];
-    let mut stack = vec![at];
-    // depth first, longest pieces first, each position tried once: what follows depends on the position alone
-    while let Some(i) = stack.pop() {
+    // a place, and for an opening quote from where on its end is looked for
+    let mut stack = vec![(at, None)];
+    // depth first, shortest pieces first, each position tried once: what follows depends on the position alone
+    while let Some((i, from)) = stack.pop() {
+        if let (Some(from), Some(quote)) = (from, char_at(text, i)) {
+            let rest = text.get(from..)?;
+            if let Some(j) = rest.find([quote, '\n'])
+                && char_at(rest, j) == Some(quote)
+            {
+                let end = from + j + 1;
+                stack.extend([(i, Some(end)), (end, None)]);
+            }
+            continue;
+        }
         if i > at
             && let Some(next) = tail(text, i)
         {
@@ -133,15 +144,10 @@ fn quoted_run(text: &str, at: usize) -> Option<(usize, usize)> {
             _ => continue,
         }
         match char_at(text, i) {
-            Some(quote @ ('\'' | '"')) => {
-                let line = text.get(i + 1..)?.split('\n').next().unwrap_or("");
-                let mut ends: Vec<usize> = line.match_indices(quote).map(|(j, _)| i + 1 + j + 1).collect();
-                ends.reverse();
-                stack.extend(ends);
-            }
+            Some('\'' | '"') => stack.push((i, Some(i + 1))),
             Some(c) if !is_space(c) => {
                 let end = run(text, i, |c| !is_space(c) && c != '\'' && c != '"');
-                stack.push(end);
+                stack.push((end, None));
             }
             _ => {}
         }

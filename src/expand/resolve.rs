@@ -9,6 +9,7 @@ use super::problem::Step;
 use super::scope::State;
 use super::symbols::{DefinitionId, UseKind};
 use crate::base::TextRange;
+use crate::base::limits::LAZY_DEPTH;
 use crate::expr::{ScopeId, Value, literal};
 use crate::workspace::nearest;
 
@@ -70,9 +71,6 @@ pub(super) struct LazyUse {
 }
 
 impl Expander<'_> {
-    /// Lazy properties that need each other; far beyond what the reference's stack admits.
-    const MAX_LAZY_DEPTH: usize = 500;
-
     /// The value of `name` seen from `scope`; `at` is the text that asks. `None`: no such property.
     pub fn resolve(&mut self, scope: ScopeId, name: &str, at: Origin) -> Option<Value> {
         let info = self.scopes.find(scope, name)?.1.info;
@@ -110,8 +108,8 @@ impl Expander<'_> {
         if scope.resolving.contains(&name) {
             return self.circular(holder, &name, at);
         }
-        if self.lazy_uses.len() >= Self::MAX_LAZY_DEPTH {
-            let message = format!("more than {} properties need each other here", Self::MAX_LAZY_DEPTH);
+        if self.lazy_uses.len() >= LAZY_DEPTH {
+            let message = format!("more than {LAZY_DEPTH} properties need each other here");
             self.error("XAC025", at, message, "maximum recursion depth exceeded");
             return Value::Unknown;
         }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::functions::ExprHost;
-use super::machine::{Cx, Expander};
+use super::machine::{Cx, Expander, raise};
 use super::origin::Origin;
 use super::scope::Place;
 use super::tree::Piece;
@@ -232,7 +232,10 @@ impl Expander<'_> {
         let mut problem = match error.kind {
             ExprErrorKind::ForbiddenName => self.problem("XAC024", whole, error.message.clone()),
             _ if code.is_empty() => self.problem("XAC024", whole, "the expression is empty"),
-            _ => self.problem("XAC024", whole, format!("`{code}` is not an expression: {}", error.message)),
+            _ => {
+                let message = format!("`{}` is not an expression: {}", shortened(code), error.message);
+                self.problem("XAC024", whole, message)
+            }
         }
         .says(reference);
         if let Some(name) = code.strip_prefix("arg ") {
@@ -254,9 +257,13 @@ impl Expander<'_> {
         };
         let message = match code {
             "XAC001" => error.message.clone(),
-            _ => format!("`{}` cannot be evaluated: {}", at.code.trim(), error.message),
+            _ => format!("`{}` cannot be evaluated: {}", shortened(at.code.trim()), error.message),
         };
-        self.error(code, place, message, reference);
+        let mut problem = self.problem(code, place, message).says(reference);
+        if error.kind == ErrorKind::Budget && error.message.contains(" steps") {
+            problem = problem.help(raise("eval-steps"));
+        }
+        self.push(problem);
     }
 
     /// The origin of a range of decoded text.
@@ -298,4 +305,13 @@ pub(super) struct CodeSite<'t> {
 /// The dollar signs a text starts with.
 fn lead(text: &str) -> &str {
     text.get(..text.len() - text.trim_start_matches('$').len()).unwrap_or("")
+}
+
+/// An expression as messages name it: the reason behind a long one is what matters.
+fn shortened(code: &str) -> Cow<'_, str> {
+    const MOST: usize = 300;
+    if code.len() <= MOST {
+        return Cow::Borrowed(code);
+    }
+    Cow::Owned(format!("{}...", code.get(..code.floor_char_boundary(MOST)).unwrap_or_default()))
 }

@@ -1,11 +1,8 @@
 //! What one evaluation may cost.
 
 use super::stop::{Eval, Stop};
+use crate::base::limits::{EVAL_VALUE_BYTES, INTEGER_BITS};
 
-/// The largest single value, in bytes; also the ceiling for anything built while it is made.
-pub(crate) const MAX_VALUE_BYTES: u64 = 64 << 20;
-/// The longest integer, in bits (about 300,000 decimal digits).
-pub(crate) const MAX_INT_BITS: u64 = 1 << 20;
 /// What one element of a list, tuple, set or dict counts, in bytes.
 pub(crate) const ITEM_BYTES: u64 = 32;
 
@@ -76,8 +73,8 @@ impl Budget {
 
     /// Allow an integer of `bits` bits, before it is computed.
     pub(crate) fn int_bits(&mut self, bits: u128) -> Eval<()> {
-        if bits > u128::from(MAX_INT_BITS) {
-            let limit = MAX_INT_BITS;
+        if bits > u128::from(INTEGER_BITS) {
+            let limit = INTEGER_BITS;
             return Err(Stop::budget(format!(
                 "value would have {bits} bits, more than the limit of {limit} bits"
             )));
@@ -87,13 +84,13 @@ impl Budget {
 
     /// How long a text may still be, in bytes.
     pub(crate) fn text_limit(&self) -> u64 {
-        MAX_VALUE_BYTES.min(self.bytes)
+        EVAL_VALUE_BYTES.min(self.bytes)
     }
 
     /// Refuse a text that has grown to `len` bytes, whose parts were paid for.
     pub(crate) fn grown(&self, len: usize) -> Eval<()> {
-        if len as u64 > MAX_VALUE_BYTES {
-            let limit = MAX_VALUE_BYTES >> 20;
+        if len as u64 > EVAL_VALUE_BYTES {
+            let limit = EVAL_VALUE_BYTES >> 20;
             return Err(Stop::budget(format!(
                 "value would have {len} characters, more than the limit of {limit} MB"
             )));
@@ -102,8 +99,8 @@ impl Budget {
     }
 
     fn spend(&mut self, bytes: u128, count: u128, unit: &str) -> Eval<()> {
-        if bytes > u128::from(MAX_VALUE_BYTES) {
-            let limit = MAX_VALUE_BYTES >> 20;
+        if bytes > u128::from(EVAL_VALUE_BYTES) {
+            let limit = EVAL_VALUE_BYTES >> 20;
             return Err(Stop::budget(format!(
                 "value would have {count} {unit}, more than the limit of {limit} MB"
             )));

@@ -2,17 +2,14 @@
 
 use std::fmt::Write;
 
-use super::budget::MAX_VALUE_BYTES;
 use super::float_repr;
 use super::host::ErrorKind;
 use super::interp::Interp;
-use super::numeric::MAX_STR_DIGITS;
 use super::quote::{quote, quote_bytes};
 use super::stop::{Eval, Stop};
 use super::value::{Str, Type, Value, ViewKind, date_repr, date_text};
+use crate::base::limits::{EVAL_VALUE_BYTES, INTEGER_DIGITS, SHOWN_DEPTH};
 
-/// How deep containers may nest in a text.
-const MAX_DEPTH: usize = 150;
 /// The address shown for objects, which in Python differs from run to run.
 const ADDRESS: &str = "0x7f0000000000";
 
@@ -21,12 +18,12 @@ const MAX_SHOWN: u64 = 1 << 20;
 
 /// Python's `str()`; none if the value is unknown, has an unknown part or no text of reasonable size.
 pub fn to_str(value: &Value) -> Option<Str> {
-    text_of(value, MAX_VALUE_BYTES).ok()
+    text_of(value, EVAL_VALUE_BYTES).ok()
 }
 
 /// Python's `repr()`; none in the same cases.
 pub fn repr(value: &Value) -> Option<Str> {
-    repr_of(value, MAX_VALUE_BYTES).ok()
+    repr_of(value, EVAL_VALUE_BYTES).ok()
 }
 
 /// The `repr` of a value for a message.
@@ -147,7 +144,7 @@ impl Writer {
             self.out.push_str(instead);
             return Ok(());
         }
-        if self.active.len() >= MAX_DEPTH {
+        if self.active.len() >= SHOWN_DEPTH {
             return Err(Stop::recursion(" while getting the repr of an object"));
         }
         self.active.push(address);
@@ -224,14 +221,14 @@ pub(crate) fn big_text(big: &num_bigint::BigInt) -> Eval<String> {
     // 3.33 bits make a digit: this many bits are surely too long without converting them.
     let too_long = || {
         Stop::value(format!(
-            "Exceeds the limit ({MAX_STR_DIGITS} digits) for integer string conversion; use sys.set_int_max_str_digits() to increase the limit"
+            "Exceeds the limit ({INTEGER_DIGITS} digits) for integer string conversion; use sys.set_int_max_str_digits() to increase the limit"
         ))
     };
-    if big.bits() > (MAX_STR_DIGITS as u64) * 10 / 3 {
+    if big.bits() > (INTEGER_DIGITS as u64) * 10 / 3 {
         return Err(too_long());
     }
     let text = big.to_string();
-    if text.trim_start_matches('-').len() > MAX_STR_DIGITS { Err(too_long()) } else { Ok(text) }
+    if text.trim_start_matches('-').len() > INTEGER_DIGITS { Err(too_long()) } else { Ok(text) }
 }
 
 /// The qualified name of a function written in Python.

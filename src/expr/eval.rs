@@ -179,23 +179,33 @@ impl Interp<'_> {
     }
 
     fn dict_display(&mut self, entries: &[(Option<Expr>, Expr)]) -> Eval {
+        /// So many entries are evaluated before the first of their keys is hashed, as in CPython.
+        const AT_ONCE: usize = 16;
         let mut map = DictMap::default();
+        let mut waiting: Vec<(Value, Value)> = Vec::new();
         for (key, value) in entries {
             match key {
                 Some(key) => {
-                    let key = Key::new(self.eval(key)?)?;
-                    map.insert(key, self.eval(value)?);
+                    waiting.push((self.eval(key)?, self.eval(value)?));
+                    if waiting.len() == AT_ONCE {
+                        enter(&mut waiting, &mut map)?;
+                    }
                 }
-                None => match self.eval(value)?.known()? {
-                    Value::Dict(other) => {
-                        map.extend(other.snapshot().iter().map(|(k, v)| (k.clone(), v.clone())));
+                None => {
+                    enter(&mut waiting, &mut map)?;
+                    match self.eval(value)?.known()? {
+                        Value::Dict(other) => {
+                            map.extend(other.snapshot().iter().map(|(k, v)| (k.clone(), v.clone())));
+                        }
+                        other => {
+                            let message = format!("'{}' object is not a mapping", other.type_name());
+                            return Err(Stop::typ(message));
+                        }
                     }
-                    other => {
-                        return Err(Stop::typ(format!("'{}' object is not a mapping", other.type_name())));
-                    }
-                },
+                }
             }
         }
+        enter(&mut waiting, &mut map)?;
         Ok(Value::Dict(Dict::new(map, false)))
     }
 
@@ -246,4 +256,12 @@ fn constant(value: &Const) -> Value {
         Const::Str(text) => Value::Str(text.clone()),
         Const::Bytes(bytes) => Value::Bytes(bytes.iter().copied().collect()),
     }
+}
+
+/// Put evaluated entries into a dict.
+fn enter(waiting: &mut Vec<(Value, Value)>, map: &mut DictMap) -> Eval<()> {
+    for (key, value) in waiting.drain(..) {
+        map.insert(Key::new(key)?, value);
+    }
+    Ok(())
 }

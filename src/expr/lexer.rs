@@ -8,9 +8,7 @@ use super::report::{Report, Stage, Unclosed};
 use super::syntax::{is_name_continue, is_name_start};
 use super::token::{Bracket, Tok, Token, is_string_prefix, keyword, operator};
 use crate::base::TextRange;
-
-/// Deepest nesting of brackets, that of CPython's tokenizer.
-const MAX_BRACKETS: usize = 200;
+use crate::base::limits::BRACKETS;
 
 /// What to read.
 pub(super) struct Source<'t> {
@@ -262,10 +260,10 @@ impl Lexer<'_, '_, '_> {
 
     fn open(&mut self, bracket: Bracket) {
         let at = self.pos as u32;
-        if self.stack.len() >= MAX_BRACKETS - usize::from(self.bracketed) {
+        if self.stack.len() >= BRACKETS - usize::from(self.bracketed) {
             self.error(
                 TextRange::new(at, at + 1),
-                "brackets are nested too deeply",
+                format!("brackets are nested more than {BRACKETS} deep"),
                 "too many nested parentheses",
             );
             self.pos = self.text.len();

@@ -4,6 +4,7 @@ use num_bigint::BigInt;
 use num_traits::Num;
 
 use super::ast::Const;
+use crate::base::limits::INTEGER_DIGITS;
 
 /// A number literal at the start of some text.
 pub(super) struct Scanned {
@@ -12,9 +13,6 @@ pub(super) struct Scanned {
     /// CPython's complaint.
     pub(super) error: Option<String>,
 }
-
-/// CPython refuses longer decimal integers, because reading them takes quadratic time.
-const MAX_DIGITS: usize = 4300;
 
 /// Scan a number literal; `bytes` starts with a digit, or a dot and a digit.
 pub(super) fn scan(bytes: &[u8]) -> Scanned {
@@ -188,9 +186,9 @@ pub(super) fn value(text: &str) -> Result<Const, String> {
     if plain.bytes().any(|b| !b.is_ascii_digit()) {
         return Ok(Const::Float(float(plain)));
     }
-    if plain.len() > MAX_DIGITS {
+    if plain.len() > INTEGER_DIGITS {
         return Err(format!(
-            "Exceeds the limit ({MAX_DIGITS} digits) for integer string conversion: value has {} digits; \
+            "Exceeds the limit ({INTEGER_DIGITS} digits) for integer string conversion: value has {} digits; \
              use sys.set_int_max_str_digits() to increase the limit - Consider hexadecimal for huge \
              integer literals to avoid decimal conversion limits.",
             plain.len()

@@ -24,9 +24,7 @@ use super::report::{Report, Stage};
 use super::syntax::{ExprErrorKind, Parsed, forbidden_names, is_python_space};
 use super::token::{Tok, Token};
 use crate::base::TextRange;
-
-/// How deep the tree, and the recursion that builds it, may become. Evaluators recurse over it too.
-const MAX_DEPTH: u32 = 240;
+use crate::base::limits::EXPRESSION_DEPTH;
 
 /// Binding powers, loosest first.
 mod power {
@@ -129,13 +127,13 @@ impl Parser<'_> {
 
     /// Run `f` one level deeper, or give up with a hole when that is too deep.
     fn nested(&mut self, f: impl FnOnce(&mut Self) -> Expr) -> Expr {
-        if self.depth >= MAX_DEPTH {
+        if self.depth >= EXPRESSION_DEPTH {
             return self.give_up();
         }
         self.depth += 1;
         let outer = std::mem::take(&mut self.height);
         let mut expr = f(self);
-        if self.height >= MAX_DEPTH {
+        if self.height >= EXPRESSION_DEPTH {
             // Too high already: whatever comes on top stands on a hole.
             self.give_up();
             expr.kind = ExprKind::Missing;
@@ -149,10 +147,10 @@ impl Parser<'_> {
     /// One more level on top of what was parsed last; false if that is too much.
     fn grow(&mut self) -> bool {
         self.height += 1;
-        if self.height >= MAX_DEPTH {
+        if self.height >= EXPRESSION_DEPTH {
             self.give_up();
         }
-        self.height < MAX_DEPTH
+        self.height < EXPRESSION_DEPTH
     }
 
     fn give_up(&mut self) -> Expr {
@@ -164,7 +162,7 @@ impl Parser<'_> {
                 Stage::Grammar,
                 kind,
                 range,
-                "the expression is nested too deeply",
+                format!("the expression is nested more than {EXPRESSION_DEPTH} deep"),
                 reference.into(),
             );
         }

@@ -8,6 +8,7 @@
 
 use super::syntax::{ExprError, ExprErrorKind};
 use crate::base::TextRange;
+use crate::base::limits::EXPRESSION_ERRORS;
 
 /// When CPython notices an error; the earliest stage wins, whatever the place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -41,9 +42,6 @@ pub(super) struct Report<'t> {
     errors: Vec<(Stage, ExprError)>,
     pub(super) unclosed: Option<Unclosed>,
 }
-
-/// More errors than this say nothing new.
-const MAX_ERRORS: usize = 20;
 
 impl<'t> Report<'t> {
     pub(super) fn new(text: &'t str, start: u32) -> Self {
@@ -139,7 +137,7 @@ impl<'t> Report<'t> {
 
     /// Whether further errors would be dropped.
     pub(super) fn is_full(&self) -> bool {
-        self.errors.len() >= MAX_ERRORS
+        self.errors.len() >= EXPRESSION_ERRORS
     }
 
     /// Take over the errors of a replacement field, worded as CPython does for these.

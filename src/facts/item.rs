@@ -1,11 +1,11 @@
 //! Reading facts off the tree of an item.
 
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use super::mentions::site;
 use super::{Fact, FactKind, Facts};
 use crate::base::TextRange;
-use crate::xml::{Attr, CacheSlot, Entities, Item, Node, NodeKind};
+use crate::xml::{Attr, Entities, Item, Node, NodeKind};
 
 /// xacro's own tags, which call no macro.
 const KEYWORDS: &[&str] = &[
@@ -29,7 +29,12 @@ pub fn is_keyword(name: &str) -> bool {
 
 /// The facts of an item; read once, kept with it.
 pub fn facts_of(item: &Arc<Item>) -> Arc<Facts> {
-    item.cached(CacheSlot::Facts, read)
+    /// Most items of a file with a million of them have none.
+    static NONE: LazyLock<Arc<Facts>> = LazyLock::new(Arc::default);
+    item.cached(|item| {
+        let facts = read(item);
+        if facts == Facts::default() { NONE.clone() } else { Arc::new(facts) }
+    })
 }
 
 fn read(item: &Item) -> Facts {

@@ -1,6 +1,7 @@
 //! The symbols of a file as a tree, from its text alone: broken files have an outline too.
 
 use crate::base::TextRange;
+use crate::base::limits::SYMBOL_DEPTH;
 use crate::xml::{Document, Entities, Node, NodeKind};
 
 /// What a symbol is.
@@ -61,17 +62,23 @@ fn symbols(top: Node<'_>, base: u32, entities: &Entities) -> Vec<Outline> {
     }
     let mut steps = vec![Step::Enter(top)];
     let mut found: Vec<Outline> = Vec::new();
+    let mut open = 0;
     while let Some(step) = steps.pop() {
         match step {
             Step::Enter(node) => {
-                if let Some(symbol) = symbol(node, base, entities) {
-                    steps.push(Step::Leave(symbol, found.len()));
+                match symbol(node, base, entities) {
+                    Some(symbol) if open < SYMBOL_DEPTH => {
+                        steps.push(Step::Leave(symbol, found.len()));
+                        open += 1;
+                    }
+                    flat => found.extend(flat),
                 }
                 let start = steps.len();
                 steps.extend(node.child_elements().map(Step::Enter));
                 steps.get_mut(start..).into_iter().for_each(<[_]>::reverse);
             }
             Step::Leave(mut symbol, first) => {
+                open -= 1;
                 symbol.children = found.split_off(first);
                 found.push(symbol);
             }

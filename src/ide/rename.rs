@@ -3,6 +3,7 @@
 use super::context::Cx;
 use super::locate::{Part, locate};
 use super::names::{definition_of, occurrences};
+use crate::base::limits::NAME_LETTERS;
 use crate::base::{Span, TextRange};
 use crate::expand::{DefinitionId, SourceRange, SymbolKind, UseKind};
 use crate::expr::is_identifier;
@@ -22,16 +23,13 @@ pub fn renameable(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, String)> {
     named.then(|| (range, attr.raw().to_owned()))
 }
 
-/// Longer names are refused.
-const MOST_LETTERS: usize = 200;
-
 /// The texts to be replaced by `new` when the name at an offset is renamed, in the files of this expansion.
 ///
 /// # Errors
 /// Why it cannot be renamed, for the user.
 pub fn rename(cx: &Cx<'_>, offset: u32, new: &str) -> Result<Vec<Span>, String> {
-    if new.len() > MOST_LETTERS {
-        return Err(format!("a name of more than {MOST_LETTERS} letters is refused"));
+    if new.len() > NAME_LETTERS {
+        return Err(format!("a name of more than {NAME_LETTERS} letters is refused"));
     }
     let Some((_, name)) = renameable(cx, offset) else {
         return Err("no name that can be renamed stands here".to_owned());

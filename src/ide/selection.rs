@@ -2,6 +2,7 @@
 
 use super::locate::{Part, locate};
 use crate::base::TextRange;
+use crate::base::limits::SELECTIONS;
 use crate::expr::{self, Token};
 use crate::xml::{Document, Node};
 
@@ -37,7 +38,9 @@ pub fn selection(document: &Document, offset: u32) -> Vec<TextRange> {
         ranges.push(node.range());
         around = node.parent();
     }
-    let mut ranges: Vec<TextRange> = ranges.into_iter().map(|range| at.shift(range)).collect();
+    let ranges: Vec<TextRange> = ranges.into_iter().map(|range| at.shift(range)).collect();
+    let mut ranges = nested(ranges, offset);
+    ranges.truncate(SELECTIONS - 1);
     ranges.push(TextRange::new(0, document.len()));
     nested(ranges, offset)
 }

@@ -12,15 +12,10 @@ use super::places::{Location, Names, Places};
 use super::select;
 use super::shapes::Shapes;
 use crate::analysis::{Analyzed, RootChoice, Session, World};
+use crate::base::limits::{SENT_BYTES, SENT_ERRORS};
 use crate::base::{CancelFlag, Encoding, FastSet};
 use crate::expand::{Expansion, Read, Severity};
 use crate::model::Robot;
-
-/// Errors that are sent at most.
-const MOST_ERRORS: usize = 100;
-
-/// Bytes of a file that are sent at most.
-const MOST_BYTES: u64 = 256_000_000;
 
 /// All views.
 #[derive(Default)]
@@ -176,8 +171,8 @@ impl Views {
     /// The bytes of a file that a model names.
     pub fn mesh(&self, world: &World, id: &str) -> Result<MeshBytes, String> {
         let path = self.files.path(id).ok_or("no robot that is shown has such a file")?;
-        let bytes = world.session().vfs.bytes(&path, MOST_BYTES);
-        let bytes = bytes.map_err(|error| format!("it cannot be read: {}", error.strerror))?;
+        let bytes = world.session().vfs.bytes(&path, SENT_BYTES);
+        let bytes = bytes.map_err(|error| format!("it cannot be read: {}", error.reason()))?;
         Ok(MeshBytes { name: path.file_name().unwrap_or_default().to_string_lossy().into_owned(), bytes })
     }
 
@@ -311,9 +306,9 @@ fn errors(names: &Names<'_>, analyzed: &Analyzed, root: &RootChoice) -> Vec<Mode
         Some(ModelError { message: problem.message.clone(), code: code.to_owned(), location })
     });
     let unreadable = expansion.root_error.as_ref().and_then(|error| {
-        let message = format!("the file cannot be read: {}", error.strerror);
+        let message = format!("the file cannot be read: {}", error.reason());
         let location = Location::start((names.uri)(&root.file)?);
         Some(ModelError { message, code: "unreadable-file".to_owned(), location })
     });
-    unreadable.into_iter().chain(listed).take(MOST_ERRORS).collect()
+    unreadable.into_iter().chain(listed).take(SENT_ERRORS).collect()
 }

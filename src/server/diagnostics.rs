@@ -18,12 +18,8 @@ use super::failure::Failure;
 use super::outbox::Message;
 use crate::analysis::Report;
 use crate::base::CancelFlag;
+use crate::base::limits::{DIAGNOSTICS, RELATED};
 use crate::rules::{Finding, Severity};
-
-/// Diagnostics of one file, at most.
-const MOST: usize = 1000;
-/// Related places of one diagnostic, at most.
-const MOST_RELATED: usize = 100;
 
 /// A diagnostic and the file it is shown in.
 type Shown = (PathBuf, Diagnostic);
@@ -68,7 +64,8 @@ impl Engine {
     /// Say at once what can be said of an edit; whether that is all. None: that needs a whole check.
     fn first_look(&mut self, path: PathBuf) -> Option<bool> {
         let look = self.world.first_look(&path).filter(|_| !self.with_calls.contains(&path))?;
-        let found = look.findings.iter().take(MOST).filter_map(|finding| self.diagnostic(finding)).collect();
+        let found =
+            look.findings.iter().take(DIAGNOSTICS).filter_map(|finding| self.diagnostic(finding)).collect();
         self.publish_one(path, found);
         Some(look.is_complete)
     }
@@ -98,7 +95,7 @@ impl Engine {
             self.with_calls.extend(at_call.iter().map(|(path, _)| path.clone()));
             for (path, diagnostic) in at_call.into_iter().chain(own) {
                 let list = found.entry(path.clone()).or_default();
-                if list.len() < MOST {
+                if list.len() < DIAGNOSTICS {
                     list.push(diagnostic);
                 } else {
                     *left_out.entry(path).or_default() += 1;
@@ -129,7 +126,7 @@ impl Engine {
             let related = std::iter::once(cause).chain(own.related_information.clone().unwrap_or_default());
             let at_call = Diagnostic {
                 range: self.location(call.span)?.range,
-                related_information: Some(related.take(MOST_RELATED).collect()),
+                related_information: Some(related.take(RELATED).collect()),
                 data: None,
                 ..own.clone()
             };
@@ -212,7 +209,7 @@ impl Engine {
 
     fn diagnostic(&self, finding: &Finding) -> Option<Diagnostic> {
         let place = self.location(finding.span)?;
-        let related = finding.related.iter().take(MOST_RELATED).filter_map(|related| {
+        let related = finding.related.iter().take(RELATED).filter_map(|related| {
             let location = self.location(related.span)?;
             Some(DiagnosticRelatedInformation { location, message: related.message.clone() })
         });

@@ -169,6 +169,13 @@ impl Engine {
         }
     }
 
+    /// Fail as a fault of ours would.
+    #[cfg(debug_assertions)]
+    #[allow(clippy::panic, reason = "that is what it is for")]
+    pub fn fail(&mut self, (): (), _: &crate::base::CancelFlag) -> Result<serde_json::Value, Failure> {
+        panic!("this job was asked to fail")
+    }
+
     /// A check is wanted after the pause.
     pub fn schedule(&mut self) {
         self.wants_check = true;

@@ -14,6 +14,7 @@ use super::engine::Engine;
 use super::failure::Failure;
 use super::tokens::start_of;
 use crate::base::CancelFlag;
+use crate::base::limits::REWRITTEN_MESH_BYTES;
 use crate::ide::{self, Move};
 use crate::model::plain_stl;
 use crate::vfs::write_atomically;
@@ -95,15 +96,14 @@ impl Engine {
 
     /// Write a mesh of the workspace as binary STL whose header is not taken for text.
     pub fn rewrite_mesh(&mut self, mesh: &TextDocumentIdentifier) -> Result<(), Failure> {
-        const MOST_BYTES: u64 = 100 << 20;
         let path = self.path(&mesh.uri);
         let refuse = |message: String| Failure::Refused(format!("`{}` {message}", path.display()));
         let is_stl = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("stl"));
         if !is_stl || !self.is_ours(&path) {
             return Err(refuse("is no STL file of the workspace".to_owned()));
         }
-        let bytes = self.world.session().vfs.bytes(&path, MOST_BYTES);
-        let bytes = bytes.map_err(|error| refuse(format!("cannot be read: {}", error.strerror)))?;
+        let bytes = self.world.session().vfs.bytes(&path, REWRITTEN_MESH_BYTES);
+        let bytes = bytes.map_err(|error| refuse(format!("cannot be read: {}", error.reason())))?;
         let Some(new) = plain_stl(&bytes) else { return Err(refuse("needs no change".to_owned())) };
         write_atomically(&path, &new).map_err(|error| refuse(format!("cannot be written: {error}")))?;
         self.world.changed_on_disk(&[path]);

@@ -2,6 +2,7 @@
 //!
 //! What is a message goes on to the service, with a plain header. What is none is said to be so in the log.
 
+use crate::base::limits::{HEADER_BYTES, MESSAGE_BYTES};
 use std::borrow::Cow;
 
 use serde::de::IgnoredAny;
@@ -11,10 +12,6 @@ use tokio::io::{AsyncBufReadExt, AsyncRead, AsyncReadExt, AsyncWrite, AsyncWrite
 
 /// Our own notification about what was no message.
 pub(super) const BAD_MESSAGE: &str = "xacro/badMessage";
-/// Longer messages are passed over.
-const MOST_BYTES: u64 = 256 << 20;
-/// Longer header lines are no headers.
-const MOST_LINE: u64 = 8 << 10;
 
 /// Pass messages on until the input ends.
 ///
@@ -48,7 +45,7 @@ async fn next_length(input: &mut (impl AsyncBufReadExt + Unpin)) -> Option<u64> 
     let mut length = None;
     loop {
         let mut line = Vec::new();
-        let read = input.take(MOST_LINE).read_until(b'\n', &mut line).await.ok()?;
+        let read = input.take(HEADER_BYTES).read_until(b'\n', &mut line).await.ok()?;
         if read == 0 {
             return None;
         }
@@ -62,7 +59,7 @@ async fn next_length(input: &mut (impl AsyncBufReadExt + Unpin)) -> Option<u64> 
 
 fn length_of(header: &str) -> Option<u64> {
     let (name, value) = header.split_once(':')?;
-    let length = value.trim().parse().ok().filter(|&length| length <= MOST_BYTES);
+    let length = value.trim().parse().ok().filter(|&length| length <= MESSAGE_BYTES);
     length.filter(|_| name.trim().eq_ignore_ascii_case("content-length"))
 }
 

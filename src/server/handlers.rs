@@ -73,6 +73,12 @@ impl Handlers {
         self.letterbox.tell(params, Engine::bad_message);
     }
 
+    /// A job that fails, for the test that the server lives on.
+    #[cfg(debug_assertions)]
+    pub async fn fail(&self, _: Value) -> Result<Value> {
+        self.letterbox.ask((), Engine::fail).await
+    }
+
     pub async fn expand(&self, params: ExpandParams) -> Result<Expanded> {
         self.letterbox.ask(params, Engine::expand).await
     }

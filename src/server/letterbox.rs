@@ -119,7 +119,10 @@ impl Letterbox {
         match wait.await {
             Ok(result) => result.map_err(Failure::into_error),
             // the job panicked: that was logged
-            Err(_) => Err(jsonrpc::Error::internal_error()),
+            Err(_) => Err(jsonrpc::Error {
+                message: "an internal fault: the log says more".into(),
+                ..jsonrpc::Error::internal_error()
+            }),
         }
     }
 }

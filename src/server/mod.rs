@@ -60,6 +60,15 @@ pub fn run(env: Environment) -> u8 {
     runtime.block_on(serve(env))
 }
 
+/// What the service is given of a stream of bytes: messages with plain headers, whatever arrives.
+pub fn reframe(input: &[u8]) -> Vec<u8> {
+    let mut output = Vec::new();
+    if let Ok(runtime) = Builder::new_current_thread().build() {
+        runtime.block_on(framing::pump(input, &mut output, || ()));
+    }
+    output
+}
+
 async fn serve(env: Environment) -> u8 {
     let shutdown = Shutdown::default();
     let (letterbox, jobs, pressure) = letterbox::letterbox();
@@ -71,7 +80,7 @@ async fn serve(env: Environment) -> u8 {
         return 1;
     }
     let (post, exit) = (letterbox.clone(), shutdown.clone());
-    let (service, socket) = LspService::build(move |client| {
+    let service = LspService::build(move |client| {
         tokio::spawn(outbox::deliver(client, post.clone(), messages));
         Handlers { letterbox: post, shutdown: exit }
     })
@@ -88,8 +97,11 @@ async fn serve(env: Environment) -> u8 {
     .custom_method("xacro/preview/setRoot", Handlers::preview_root)
     .custom_method("xacro/preview/mesh", Handlers::preview_mesh)
     .custom_method("xacro/preview/select", Handlers::preview_select)
-    .custom_method(framing::BAD_MESSAGE, Handlers::bad_message)
-    .finish();
+    .custom_method(framing::BAD_MESSAGE, Handlers::bad_message);
+    // not in what users run
+    #[cfg(debug_assertions)]
+    let service = service.custom_method("xacro/debug/fail", Handlers::fail);
+    let (service, socket) = service.finish();
     let service = Watched { inner: service, shutdown: shutdown.clone() };
     let stdout = Quiet { inner: tokio::io::stdout(), shutdown: shutdown.clone() };
     let (clean, input) = tokio::io::duplex(PIPE);

@@ -17,11 +17,9 @@ use super::expansion::Root;
 use super::failure::Failure;
 use super::outbox::Message;
 use crate::analysis::RootChoice;
+use crate::base::limits::VIEWS;
 use crate::base::{CancelFlag, Encoding};
 use crate::preview::{Location, ModelMessage, Names, Selection, Views};
-
-/// Views that may be open.
-const MOST_VIEWS: usize = 32;
 
 /// The views of the client and of browsers.
 #[derive(Default)]
@@ -202,8 +200,8 @@ impl Engine {
 
     fn open_view(&mut self, params: SubscribeParams) -> Result<u32, Failure> {
         let root = self.view_root(params)?;
-        if self.previews.views.ids().len() >= MOST_VIEWS {
-            return Err(Failure::Refused(format!("{MOST_VIEWS} previews are open: close one first")));
+        if self.previews.views.ids().len() >= VIEWS {
+            return Err(Failure::Refused(format!("{VIEWS} previews are open: close one first")));
         }
         self.previews.due = true;
         Ok(self.previews.views.open(root))

@@ -11,11 +11,9 @@ use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
 use super::navigation::Asked;
+use crate::base::limits::RENAME_ROBOTS;
 use crate::base::{CancelFlag, Span};
 use crate::ide::{self, Cx};
-
-/// Robots that are looked at for uses of a name, at most.
-const MOST_ROOTS: usize = 50;
 
 impl Engine {
     pub fn prepare_rename(
@@ -63,7 +61,7 @@ impl Engine {
         let path = self.world.session().vfs.path(target.name.file);
         let candidates = self.world.context(&path).candidates;
         let mut found = Vec::new();
-        for (root, _) in candidates.into_iter().take(MOST_ROOTS) {
+        for (root, _) in candidates.into_iter().take(RENAME_ROBOTS) {
             let analyzed = self.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
             let cx = Cx { expansion: &analyzed.expansion, ..asked.cx() };
             if let Some(id) = ide::definition_at(&cx, target.name) {

@@ -10,11 +10,9 @@ use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
 use crate::base::CancelFlag;
+use crate::base::limits::SYMBOLS;
 use crate::ide::{self, FoldKind, Outline, OutlineKind};
 use crate::xml::Document;
-
-/// Symbols at the top of a file, and folds, at most.
-const MOST: usize = 20_000;
 
 /// What may be typed in both tags at once.
 const NAME: &str = "[^\\s<>/=\"']+";
@@ -27,7 +25,7 @@ impl Engine {
     ) -> Result<Option<DocumentSymbolResponse>, Failure> {
         let (_, source) = self.source(&params.text_document.uri)?;
         let mut symbols = ide::outline(&source.document);
-        symbols.truncate(MOST);
+        symbols.truncate(SYMBOLS);
         let symbols = symbols.into_iter().map(|symbol| self.symbol(&source.document, symbol)).collect();
         Ok(Some(DocumentSymbolResponse::Nested(symbols)))
     }
@@ -65,7 +63,7 @@ impl Engine {
             },
             ..FoldingRange::default()
         };
-        Ok(Some(ide::folds(&source.document).into_iter().take(MOST).map(fold).collect()))
+        Ok(Some(ide::folds(&source.document).into_iter().take(SYMBOLS).map(fold).collect()))
     }
 
     pub fn selections(

@@ -136,21 +136,28 @@ pub(super) fn start_of(text_document: TextDocumentIdentifier) -> TextDocumentPos
 /// Pieces as the protocol has them: line by line, each relative to the one in front.
 fn encoded(text: &str, tokens: &[Token], encoding: Encoding) -> Vec<SemanticToken> {
     let mut out = Vec::new();
-    let (mut line, mut line_start) = (0, 0);
+    let (mut line, mut line_start, mut next_line) = (0, 0, line_end(text, 0));
     let (mut last_line, mut last_col) = (0, 0);
+    // a place on the line and its column: lines may be as long as the file
+    let mut known = (0, 0);
     for token in tokens {
         let kind = KINDS.iter().position(|(kind, _)| *kind == token.kind).unwrap_or(0) as u32;
         let mut start = token.range.start;
         while start < token.range.end {
-            while let Some(next) = line_end(text, line_start).filter(|next| *next <= start) {
-                (line, line_start) = (line + 1, next);
+            while let Some(next) = next_line.filter(|next| *next <= start) {
+                (line, line_start, next_line) = (line + 1, next, line_end(text, next));
+                known = (line_start, 0);
             }
-            let end = line_end(text, line_start).unwrap_or(text.len() as u32).min(token.range.end);
+            let end = next_line.unwrap_or(text.len() as u32).min(token.range.end);
             let piece = TextRange::new(start, end).slice(text).trim_end_matches(['\r', '\n']);
             let blank = (piece.len() - piece.trim_start().len()) as u32;
             let words = piece.trim();
             if !words.is_empty() {
-                let col = encoding.width(TextRange::new(line_start, start + blank).slice(text));
+                let at = start + blank;
+                // tokens come in order
+                let from = if known.0 <= at { known } else { (line_start, 0) };
+                let col = from.1 + encoding.width(TextRange::new(from.0, at).slice(text));
+                known = (at, col);
                 out.push(SemanticToken {
                     delta_line: line - last_line,
                     delta_start: if line == last_line { col - last_col } else { col },

@@ -6,11 +6,9 @@ use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
 use crate::base::CancelFlag;
+use crate::base::limits::WORKSPACE_SYMBOLS;
 use crate::facts::FactKind;
 use crate::ide;
-
-/// Most symbols of an answer.
-const MOST: usize = 1000;
 
 impl Engine {
     #[allow(deprecated)] // the protocol's struct has a deprecated field
@@ -43,7 +41,7 @@ impl Engine {
         }
         found.extend(self.packages(&params.query));
         found.sort_by(|(a, one), (b, other)| a.cmp(b).then_with(|| one.name.cmp(&other.name)));
-        found.truncate(MOST);
+        found.truncate(WORKSPACE_SYMBOLS);
         Ok(Some(found.into_iter().map(|(_, symbol)| symbol).collect()))
     }
 

@@ -51,6 +51,16 @@ impl LoadError {
         Self { kind, errno, strerror: strerror.to_owned(), path: path.to_owned() }
     }
 
+    /// The reason in words: for a file that is too large with the limit.
+    pub fn reason(&self) -> String {
+        match self.kind {
+            LoadErrorKind::TooLarge { limit } => {
+                format!("it has more than {} MB, the limit", limit / 1_000_000)
+            }
+            _ => self.strerror.clone(),
+        }
+    }
+
     /// The same for an error of the system.
     pub(super) fn from_io(error: &io::Error, path: &Path) -> Self {
         let kind = match error.kind() {

@@ -200,15 +200,19 @@ impl Vfs {
     /// When the file holds something else, or something other than UTF-8; and those of the system.
     pub fn rewrite(&self, path: &Path, before: &str, after: &str) -> std::io::Result<()> {
         const MARK: &[u8] = b"\xEF\xBB\xBF";
-        let path = self.absolute(path);
-        let old = std::fs::read(&path)?;
-        let (mark, text) = if old.starts_with(MARK) { old.split_at(MARK.len()) } else { old.split_at(0) };
-        if text != before.as_bytes() {
+        output::change(&self.absolute(path), self.max_file_bytes.load(Ordering::Relaxed), |old| {
+            let (mark, text) = if old.starts_with(MARK) { old.split_at(MARK.len()) } else { old.split_at(0) };
+            if text == before.as_bytes() {
+                return Ok(Some([mark, after.as_bytes()].concat()));
+            }
+            if text == after.as_bytes() {
+                // another run was faster
+                return Ok(None);
+            }
             let is_utf8 = std::str::from_utf8(text).is_ok();
             let why = if is_utf8 { "it changed in the meantime" } else { "it is not UTF-8" };
-            return Err(std::io::Error::new(std::io::ErrorKind::InvalidData, why));
-        }
-        write_atomically(&path, &[mark, after.as_bytes()].concat())
+            Err(std::io::Error::new(std::io::ErrorKind::InvalidData, why))
+        })
     }
 
     /// Lay `text` over the file (an editor opened or changed it), or uncover the disk (`None`).

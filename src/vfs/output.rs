@@ -1,28 +1,46 @@
 //! Writing files.
 
+use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+use super::read;
+
+/// How long a file that another program has locked is waited for.
+const PATIENCE: Duration = Duration::from_secs(5);
 
 /// Write a file so that no reader ever sees half of it, and a failure leaves the old content: the bytes go
 /// to a new file beside it, which then takes its name. Missing folders are created; a link keeps pointing
-/// where it points; permissions of an existing file stay.
+/// where it points; permissions of an existing file stay, and its owner where the system allows it. A file that may
+/// not be written is not replaced either.
 ///
 /// # Errors
 /// Those of the system.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    replace(path, bytes, &|| true)
+}
+
+/// The same, if at the last moment everything is still `as_before`.
+fn replace(path: &Path, bytes: &[u8], as_before: &dyn Fn() -> bool) -> io::Result<()> {
     let target = std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let existing = std::fs::metadata(&target).ok();
     if existing.as_ref().is_some_and(|found| !found.is_file()) {
         // A pipe or device (`/dev/stdout`) has no content to protect; a folder gives its error.
-        return std::fs::OpenOptions::new().write(true).open(&target)?.write_all(bytes);
+        return OpenOptions::new().write(true).open(&target)?.write_all(bytes);
     }
     if let Some(parent) = target.parent().filter(|parent| !parent.as_os_str().is_empty()) {
         std::fs::create_dir_all(parent)?;
     }
-    let temporary = temporary_name(&target)?;
-    let written = write_new(&temporary, bytes).and_then(|()| {
-        if let Some(found) = existing {
-            std::fs::set_permissions(&temporary, found.permissions())?;
+    if existing.is_some() {
+        // renaming asks for the folder only: what its author protected stays as it is
+        OpenOptions::new().write(true).open(&target)?;
+    }
+    let (temporary, file) = new_beside(&target)?;
+    let written = fill(file, bytes, existing.as_ref()).and_then(|()| {
+        if !as_before() {
+            return Err(io::Error::other("it changed in the meantime"));
         }
         std::fs::rename(&temporary, &target)
     });
@@ -33,20 +51,117 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
     written
 }
 
-fn write_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut file = std::fs::OpenOptions::new().write(true).create_new(true).open(path)?;
+/// Replace the bytes of an existing file of at most `limit` bytes by what `change` makes of them, if anything. While
+/// one program does this, others that do the same wait, so that no change is lost.
+///
+/// # Errors
+/// That of `change`, and those of the system.
+pub(super) fn change(
+    path: &Path,
+    limit: u64,
+    change: impl FnOnce(&[u8]) -> io::Result<Option<Vec<u8>>>,
+) -> io::Result<()> {
+    let _lock = lock(path)?;
+    let state = || read::stat(path).map(|found| found.stamp).ok();
+    let before = state();
+    let old = read::bytes(path, limit).map_err(|error| io::Error::other(error.reason()))?;
+    change(&old)?.map_or(Ok(()), |new| replace(path, &new, &|| state() == before))
+}
+
+/// The file at `path`, locked against others that use this function.
+fn lock(path: &Path) -> io::Result<File> {
+    let begin = Instant::now();
+    loop {
+        // asked before it is opened: opening a pipe would wait for somebody at its other end
+        if !std::fs::metadata(path)?.is_file() {
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is not a regular file"));
+        }
+        let file = read::open(path)?;
+        match file.try_lock() {
+            // who waited may hold a file that was replaced meanwhile
+            Ok(()) if is_at(&file, path) => return Ok(file),
+            // some systems know no locks
+            Err(std::fs::TryLockError::Error(_)) => return Ok(file),
+            Ok(()) | Err(std::fs::TryLockError::WouldBlock) => {}
+        }
+        if begin.elapsed() > PATIENCE {
+            return Err(io::Error::new(io::ErrorKind::WouldBlock, "another program has locked it"));
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let number = |found: io::Result<Metadata>| found.map(|found| (found.dev(), found.ino())).ok();
+    number(file.metadata()) == number(std::fs::metadata(path))
+}
+
+#[cfg(not(unix))]
+fn is_at(_: &File, _: &Path) -> bool {
+    true
+}
+
+/// Write a new file, with what an existing one has beside its content.
+fn fill(mut file: File, bytes: &[u8], existing: Option<&Metadata>) -> io::Result<()> {
     file.write_all(bytes)?;
+    if let Some(found) = existing {
+        keep_owner(&file, found);
+        file.set_permissions(found.permissions())?;
+    }
     file.sync_all()
 }
 
-fn temporary_name(target: &Path) -> io::Result<PathBuf> {
+/// Keep the owner of a file; only some users may.
+#[cfg(unix)]
+fn keep_owner(file: &File, found: &Metadata) {
+    use std::os::unix::fs::{MetadataExt, fchown};
+    if file.metadata().is_ok_and(|new| (new.uid(), new.gid()) != (found.uid(), found.gid())) {
+        let _ = fchown(file, Some(found.uid()), Some(found.gid()));
+    }
+}
+
+#[cfg(not(unix))]
+fn keep_owner(_: &File, _: &Metadata) {}
+
+/// A new file beside `target`. One that replaces another can be read by nobody else until it has the permissions of
+/// the old one.
+fn new_beside(target: &Path) -> io::Result<(PathBuf, File)> {
+    /// Longest part of the old name that is kept: names have at most 255 bytes.
+    const KEPT: usize = 100;
+    static NUMBER: AtomicU64 = AtomicU64::new(0);
     let Some(name) = target.file_name() else {
         return Err(io::Error::new(io::ErrorKind::IsADirectory, "not the name of a file"));
     };
-    let mut temporary = std::ffi::OsString::from(".");
-    temporary.push(name);
-    temporary.push(format!(".{}.tmp", std::process::id()));
-    Ok(target.with_file_name(temporary))
+    let name = name.to_string_lossy();
+    let name = name.get(..name.floor_char_boundary(KEPT)).unwrap_or_default();
+    let (process, options) = (std::process::id(), new_file(target.exists()));
+    loop {
+        let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+        let temporary = target.with_file_name(format!(".{name}.{process}-{number}.tmp"));
+        match options.open(&temporary) {
+            Ok(file) => return Ok((temporary, file)),
+            // left over from a run that was killed
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(error),
+        }
+    }
+}
+
+#[cfg(unix)]
+fn new_file(is_private: bool) -> OpenOptions {
+    use std::os::unix::fs::OpenOptionsExt;
+    let mut options = OpenOptions::new();
+    options.write(true).create_new(true).mode(if is_private { 0o600 } else { 0o666 });
+    options
+}
+
+#[cfg(not(unix))]
+fn new_file(_: bool) -> OpenOptions {
+    let mut options = OpenOptions::new();
+    options.write(true).create_new(true);
+    options
 }
 
 #[cfg(test)]

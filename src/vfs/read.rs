@@ -98,29 +98,36 @@ fn node(_: &Metadata) -> (Option<Identity>, (i64, i64)) {
 /// When it is not one, or cannot be read.
 pub(super) fn bytes(path: &Path, limit: u64) -> Result<Vec<u8>, LoadError> {
     let io = |error: std::io::Error| LoadError::from_io(&error, path);
-    let found = std::fs::metadata(path).map_err(io)?;
-    let kind = match (found.is_file(), found.is_dir()) {
-        (true, _) if found.len() <= limit => None,
-        (true, _) => Some(LoadErrorKind::TooLarge { limit }),
-        (_, true) => Some(LoadErrorKind::IsDirectory),
-        _ => Some(LoadErrorKind::NotRegular),
-    };
-    if let Some(kind) = kind {
-        return Err(LoadError::new(kind, path));
-    }
+    // opening a device may do something: what is none must not be opened
+    may_be_read(&std::fs::metadata(path).map_err(io)?, path, limit)?;
+    let file = open(path).map_err(io)?;
+    // it may have become something else in between
+    let found = file.metadata().map_err(io)?;
+    may_be_read(&found, path, limit)?;
     // Files of /proc and files that grow say a smaller size than they have.
     let mut bytes = Vec::with_capacity(usize::try_from(found.len()).unwrap_or(0));
-    open(path).map_err(io)?.take(limit.saturating_add(1)).read_to_end(&mut bytes).map_err(io)?;
+    file.take(limit.saturating_add(1)).read_to_end(&mut bytes).map_err(io)?;
     if bytes.len() as u64 > limit {
         return Err(LoadError::new(LoadErrorKind::TooLarge { limit }, path));
     }
     Ok(bytes)
 }
 
+/// Only regular files of at most `limit` bytes are read.
+fn may_be_read(found: &Metadata, path: &Path, limit: u64) -> Result<(), LoadError> {
+    let kind = match (found.is_file(), found.is_dir()) {
+        (true, _) if found.len() <= limit => return Ok(()),
+        (true, _) => LoadErrorKind::TooLarge { limit },
+        (_, true) => LoadErrorKind::IsDirectory,
+        _ => LoadErrorKind::NotRegular,
+    };
+    Err(LoadError::new(kind, path))
+}
+
 /// Open a file for reading. Some files of /proc say that they are regular and then let readers wait: those answer
 /// that they would.
 #[cfg(target_os = "linux")]
-fn open(path: &Path) -> std::io::Result<File> {
+pub(super) fn open(path: &Path) -> std::io::Result<File> {
     use std::os::unix::fs::OpenOptionsExt;
     /// `O_NONBLOCK` of Linux.
     const NON_BLOCKING: i32 = 0o4000;
@@ -128,7 +135,7 @@ fn open(path: &Path) -> std::io::Result<File> {
 }
 
 #[cfg(not(target_os = "linux"))]
-fn open(path: &Path) -> std::io::Result<File> {
+pub(super) fn open(path: &Path) -> std::io::Result<File> {
     File::open(path)
 }
 

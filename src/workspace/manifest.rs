@@ -4,13 +4,11 @@ use std::path::Path;
 
 use roxmltree::{Document, ParsingOptions};
 
+use crate::base::limits::MANIFEST_NODES;
 use crate::vfs::Vfs;
 
 /// File that makes a folder a package.
 pub(super) const MANIFEST: &str = "package.xml";
-
-/// Markup of a sane manifest stays far below this.
-const MAX_NODES: u32 = 100_000;
 
 /// The `<name>` of the package whose folder is `folder`; `None` when it holds no usable `package.xml`.
 pub(super) fn package_name(vfs: &Vfs, folder: &Path) -> Option<String> {
@@ -20,7 +18,8 @@ pub(super) fn package_name(vfs: &Vfs, folder: &Path) -> Option<String> {
 
 /// The name a manifest declares. One that is not well-formed is searched for the first `<name>`.
 fn name_in(text: &str) -> Option<String> {
-    let options = ParsingOptions { allow_dtd: true, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
+    let options =
+        ParsingOptions { allow_dtd: true, nodes_limit: MANIFEST_NODES, ..ParsingOptions::default() };
     let name = match Document::parse_with_options(text, options) {
         Ok(document) => {
             let root = document.root_element();

@@ -4,13 +4,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::packages::{Packages, without_parents};
+use crate::base::limits::{NAMESAKE_DEPTH, NAMESAKE_FILES};
 use crate::base::{FastMap, FastSet};
 use crate::vfs::Vfs;
-
-/// Files of one folder tree that are looked at.
-const MOST_FILES: usize = 100_000;
-/// Levels of folders that are looked at.
-const MOST_LEVELS: usize = 24;
 
 /// The files below a folder by name in small letters.
 #[derive(Debug, Default)]
@@ -40,14 +36,14 @@ impl Index {
         let mut files = 0;
         while let Some((folder, level)) = open.pop() {
             let is_new = vfs.identity(&folder).is_some_and(|identity| seen.insert(identity));
-            if !is_new || files > MOST_FILES {
+            if !is_new || files > NAMESAKE_FILES {
                 continue;
             }
             for entry in vfs.list_dir(&folder) {
                 let path = folder.join(&entry.name);
                 let is_built = matches!(entry.name.as_str(), "build" | "install" | "log" | "devel");
                 match entry.is_dir {
-                    true if entry.name.starts_with('.') || is_built || level >= MOST_LEVELS => {}
+                    true if entry.name.starts_with('.') || is_built || level >= NAMESAKE_DEPTH => {}
                     true => open.push((path, level + 1)),
                     false => {
                         files += 1;

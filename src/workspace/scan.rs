@@ -4,13 +4,9 @@ use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 
 use super::manifest::{self, MANIFEST};
+use crate::base::limits::{SCAN_DEPTH, SCAN_FOLDERS};
 use crate::base::{FastMap, FastSet};
 use crate::vfs::{DirEntry, Vfs};
-
-/// Folders visited at most: a guard against a "workspace" that is a whole disk.
-const MAX_FOLDERS: usize = 100_000;
-/// Levels visited at most.
-const MAX_DEPTH: usize = 64;
 
 /// What a kind of tree takes in and leaves out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -68,7 +64,7 @@ pub(super) fn scan(vfs: &Vfs, top: &Path, rules: Rules) -> Tree {
     let mut queue = VecDeque::from([(top.to_owned(), 0)]);
     while let Some((folder, depth)) = queue.pop_front() {
         let is_new = vfs.identity(&folder).is_some_and(|identity| seen.insert(identity));
-        if !is_new || seen.len() > MAX_FOLDERS {
+        if !is_new || seen.len() > SCAN_FOLDERS {
             continue;
         }
         let names = vfs.list_dir(&folder);
@@ -83,7 +79,7 @@ pub(super) fn scan(vfs: &Vfs, top: &Path, rules: Rules) -> Tree {
         }
         let closed = rules == Rules::RosPackagePath
             && (is_package || names.iter().any(|entry| entry.name == "rospack_nosubdirs"));
-        if !closed && depth < MAX_DEPTH {
+        if !closed && depth < SCAN_DEPTH {
             let folders = names.iter().filter(|entry| entry.is_dir && rules.descends_into(&entry.name));
             queue.extend(folders.map(|entry| (folder.join(&entry.name), depth + 1)));
         }

@@ -5,9 +5,7 @@ use std::ops::Range;
 
 use super::chars::{is_legal, name_char, skip_name};
 use super::entities::{Entities, EntityFault};
-
-/// Bytes a single value may grow to through its references.
-const MAX_VALUE: usize = 8 << 20;
+use crate::base::limits::VALUE_BYTES;
 
 /// A `&` and what follows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -123,7 +121,7 @@ pub fn decode<'t>(raw: &'t str, entities: &Entities, is_attr: bool) -> Cow<'t, s
     let mut out = String::with_capacity(raw.len());
     for (piece, range) in pieces(raw, Place::new(is_attr)) {
         push(&mut out, &piece, raw, range, entities, is_attr);
-        if out.len() > MAX_VALUE.max(raw.len()) {
+        if out.len() > VALUE_BYTES.max(raw.len()) {
             break;
         }
     }

@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use super::chunks::Chunks;
-use super::edit::MAX_LEN;
 use super::entities::Entities;
 use super::item::Item;
 use super::line_table::LineTable;
 use super::node::{Node, Siblings};
 use super::parse::{Footer, Header, Parser, RootState, Step};
+use crate::base::limits::XML_BYTES;
 use crate::base::{FastMap, TextRange};
 
 /// A parsed file. Clones share their items; an edit re-parses the items it touches.
@@ -55,7 +55,7 @@ impl Document {
     /// Parse a whole file. Never fails: what is wrong is in [`errors`](Self::errors).
     /// Of a text longer than 1 GiB only that much is read.
     pub fn parse(text: &str) -> Document {
-        let text = text.get(..text.floor_char_boundary(MAX_LEN)).unwrap_or("");
+        let text = text.get(..text.floor_char_boundary(XML_BYTES)).unwrap_or("");
         let mut parser = Parser::new(text, "", true);
         let header = parser.header();
         let mut items = Vec::new();
@@ -106,6 +106,13 @@ impl Document {
             start += item.len();
         }
         out
+    }
+
+    /// The text in front of and behind `range`, on each side about `most` bytes.
+    pub fn beside(&self, range: TextRange, most: u32) -> (String, String) {
+        let wide = TextRange::new(range.start.saturating_sub(most), range.end.saturating_add(most));
+        let (start, end) = self.whole_characters(wide);
+        (self.slice(TextRange::new(start, range.start)), self.slice(TextRange::new(range.end, end)))
     }
 
     /// The prolog (declaration, comments, instructions, DOCTYPE) and, as last node, the root's start tag.

@@ -8,16 +8,14 @@ use super::item::Item;
 use super::line_table::LineTable;
 use super::parse::{Footer, Header, Parser, RootState, Step};
 use crate::base::TextRange;
-
-/// Bytes a document may have; the offsets of the tree are 32 bits wide.
-pub(super) const MAX_LEN: usize = 1 << 30;
+use crate::base::limits::XML_BYTES;
 
 impl Document {
     /// Replace the bytes of `range`. A range that does not fit is cut to the text and widened to whole
     /// characters. An edit that would make the document longer than 1 GiB does nothing.
     pub fn edit(&mut self, range: TextRange, replacement: &str) {
         let (start, end) = self.whole_characters(range);
-        if self.len() as usize - (end - start) as usize + replacement.len() > MAX_LEN {
+        if self.len() as usize - (end - start) as usize + replacement.len() > XML_BYTES {
             return;
         }
         match self.reparse(start, end, replacement) {
@@ -94,7 +92,7 @@ impl Document {
     }
 
     /// The range, cut to the text and widened to character boundaries.
-    fn whole_characters(&self, range: TextRange) -> (u32, u32) {
+    pub(super) fn whole_characters(&self, range: TextRange) -> (u32, u32) {
         let len = self.len();
         let (mut start, mut end) = (range.start.min(len), range.end.min(len));
         while !self.is_char_boundary(start) {

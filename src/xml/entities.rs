@@ -4,13 +4,7 @@ use std::borrow::Cow;
 
 use super::decode::{Piece, Place, Reference, pieces, references};
 use crate::base::FastMap;
-
-/// Bytes one entity may grow to: the size from which expat starts to watch.
-const MAX_VALUE: usize = 8 << 20;
-/// Bytes all entities together may grow to.
-const MAX_TOTAL: usize = 32 << 20;
-/// Entities nested in each other at most.
-const MAX_DEPTH: u32 = 256;
+use crate::base::limits::{ENTITIES_BYTES, ENTITY_BYTES, ENTITY_DEPTH};
 
 /// The general entities a document declares, and the five it need not declare.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -102,7 +96,7 @@ impl Entities {
             Some(Entity::External) => return Ok("".into()),
             Some(Entity::Unparsed) | None => return Err(EntityFault::Unparsed),
         };
-        if depth > MAX_DEPTH {
+        if depth > ENTITY_DEPTH {
             return Err(EntityFault::TooLarge);
         }
         check_replacement(&text, is_attr)?;
@@ -113,7 +107,7 @@ impl Entities {
                 Piece::Char(c) => out.push(c),
                 Piece::Entity(name) => out.push_str(&self.resolve_one(name, is_attr, depth + 1)?),
             }
-            if out.len() > MAX_VALUE || self.total + out.len() > MAX_TOTAL {
+            if out.len() > ENTITY_BYTES || self.total + out.len() > ENTITIES_BYTES {
                 return Err(EntityFault::TooLarge);
             }
         }

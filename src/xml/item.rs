@@ -20,7 +20,7 @@ pub struct Item {
     outer: Option<OuterPrefix>,
     /// Line ends in `text`.
     pub(super) lines: u32,
-    caches: [OnceLock<Arc<dyn Any + Send + Sync>>; 2],
+    cache: OnceLock<Arc<dyn Any + Send + Sync>>,
 }
 
 /// A prefix that the root must declare.
@@ -79,15 +79,6 @@ pub(super) struct EntityUse {
     pub(super) count: u32,
 }
 
-/// Which of its two caches an item should use.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CacheSlot {
-    /// Facts read off the tree.
-    Facts,
-    /// Prepared expansion.
-    Expansion,
-}
-
 impl Item {
     pub(super) fn new(
         text: &str,
@@ -104,7 +95,7 @@ impl Item {
             outer,
             extra: extra.filter(|_| outer.is_none()).map(Box::new),
             lines,
-            caches: Default::default(),
+            cache: OnceLock::new(),
         }
     }
 
@@ -168,20 +159,15 @@ impl Item {
         self.extra.as_ref().map_or(0, |extra| extra.reach).max(self.len())
     }
 
-    /// The value kept in `slot`; made on first use. A slot holds one type: for another type, `make` is
-    /// called every time.
-    pub fn cached<T: Any + Send + Sync>(&self, slot: CacheSlot, make: impl FnOnce(&Item) -> T) -> Arc<T> {
-        let [facts, expansion] = &self.caches;
-        let slot = match slot {
-            CacheSlot::Facts => facts,
-            CacheSlot::Expansion => expansion,
-        };
-        if let Some(Ok(value)) = slot.get().map(|value| Arc::clone(value).downcast::<T>()) {
+    /// What was read off this item; made on first use. One type is kept: for another type, `make` is called every
+    /// time.
+    pub fn cached<T: Any + Send + Sync>(&self, make: impl FnOnce(&Item) -> Arc<T>) -> Arc<T> {
+        if let Some(Ok(value)) = self.cache.get().map(|value| Arc::clone(value).downcast::<T>()) {
             return value;
         }
-        let value = Arc::new(make(self));
+        let value = make(self);
         // A concurrent caller may have been first; both values are equal then.
-        let _ = slot.set(value.clone());
+        let _ = self.cache.set(value.clone());
         value
     }
 }

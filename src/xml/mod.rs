@@ -20,7 +20,7 @@ pub use decode::{decode as decode_text, source_offset};
 pub use document::{Document, Part, Place};
 pub use entities::Entities;
 pub use error::{SyntaxError, SyntaxErrorKind};
-pub use item::{CacheSlot, Item};
+pub use item::Item;
 pub use node::{Attr, Node, NodeId, NodeKind, Siblings};
 
 #[cfg(test)]

@@ -4,15 +4,10 @@ use super::document::{Context, Document};
 use super::entities::EntityFault;
 use super::error::{Condition, ItemError, Namespace, SyntaxError, SyntaxErrorKind, expat};
 use super::item::Item;
+use crate::base::limits::{
+    ENTITIES_BYTES, ENTITY_BYTES, ENTITY_DEPTH, ENTITY_FACTOR, ENTITY_GROWTH, XML_ERRORS, XML_ERRORS_SEEN,
+};
 use crate::base::{FastSet, TextRange};
-
-/// Errors reported of one document, and those looked at to find the first ones.
-const MAX_REPORTED: usize = 1000;
-const MAX_COLLECTED: usize = 10_000;
-/// Bytes that entities may add before anybody asks, and how many times the file's own size after that:
-/// the limits of expat.
-const MAX_EXPANSION: u64 = 8 << 20;
-const MAX_FACTOR: u64 = 100;
 
 impl Document {
     /// Everything a conforming, non-validating, namespace-aware parser rejects, in the order expat would
@@ -24,7 +19,7 @@ impl Document {
         let quiet = |prefix: &str| self.context.namespaces.contains_key(prefix);
         for (start, item) in self.items.iter_loud(&quiet) {
             found.add(&self.context, head + start, item);
-            if found.errors.len() > MAX_COLLECTED {
+            if found.errors.len() > XML_ERRORS_SEEN {
                 break;
             }
         }
@@ -82,7 +77,7 @@ impl<'a> Found<'a> {
             error.expat_offset = place(error).0;
         }
         self.errors.sort_by_key(place);
-        self.errors.truncate(MAX_REPORTED);
+        self.errors.truncate(XML_ERRORS);
         self.errors
     }
 }
@@ -100,12 +95,14 @@ impl Document {
                 let value = entities.value(&used.name, used.in_attribute).map_or(0, |text| text.len());
                 bytes = bytes.saturating_add(u64::from(used.count).saturating_mul(value as u64));
             }
-            if bytes > MAX_EXPANSION && bytes > MAX_FACTOR * u64::from(self.len()) {
+            if bytes > ENTITY_GROWTH && bytes > ENTITY_FACTOR * u64::from(self.len()) {
                 return Some(SyntaxError {
                     kind: SyntaxErrorKind::BadEntity,
                     range: TextRange::empty(start),
                     related: None,
-                    message: "the entities of this file expand to far more text than it has".to_owned(),
+                    message: format!(
+                        "the entities of this file expand to more than {ENTITY_FACTOR} times the text it has"
+                    ),
                     expat: expat::AMPLIFICATION,
                     expat_offset: start,
                 });
@@ -159,7 +156,13 @@ fn describe(fault: EntityFault, name: &str) -> (SyntaxErrorKind, &'static str, S
             (BadEntity, expat::RECURSIVE_ENTITY, format!("entity `{name}` refers to itself"))
         }
         EntityFault::TooLarge => {
-            (BadEntity, expat::AMPLIFICATION, format!("entity `{name}` grows without reasonable limit"))
+            let message = format!(
+                "entity `{name}` grows to more than {} MB, all entities to more than {} MB, or they are nested more \
+                 than {ENTITY_DEPTH} deep",
+                ENTITY_BYTES >> 20,
+                ENTITIES_BYTES >> 20
+            );
+            (BadEntity, expat::AMPLIFICATION, message)
         }
         EntityFault::Unparsed => {
             (BadEntity, expat::BINARY_ENTITY, format!("entity `{name}` stands for data that is no text"))

@@ -7,10 +7,8 @@ use super::reader::Mark;
 use super::resolve::{MAP, SEQ, STR, resolve};
 use super::scanner::Scanner;
 use super::token::{Directive, TokenKind};
+use crate::base::limits::YAML_DEPTH;
 use crate::base::{FastMap, TextRange};
-
-/// Nesting allowed; Python gives up at about twice that.
-const MAX_DEPTH: u32 = 200;
 
 /// Number of a node in its [`Tree`].
 pub(super) type Id = usize;
@@ -228,8 +226,8 @@ impl Composer<'_> {
 
     pub(super) fn node(&mut self, place: Place) -> Result<Id, Failure> {
         let at = self.here()?;
-        if self.depth >= MAX_DEPTH {
-            return Err(Failure::new(format!("found more than {MAX_DEPTH} levels of nesting"), at));
+        if self.depth >= YAML_DEPTH {
+            return Err(Failure::new(format!("found more than {YAML_DEPTH} levels of nesting"), at));
         }
         self.depth += 1;
         let node =

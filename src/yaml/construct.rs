@@ -10,12 +10,8 @@ use super::compose::{Content, Id, Raw, Tree};
 use super::error::{Failure, repr};
 use super::resolve::{BOOL, FLOAT, INT, MAP, MERGE, NULL, SEQ, STR, TIMESTAMP, VALUE, YAML};
 use super::{Kind, Node, Unit, numbers, timestamp};
+use crate::base::limits::{YAML_MERGES, YAML_NODES};
 use crate::base::{FastMap, TextRange};
-
-/// Values made at most: aliases of aliases multiply quickly.
-const MAX_NODES: usize = 500_000;
-/// Merge keys followed from one mapping to the next at most.
-const MAX_MERGES: u32 = 100;
 
 /// The value of the node `root`.
 ///
@@ -74,8 +70,8 @@ impl Constructor {
         let kind = if is_active {
             let failure = self.problem(id, "found unconstructable recursive node");
             self.fail(level, failure)
-        } else if self.made > MAX_NODES {
-            let failure = self.problem(id, format!("found more than {MAX_NODES} values"));
+        } else if self.made > YAML_NODES {
+            let failure = self.problem(id, format!("found more than {YAML_NODES} values"));
             self.fail(level, failure)
         } else {
             self.set_active(id, true);
@@ -246,8 +242,8 @@ impl Constructor {
             return Ok(());
         }
         let items = items.clone();
-        if merges > MAX_MERGES {
-            return Err(self.problem(id, format!("found more than {MAX_MERGES} merges into each other")));
+        if merges > YAML_MERGES {
+            return Err(self.problem(id, format!("found more than {YAML_MERGES} merges into each other")));
         }
         let (mut merged, mut own) = (Vec::new(), Vec::new());
         for (key, value) in items {
@@ -257,8 +253,8 @@ impl Constructor {
                     if let Some(Content::Mapping(items)) = self.raw(source).map(|node| &node.content) {
                         merged.extend_from_slice(items);
                     }
-                    if merged.len() > MAX_NODES {
-                        return Err(self.problem(id, format!("found more than {MAX_NODES} merged items")));
+                    if merged.len() > YAML_NODES {
+                        return Err(self.problem(id, format!("found more than {YAML_NODES} merged items")));
                     }
                 }
                 continue;

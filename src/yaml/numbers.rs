@@ -4,9 +4,7 @@ use num_bigint::BigInt;
 use num_traits::Num;
 
 use super::error::repr;
-
-/// Digits Python converts at most.
-const MAX_DIGITS: usize = 4300;
+use crate::base::limits::INTEGER_DIGITS;
 
 /// `int` of a scalar.
 ///
@@ -58,9 +56,9 @@ fn python_int(text: &str, base: u32) -> Result<BigInt, String> {
     if digits.is_empty() || !digits.chars().all(|c| c.is_digit(base)) {
         return Err(invalid());
     }
-    if base == 10 && digits.len() > MAX_DIGITS {
+    if base == 10 && digits.len() > INTEGER_DIGITS {
         return Err(format!(
-            "Exceeds the limit ({MAX_DIGITS} digits) for integer string conversion: value has {} digits; use sys.set_int_max_str_digits() to increase the limit",
+            "Exceeds the limit ({INTEGER_DIGITS} digits) for integer string conversion: value has {} digits; use sys.set_int_max_str_digits() to increase the limit",
             digits.len()
         ));
     }

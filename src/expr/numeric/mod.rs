@@ -12,7 +12,7 @@ use num_traits::{FromPrimitive, Signed, ToPrimitive};
 use super::Value;
 use super::stop::{Eval, Stop};
 pub(crate) use hash::hash_num;
-pub(crate) use text::{MAX_STR_DIGITS, ParsedInt, decimal_digit, is_space, parse_float, parse_int};
+pub(crate) use text::{ParsedInt, decimal_digit, is_space, parse_float, parse_int};
 
 /// A number seen without its `bool`-ness.
 #[derive(Clone, Copy, Debug)]

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use num_bigint::BigInt;
 
+use crate::base::limits::INTEGER_DIGITS;
 use crate::expr::Value;
 
 /// The value of a decimal digit of any script.
@@ -114,9 +115,6 @@ fn without_underscores(text: &str, is_digit: impl Fn(u8) -> bool) -> Option<Cow<
     fine.then(|| Cow::Owned(text.replace('_', "")))
 }
 
-/// Most digits a decimal text may have on its way to or from an integer.
-pub(crate) const MAX_STR_DIGITS: usize = 4300;
-
 /// What became of a text given to `int()`.
 pub(crate) enum ParsedInt {
     Int(Value),
@@ -142,7 +140,7 @@ pub(crate) fn parse_int(text: &str, base: u32) -> ParsedInt {
     if let Ok(small) = i64::from_str_radix(&digits, base) {
         return ParsedInt::Int(Value::Int(if negative { -small } else { small }));
     }
-    if !base.is_power_of_two() && digits.len() > MAX_STR_DIGITS {
+    if !base.is_power_of_two() && digits.len() > INTEGER_DIGITS {
         return ParsedInt::TooLong(digits.len());
     }
     match BigInt::parse_bytes(digits.as_bytes(), base) {

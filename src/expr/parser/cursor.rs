@@ -173,7 +173,7 @@ impl Parser<'_> {
         let message = if found.range.is_empty() || found.kind.is_close() {
             format!("{what} is missing here")
         } else {
-            format!("{what} is missing before `{}`", found.range.slice(self.text))
+            format!("{what} is missing before `{}`", found.range.slice(self.text).replace('\n', "\\n"))
         };
         self.unexpected(message);
         self.missing()

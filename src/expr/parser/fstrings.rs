@@ -3,13 +3,11 @@
 use super::Parser;
 use super::strings::{Literal, push_text};
 use crate::base::TextRange;
+use crate::base::limits::BRACKETS;
 use crate::expr::ast::{Expr, ExprKind, FPart};
 use crate::expr::lexer::{Source, lex};
 use crate::expr::report::{Report, Stage};
 use crate::expr::syntax::is_python_space;
-
-/// Nested brackets within a field, as in CPython.
-const MAX_BRACKETS: usize = 200;
 
 /// A place in the body of an f-string.
 struct Scan<'t> {
@@ -189,7 +187,7 @@ fn find_value_end(scan: &mut Scan<'_>) -> Result<(), Problem> {
                 quote = Some((b, triple));
             }
             (None, b'(' | b'[' | b'{') => {
-                if open.len() >= MAX_BRACKETS {
+                if open.len() >= BRACKETS {
                     let reference = "f-string: too many nested parenthesis";
                     return Err(problem("brackets are nested too deeply", reference));
                 }

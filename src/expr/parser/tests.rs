@@ -1,7 +1,7 @@
 use proptest::prelude::*;
 
-use super::MAX_DEPTH;
 use crate::base::TextRange;
+use crate::base::limits::EXPRESSION_DEPTH;
 use crate::expr::ast::{Expr, ExprKind};
 use crate::expr::dump::dump;
 use crate::expr::visit::children;
@@ -50,9 +50,13 @@ fn deep_nesting_is_an_error() {
         let parsed = parse(&text);
         // Comparisons do not nest.
         assert_eq!(parsed.errors.is_empty(), close == " < b", "{open}{middle}{close}");
-        assert!(height(&parsed.expr) <= MAX_DEPTH + 1, "{open}{middle}{close}: {}", height(&parsed.expr));
+        assert!(
+            height(&parsed.expr) <= EXPRESSION_DEPTH + 1,
+            "{open}{middle}{close}: {}",
+            height(&parsed.expr)
+        );
     }
-    let flat = format!("1{}", "+1".repeat(MAX_DEPTH as usize - 10));
+    let flat = format!("1{}", "+1".repeat(EXPRESSION_DEPTH as usize - 10));
     assert_eq!(parse(&flat).errors, []);
 }
 

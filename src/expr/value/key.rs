@@ -5,13 +5,9 @@ use std::hash::{Hash, Hasher};
 use rustc_hash::FxHasher;
 
 use super::{Set, SetMap, Str, Value};
+use crate::base::limits::{KEY_DEPTH, KEY_PARTS};
 use crate::expr::numeric::{Num, hash_num};
 use crate::expr::stop::{Eval, Stop};
-
-/// How deep tuples may nest in a key.
-const MAX_DEPTH: u32 = 100;
-/// How many values a key may consist of.
-const MAX_PARTS: u32 = 100_000;
 
 /// A hashable value.
 #[derive(Clone, Debug)]
@@ -54,7 +50,7 @@ impl Key {
 
 fn check(value: &Value, depth: u32, parts: &mut u32) -> Eval<()> {
     *parts += 1;
-    if depth > MAX_DEPTH || *parts > MAX_PARTS {
+    if depth > KEY_DEPTH || *parts > KEY_PARTS {
         return Err(Stop::recursion(" while hashing a tuple"));
     }
     match value {

@@ -5,6 +5,7 @@ use super::item::{Completion, Completions, ItemKind, Topic};
 use super::paths;
 use super::scope::Scope;
 use super::substitutions;
+use crate::base::limits::COMPLETIONS;
 use crate::expand::parse_params;
 use crate::expr::{SymbolKind, Value, display, global_symbols};
 use crate::ide::code::{Cursor, Hole, chain_before, cursor, hole};
@@ -172,7 +173,7 @@ fn properties(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
                 items.push(Completion::new(ItemKind::Module, namespace).note("namespace").rank(2));
             }
             None => {
-                let value = if items.len() < Completions::MOST { evaluator.shown(&name) } else { None };
+                let value = if items.len() < COMPLETIONS { evaluator.shown(&name) } else { None };
                 let item = Completion::new(ItemKind::Property, name.as_str()).note(value.unwrap_or_default());
                 items.push(item.detail("property").rank(rank).about(Topic::Property { name }));
             }

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::base::TextRange;
+use crate::base::limits::COMPLETIONS;
 
 /// What an item stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -157,9 +158,6 @@ pub struct Completions {
 }
 
 impl Completions {
-    /// Most items of an answer.
-    pub const MOST: usize = 200;
-
     /// Items that replace what was typed since `start`, and `rest` bytes behind the cursor.
     pub(super) fn new(start: u32, offset: u32, rest: u32, items: Vec<Completion>) -> Self {
         let insert = TextRange::new(start.min(offset), offset);
@@ -173,10 +171,10 @@ impl Completions {
         let mut seen = crate::base::FastSet::default();
         self.items.sort_by_key(|item| item.rank);
         self.items.retain(|item| seen.insert(item.label.clone()));
-        if self.items.len() > Self::MOST {
+        if self.items.len() > COMPLETIONS {
             self.more = true;
             self.items.retain(|item| fits(typed, &item.label));
-            self.items.truncate(Self::MOST);
+            self.items.truncate(COMPLETIONS);
         }
         self
     }

@@ -8,11 +8,8 @@ use super::defect::{Defect, DefectKind};
 use super::draft::{Dependency, Draft, UpAxis};
 use super::placed::Placed;
 use crate::base::FastMap;
+use crate::base::limits::{MESH_NODES, MESH_VISITS};
 
-/// Nodes of a file that are read.
-const MOST_NODES: u32 = 4_000_000;
-/// Elements of scenes that are visited, instances counted.
-const MOST_VISITS: usize = 1_000_000;
 /// Materials of an instance that are looked at.
 const MOST_BOUND: usize = 256;
 
@@ -31,10 +28,12 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Defect> {
 }
 
 fn parse(text: &str) -> Result<Document<'_>, Defect> {
-    let options = ParsingOptions { nodes_limit: MOST_NODES, ..ParsingOptions::default() };
+    let options = ParsingOptions { nodes_limit: MESH_NODES, ..ParsingOptions::default() };
     Document::parse_with_options(text, options).map_err(|error| match error {
         roxmltree::Error::DtdDetected => Defect::unread("it has a document type"),
-        roxmltree::Error::NodesLimitReached => Defect::too_large("it has too many elements"),
+        roxmltree::Error::NodesLimitReached => {
+            Defect::too_large(format!("it has more than {MESH_NODES} nodes"))
+        }
         error => Defect::corrupt(format!("it is not well-formed XML: {error}")),
     })
 }
@@ -122,8 +121,10 @@ impl<'a, 'input> Scene<'a, 'input, '_> {
         let mut visits = 0;
         while let Some((node, around)) = open.pop() {
             visits += 1 + node.children().count();
-            if visits > MOST_VISITS {
-                return Err(Defect::too_large("its nodes contain each other, or are too many"));
+            if visits > MESH_VISITS {
+                return Err(Defect::too_large(format!(
+                    "its nodes contain each other, or are more than {MESH_VISITS}"
+                )));
             }
             let here = around * transform(node)?;
             for part in node.children().filter(Node::is_element) {

@@ -2,9 +2,7 @@
 
 use super::defect::Defect;
 use super::soup::Soup;
-
-/// Further files that are looked for.
-pub(super) const MOST_DEPENDENCIES: usize = 1000;
+use crate::base::limits::MESH_FILES;
 
 /// The formats of meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,7 +72,7 @@ impl Draft {
 
     /// Note a file that is needed, once.
     pub(super) fn needs(&mut self, dependency: Dependency) {
-        let room = self.dependencies.len() < MOST_DEPENDENCIES;
+        let room = self.dependencies.len() < MESH_FILES;
         if room && !dependency.name.is_empty() && !self.dependencies.contains(&dependency) {
             self.dependencies.push(dependency);
         }

@@ -7,12 +7,10 @@ use nalgebra::{Matrix4, Quaternion, Translation3, UnitQuaternion, Vector3};
 use super::defect::Defect;
 use super::draft::{Dependency, Draft, UpAxis};
 use super::gltf_json::{Buffer, Gltf, Node};
-use super::gltf_mesh::{Data, MOST_ELEMENTS, triangles};
+use super::gltf_mesh::{Data, triangles};
 use super::placed::Placed;
 use crate::base::FastSet;
-
-/// Nodes that are visited, instances counted.
-const MOST_VISITS: usize = 1_000_000;
+use crate::base::limits::{MESH_ELEMENTS, MESH_VISITS};
 
 /// Reads a file beside the mesh; none when it is not there.
 pub(super) type Beside<'a> = &'a dyn Fn(&str) -> Option<Vec<u8>>;
@@ -36,7 +34,7 @@ pub(super) fn read(bytes: &[u8], beside: Beside<'_>, draft: &mut Draft) -> Resul
     for (index, buffer) in gltf.buffers.iter().enumerate() {
         buffers.push(buffer_bytes(buffer, binary.filter(|_| index == 0), beside)?);
     }
-    scene(&gltf, &Data { gltf: &gltf, buffers: &buffers, budget: Cell::new(MOST_ELEMENTS) }, draft)
+    scene(&gltf, &Data { gltf: &gltf, buffers: &buffers, budget: Cell::new(MESH_ELEMENTS) }, draft)
 }
 
 /// Whether what is read here would not be the geometry.
@@ -112,8 +110,10 @@ fn scene(gltf: &Gltf, data: &Data<'_>, draft: &mut Draft) -> Result<(), Defect> 
         let missing = || Defect::corrupt(format!("it names node {index}, which is missing"));
         let node = gltf.nodes.get(index).ok_or_else(missing)?;
         visits += 1 + node.children.len();
-        if visits > MOST_VISITS {
-            return Err(Defect::too_large("its nodes contain each other, or are too many"));
+        if visits > MESH_VISITS {
+            return Err(Defect::too_large(format!(
+                "its nodes contain each other, or are more than {MESH_VISITS}"
+            )));
         }
         let here = around * transform(node);
         open.extend(node.children.iter().map(|&child| (child, here)));

@@ -6,6 +6,7 @@ use super::dae_geometry::{Surfaced, fan, strip};
 use super::defect::Defect;
 use super::gltf_json::{Accessor, Gltf, Primitive};
 use super::soup::Point;
+use crate::base::limits::MESH_ELEMENTS;
 
 const BYTE: u32 = 5121;
 const SHORT: u32 = 5123;
@@ -19,9 +20,6 @@ pub(super) struct Data<'a> {
     /// Elements of accessors that may still be read.
     pub(super) budget: Cell<usize>,
 }
-
-/// Elements of accessors that are read: a small file may name the same large one again and again.
-pub(super) const MOST_ELEMENTS: usize = 50_000_000;
 
 /// The triangles of a mesh in its own frame.
 pub(super) fn triangles(data: &Data<'_>, mesh: usize) -> Result<Surfaced<Option<usize>>, Defect> {
@@ -96,6 +94,7 @@ fn elements<'a>(
         return Err(Defect::corrupt(format!("it claims {count} elements where {fitting} fit")));
     }
     let left = data.budget.get().checked_sub(accessor.count);
-    data.budget.set(left.ok_or_else(|| Defect::too_large("it uses the same data too often"))?);
+    data.budget
+        .set(left.ok_or_else(|| Defect::too_large(format!("it reads more than {MESH_ELEMENTS} elements")))?);
     Ok(part.chunks(stride).take(accessor.count).filter_map(move |chunk| chunk.get(..size)))
 }

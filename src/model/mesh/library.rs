@@ -8,13 +8,9 @@ use super::defect::Defect;
 use super::draft::{Dependency, MeshFormat};
 use super::{Mesh, Triangles, obj};
 use crate::base::FastSet;
+use crate::base::limits::{MATERIAL_BYTES, MESH_BYTES};
 use crate::vfs::{FileCache, LoadError, LoadErrorKind, Vfs};
 use crate::workspace::percent_decoded;
-
-/// Bytes of a mesh that are read at most.
-const MOST_BYTES: u64 = 100_000_000;
-/// Bytes of a material library that are read at most.
-const MOST_MATERIAL_BYTES: u64 = 10_000_000;
 
 /// Meshes by path; each is read once, and again when it has changed.
 #[derive(Default)]
@@ -52,7 +48,7 @@ impl Meshes {
     /// The mesh in a file.
     pub fn get(&self, vfs: &Vfs, path: &Path) -> Arc<Mesh> {
         let make = |bytes: Vec<u8>| Mesh::read(&ending(path), &bytes, &|name| beside(vfs, path, name));
-        let read = vfs.derive(&self.meshes, path, MOST_BYTES, make);
+        let read = vfs.derive(&self.meshes, path, MESH_BYTES, make);
         read.unwrap_or_else(|error| {
             let (format, dependencies) = (MeshFormat::Other, Vec::new());
             let defect = Some(unreadable(&error));
@@ -65,7 +61,7 @@ impl Meshes {
     /// # Errors
     /// What is wrong with the file, when it has no triangles that can be drawn.
     pub fn triangles(vfs: &Vfs, path: &Path) -> Result<Triangles, Defect> {
-        let bytes = vfs.bytes(path, MOST_BYTES).map_err(|error| unreadable(&error))?;
+        let bytes = vfs.bytes(path, MESH_BYTES).map_err(|error| unreadable(&error))?;
         Triangles::read(&ending(path), &bytes, &|name| beside(vfs, path, name))
     }
 
@@ -108,7 +104,7 @@ impl Meshes {
             };
             for (_, library) in found.iter().filter(|_| *is_material_library) {
                 let make = |bytes: Vec<u8>| obj::textures(&bytes);
-                let read = vfs.derive(&self.textures, library, MOST_MATERIAL_BYTES, make);
+                let read = vfs.derive(&self.textures, library, MATERIAL_BYTES, make);
                 files.extend(read.unwrap_or_default().iter().filter_map(|name| there(library, name)));
             }
             files.extend(found);
@@ -118,7 +114,7 @@ impl Meshes {
 
     fn missing_textures(&self, vfs: &Vfs, library: &Path, name: &str) -> Vec<Missing> {
         let make = |bytes: Vec<u8>| obj::textures(&bytes);
-        let textures = vfs.derive(&self.textures, library, MOST_MATERIAL_BYTES, make).unwrap_or_default();
+        let textures = vfs.derive(&self.textures, library, MATERIAL_BYTES, make).unwrap_or_default();
         let gone = textures.iter().filter(|texture| find(vfs, library, texture).is_none());
         gone.map(|texture| Missing::new(texture, Some(name))).collect()
     }
@@ -143,7 +139,7 @@ fn ending(path: &Path) -> String {
 /// The bytes of a file that the mesh at `path` names; none when it is not there.
 fn beside(vfs: &Vfs, path: &Path, name: &str) -> Option<Vec<u8>> {
     let path = candidates(path, name).into_iter().find(|path| vfs.is_file(path))?;
-    vfs.bytes(&path, MOST_BYTES).ok()
+    vfs.bytes(&path, MESH_BYTES).ok()
 }
 
 fn unreadable(error: &LoadError) -> Defect {
@@ -152,9 +148,9 @@ fn unreadable(error: &LoadError) -> Defect {
             Defect::too_large(format!("it has more than {} megabytes", limit / 1_000_000))
         }
         LoadErrorKind::PermissionDenied | LoadErrorKind::Other => {
-            Defect::unread(format!("it cannot be read: {}", error.strerror))
+            Defect::unread(format!("it cannot be read: {}", error.reason()))
         }
-        _ => Defect::corrupt(format!("it cannot be read: {}", error.strerror)),
+        _ => Defect::corrupt(format!("it cannot be read: {}", error.reason())),
     }
 }
 

@@ -66,8 +66,8 @@ pub struct Surface {
 }
 
 impl Mesh {
-    /// Read a file from its ending (small letters, without point) and bytes.
-    fn read(ending: &str, bytes: &[u8], beside: Beside<'_>) -> Self {
+    /// Read a file from its ending (small letters, without point) and bytes; `beside` reads a file that it names.
+    pub fn read(ending: &str, bytes: &[u8], beside: Beside<'_>) -> Self {
         let (draft, read) = draft(ending, bytes, beside, false);
         Self::of(draft, read)
     }

@@ -3,10 +3,11 @@
 use std::borrow::Cow;
 
 use super::defect::Defect;
-use super::draft::{Dependency, Draft, MOST_DEPENDENCIES};
+use super::draft::{Dependency, Draft};
 use super::gltf::Beside;
 use super::mtl::Colors;
 use super::soup::Point;
+use crate::base::limits::MESH_FILES;
 
 /// Read an OBJ file.
 pub(super) fn read(bytes: &[u8], beside: Beside<'_>, draft: &mut Draft) -> Result<(), Defect> {
@@ -52,7 +53,7 @@ pub(super) fn textures(bytes: &[u8]) -> Vec<String> {
         let rest = rest.trim();
         let name = if rest.starts_with('-') { rest.rsplit(char::is_whitespace).next() } else { Some(rest) };
         let name = name.unwrap_or_default().trim_matches('"').to_owned();
-        let room = names.len() < MOST_DEPENDENCIES;
+        let room = names.len() < MESH_FILES;
         if names_file && room && !name.is_empty() && !names.contains(&name) {
             names.push(name);
         }

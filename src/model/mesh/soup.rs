@@ -2,9 +2,7 @@
 
 use super::defect::Defect;
 use crate::base::FastMap;
-
-/// Triangles taken at most: instances of instances can make a small file a large mesh.
-const MOST_TRIANGLES: usize = 2_500_000;
+use crate::base::limits::MESH_TRIANGLES;
 
 /// A point, metres.
 pub(super) type Point = [f64; 3];
@@ -31,8 +29,8 @@ impl Soup {
             let number = self.triangles.len() + 1;
             return Err(Defect::corrupt(format!("a corner of triangle {number} is not a finite point")));
         }
-        if self.triangles.len() >= MOST_TRIANGLES {
-            return Err(Defect::too_large(format!("it has more than {MOST_TRIANGLES} triangles")));
+        if self.triangles.len() >= MESH_TRIANGLES {
+            return Err(Defect::too_large(format!("it has more than {MESH_TRIANGLES} triangles")));
         }
         let triangle = corners.map(|corner| self.point(corner));
         self.triangles.push(triangle);

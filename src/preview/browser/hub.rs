@@ -9,16 +9,10 @@ use tokio::sync::watch;
 
 use super::crowd::Crowd;
 use super::serve;
+use crate::base::limits::{CONNECTIONS, PAGES, STRANGERS};
 use crate::preview::Files;
 use crate::preview::messages::{FromViewer, ModelMessage, Selection, Side};
 use crate::vfs::Vfs;
-
-/// Connections that have not sent a whole request yet, at most.
-const MOST_CONNECTIONS: usize = 128;
-/// Sockets that have not named the token yet, at most.
-const MOST_STRANGERS: usize = 32;
-/// Pages that are open, at most.
-const MOST_PAGES: usize = 32;
 
 /// A message of a page about its view.
 #[derive(Clone, Debug)]
@@ -76,9 +70,9 @@ impl Hub {
             files,
             vfs,
             receive: Box::new(receive),
-            connections: Crowd::new(MOST_CONNECTIONS),
-            strangers: Crowd::new(MOST_STRANGERS),
-            pages: Crowd::new(MOST_PAGES),
+            connections: Crowd::new(CONNECTIONS),
+            strangers: Crowd::new(STRANGERS),
+            pages: Crowd::new(PAGES),
         });
         let served = hub.clone();
         let thread = std::thread::Builder::new().name("preview".to_owned());

@@ -17,15 +17,12 @@ use tokio::runtime::Builder;
 
 use super::hub::Hub;
 use super::{guard, page, socket};
+use crate::base::limits::{REQUEST_HEAD, SENT_BYTES};
 
 /// A request has this long to arrive.
 const REQUEST_TIME: Duration = Duration::from_secs(5);
 /// And its answer this long to leave.
 const ANSWER_TIME: Duration = Duration::from_secs(120);
-/// Bytes of the head of a request at most.
-const MOST_HEAD: usize = 16 << 10;
-/// Bytes of a file that are sent at most.
-const MOST_BYTES: u64 = 256_000_000;
 
 /// Serve until the process ends.
 pub(super) fn run(hub: &Arc<Hub>, listeners: Vec<TcpListener>) {
@@ -58,7 +55,7 @@ async fn accept(hub: Arc<Hub>, router: Router, listener: TcpListener) {
                 .timer(TokioTimer::new())
                 .header_read_timeout(REQUEST_TIME)
                 .keep_alive(false)
-                .max_buf_size(MOST_HEAD)
+                .max_buf_size(REQUEST_HEAD)
                 .serve_connection(TokioIo::new(stream), service)
                 .with_upgrades();
             tokio::select! {
@@ -91,10 +88,10 @@ async fn mesh(State(hub): State<Arc<Hub>>, Path(id): Path<String>, headers: Head
         return (StatusCode::NOT_FOUND, "no robot that is shown has such a file").into_response();
     };
     let vfs = hub.vfs.clone();
-    match tokio::task::spawn_blocking(move || vfs.bytes(&path, MOST_BYTES)).await {
+    match tokio::task::spawn_blocking(move || vfs.bytes(&path, SENT_BYTES)).await {
         Ok(Ok(bytes)) => ([(CONTENT_TYPE, "application/octet-stream")], bytes).into_response(),
         Ok(Err(error)) => {
-            (StatusCode::NOT_FOUND, format!("it cannot be read: {}", error.strerror)).into_response()
+            (StatusCode::NOT_FOUND, format!("it cannot be read: {}", error.reason())).into_response()
         }
         Err(_) => StatusCode::INTERNAL_SERVER_ERROR.into_response(),
     }

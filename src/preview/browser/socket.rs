@@ -15,6 +15,7 @@ use tokio::sync::watch::Receiver;
 
 use super::guard;
 use super::hub::{Hub, News, Received};
+use crate::base::limits::SOCKET_MESSAGE;
 use crate::preview::messages::FromViewer;
 
 /// A socket has this long to name the token.
@@ -24,8 +25,6 @@ const PING: Duration = Duration::from_secs(20);
 const SILENCE: Duration = Duration::from_secs(60);
 /// A message has this long to leave.
 const SEND_TIME: Duration = Duration::from_secs(30);
-/// Bytes of a message of a page at most.
-const MOST_MESSAGE: usize = 64 << 10;
 
 /// What the viewer knows these codes by.
 const WRONG_TOKEN: u16 = 4001;
@@ -48,7 +47,7 @@ pub(super) async fn open(
     if !guard::same_origin(&headers) {
         return (StatusCode::FORBIDDEN, "the Origin is not this server").into_response();
     }
-    let upgrade = upgrade.max_message_size(MOST_MESSAGE).max_frame_size(MOST_MESSAGE);
+    let upgrade = upgrade.max_message_size(SOCKET_MESSAGE).max_frame_size(SOCKET_MESSAGE);
     upgrade.on_upgrade(move |socket| talk(socket, hub))
 }
 

@@ -51,15 +51,13 @@ pub fn unused_suppression(
 
 /// A comment that has its lines for itself, with these lines.
 fn with_its_line(document: &Document, comment: TextRange) -> TextRange {
-    let text = document.text();
-    let (before, behind) = (text.get(..comment.start as usize), text.get(comment.end as usize..));
-    let (before, behind) = (before.unwrap_or(""), behind.unwrap_or(""));
+    let (before, behind) = document.beside(comment, 1000);
     let blanks = [' ', '\t'];
     let indent = before.len() - before.trim_end_matches(blanks).len();
     let begins = before.trim_end_matches(blanks);
     let tail = behind.trim_start_matches(blanks);
     let line_end = if tail.starts_with("\r\n") { 2 } else { usize::from(tail.starts_with('\n')) };
-    if !(begins.is_empty() || begins.ends_with('\n')) || line_end == 0 {
+    if !(comment.start == indent as u32 || begins.ends_with('\n')) || line_end == 0 {
         return comment;
     }
     let end = comment.end as usize + (behind.len() - tail.len()) + line_end;

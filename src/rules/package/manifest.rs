@@ -6,13 +6,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 use roxmltree::{Document, Node, ParsingOptions};
 
 use super::super::context::Surroundings;
+use crate::base::limits::MANIFEST_NODES;
 use crate::base::{FastMap, FileId, Span, TextRange};
 use crate::expand::FileIdx;
 use crate::vfs::TextFile;
 use crate::workspace::Package;
-
-/// Markup of a sane manifest stays far below this.
-const MAX_NODES: u32 = 100_000;
 
 /// The elements that make a package come along with another one at run time.
 const RUNTIME: [&str; 4] = ["depend", "exec_depend", "run_depend", "build_export_depend"];
@@ -63,7 +61,8 @@ impl Manifest {
     }
 
     fn read(text: &str, file: FileId, folder: PathBuf, name: String) -> Option<Self> {
-        let options = ParsingOptions { allow_dtd: true, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
+        let options =
+            ParsingOptions { allow_dtd: true, nodes_limit: MANIFEST_NODES, ..ParsingOptions::default() };
         let document = Document::parse_with_options(text, options).ok()?;
         let root = document.root_element();
         let of = |names: &'static [&'static str]| {

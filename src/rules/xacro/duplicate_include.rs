@@ -98,11 +98,11 @@ fn report(
     if emits {
         return report.help("what it contains is in the robot twice: remove one of them").done();
     }
-    let text = cx.expansion.files.get(later.tag.file.0 as usize).map(|file| file.source.document.text());
+    let Some(file) = cx.expansion.files.get(later.tag.file.0 as usize) else { return };
     let element = later.node.range();
     let start = later.tag.range.start - (later.node.name_range().start - 1 - element.start);
     let range = TextRange::new(start, start + element.len());
-    let removal = source::removal(&text.unwrap_or_default(), range);
+    let removal = source::removal(&file.source.document, range);
     report
         .help("what it defines is there already: remove this one")
         .fix(Safety::Safe, "remove it", later.tag.file, [(removal, String::new())])

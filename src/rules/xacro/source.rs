@@ -6,7 +6,7 @@ use super::super::context::DocumentCx;
 use crate::base::{FastMap, FileId, TextRange};
 use crate::expand::{Definition, Expansion, FileIdx, FrameKind, Place, SourceRange};
 use crate::vfs::Vfs;
-use crate::xml::Node;
+use crate::xml::{Document, Node};
 
 /// Whether a context is about the whole document, not about a macro that nothing calls.
 pub(super) fn is_main(cx: &DocumentCx<'_>) -> bool {
@@ -49,12 +49,14 @@ pub(super) fn file_name(expansion: &Expansion, file: FileIdx) -> &str {
 }
 
 /// What to delete to remove an element: with its line, when nothing else is on it.
-pub(super) fn removal(text: &str, element: TextRange) -> TextRange {
-    let before = text.get(..element.start as usize).unwrap_or_default();
-    let behind = text.get(element.end as usize..).unwrap_or_default();
+pub(super) fn removal(document: &Document, element: TextRange) -> TextRange {
+    /// Nobody indents farther, and a line may be as long as the file.
+    const FAR: u32 = 1000;
+    let (before, behind) = document.beside(element, FAR);
     let indent = before.len() - before.trim_end_matches([' ', '\t']).len();
     let rest = behind.len() - behind.trim_start_matches([' ', '\t', '\r']).len();
-    let starts = before.len() == indent || before.as_bytes().get(before.len() - indent - 1) == Some(&b'\n');
+    let starts = element.start == indent as u32
+        || before.trim_end_matches([' ', '\t']).as_bytes().last() == Some(&b'\n');
     let ends = behind.as_bytes().get(rest) == Some(&b'\n');
     if starts && ends {
         return TextRange::new(element.start - indent as u32, element.end + rest as u32 + 1);
@@ -123,6 +125,7 @@ fn include_around(expansion: &Expansion, mut frame: u32) -> Option<u32> {
 mod tests {
     use super::removal;
     use crate::base::TextRange;
+    use crate::xml::Document;
 
     #[test]
     fn an_element_goes_with_its_line() {
@@ -130,7 +133,7 @@ mod tests {
             [("a\n  <b/> \nc", "a\nc"), ("a <b/>\nc", "a \nc"), ("<b/>\nc", "c"), ("  <b/> c", "   c")]
         {
             let start = text.find("<b/>").unwrap() as u32;
-            let range = removal(text, TextRange::new(start, start + 4));
+            let range = removal(&Document::parse(text), TextRange::new(start, start + 4));
             let (start, end) = (range.start as usize, range.end as usize);
             assert_eq!(format!("{}{}", &text[..start], &text[end..]), expected, "{text:?}");
         }

@@ -101,12 +101,11 @@ fn is_used(cx: &DocumentCx<'_>, files: &FastSet<FileIdx>) -> bool {
 }
 
 fn report(cx: &DocumentCx<'_>, inclusion: &Inclusion<'_>, out: &mut Sink<'_>) {
-    let file = |number: FileIdx| cx.expansion.files.get(number.0 as usize);
+    let Some(file) = cx.expansion.files.get(inclusion.tag.file.0 as usize) else { return };
     let name = source::file_name(cx.expansion, inclusion.target);
-    let text = file(inclusion.tag.file).map(|file| file.source.document.text()).unwrap_or_default();
     let element = inclusion.node.range();
     let start = inclusion.tag.range.start - (inclusion.node.name_range().start - 1 - element.start);
-    let removal = source::removal(&text, TextRange::new(start, start + element.len()));
+    let removal = source::removal(&file.source.document, TextRange::new(start, start + element.len()));
     out.report_in(inclusion.tag.file, inclusion.tag.range, format!("nothing that `{name}` defines is used"))
         .help("remove it")
         .fix(Safety::Unsafe, "remove it", inclusion.tag.file, [(removal, String::new())])

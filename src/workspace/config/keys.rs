@@ -1,5 +1,7 @@
 //! The table of keys: what exists, of which type, and what it says.
 
+use crate::base::limits::FILE_MB_MOST;
+
 /// The type of a value.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Type {
@@ -58,7 +60,7 @@ pub(super) const LIMITS: &[Key] = &[
     key("eval-steps", Type::Count(u64::MAX), "Steps of evaluating one expression; default 1000000."),
     key("expand-nodes", Type::Count(u64::MAX), "Nodes of an expanded document; default 500000."),
     key("expand-ms", Type::Count(u64::MAX), "Milliseconds for one expansion; default 5000."),
-    key("file-mb", Type::Count(4_000), "Megabytes of a file that is read; default 20."),
+    key("file-mb", Type::Count(FILE_MB_MOST), "Megabytes of a file that is read; default 20."),
     key("macro-depth", Type::Count(10_000), "Macro calls inside each other; default 1000."),
     key("include-depth", Type::Count(10_000), "Files included from each other; default 500."),
 ];

@@ -5,13 +5,11 @@ use std::path::{Path, PathBuf};
 use super::apply::Applier;
 use super::value::{Entry, ValueKind, from_settings, from_toml};
 use super::{Config, ConfigWarning};
+use crate::base::limits::CONFIG_CHAIN;
 use crate::vfs::{LoadError, Vfs};
 
 /// The names of a configuration file; the first wins in a folder that has both.
 pub const CONFIG_NAMES: [&str; 2] = ["xacro-lint.toml", ".xacro-lint.toml"];
-
-/// Files that may extend each other at most.
-const MAX_CHAIN: usize = 16;
 
 /// A configuration and what in it has no effect.
 #[derive(Clone, Debug, Default)]
@@ -112,10 +110,14 @@ fn load_over(vfs: &Vfs, path: &Path, chain: &mut Vec<PathBuf>, loaded: &mut Load
         let base = folder.join(base);
         if chain.contains(&vfs.canonical(&base)) {
             applier.warn(entry.value.range, "`extend` leads back to this file".to_owned(), None);
-        } else if chain.len() >= MAX_CHAIN {
-            applier.warn(entry.value.range, format!("more than {MAX_CHAIN} files extend each other"), None);
+        } else if chain.len() >= CONFIG_CHAIN {
+            applier.warn(
+                entry.value.range,
+                format!("more than {CONFIG_CHAIN} files extend each other"),
+                None,
+            );
         } else if let Err(error) = load_over(vfs, &base, chain, loaded) {
-            let message = format!("cannot read `{}`: {}", error.path.display(), error.strerror);
+            let message = format!("cannot read `{}`: {}", error.path.display(), error.reason());
             applier.warn(entry.value.range, message, None);
         }
     }

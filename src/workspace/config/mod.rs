@@ -25,7 +25,7 @@ pub use roots::{Args, Root, Variant};
 pub use schema::schema;
 
 use super::packages::Target;
-use crate::base::TextRange;
+use crate::base::{TextRange, limits};
 
 /// All settings, with their defaults filled in.
 #[derive(Clone, Debug)]
@@ -166,12 +166,12 @@ pub struct Limits {
 impl Default for Limits {
     fn default() -> Self {
         Self {
-            eval_steps: 1_000_000,
-            expand_nodes: 500_000,
-            expand_ms: 5_000,
-            file_mb: 20,
-            macro_depth: 1_000,
-            include_depth: 500,
+            eval_steps: limits::EVAL_STEPS,
+            expand_nodes: limits::EXPAND_NODES,
+            expand_ms: limits::EXPAND_MS,
+            file_mb: limits::FILE_MB,
+            macro_depth: limits::MACRO_DEPTH,
+            include_depth: limits::INCLUDE_DEPTH,
         }
     }
 }

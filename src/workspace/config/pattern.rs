@@ -2,12 +2,8 @@
 
 use std::path::{Component, Path, PathBuf};
 
+use crate::base::limits::{GLOB_ALTERNATIVES, GLOB_FOLDERS};
 use crate::vfs::{Vfs, Wildcard, covers, has_magic};
-
-/// Alternatives a pattern with braces may have at most.
-const MAX_ALTERNATIVES: usize = 64;
-/// Folders searched for matches at most.
-const MAX_FOLDERS: usize = 100_000;
 
 /// A glob: `*`, `?`, `[...]` inside a name, `**` for any number of folders, `{a,b}` for alternatives. One
 /// without a slash matches names in every folder. What lies below a folder that matches, matches.
@@ -77,7 +73,7 @@ impl Pattern {
         let (mut found, mut folders, mut seen) = (Vec::new(), vec![self.folder.clone()], 0);
         while let Some(folder) = folders.pop() {
             seen += 1;
-            if seen > MAX_FOLDERS {
+            if seen > GLOB_FOLDERS {
                 break;
             }
             for entry in vfs.list_dir(&folder) {
@@ -144,7 +140,7 @@ fn expand_braces(text: &str, out: &mut Vec<String>) {
     match group {
         Some((before, inner, behind)) => {
             for choice in inner.split(',') {
-                if out.len() < MAX_ALTERNATIVES {
+                if out.len() < GLOB_ALTERNATIVES {
                     expand_braces(&format!("{before}{choice}{behind}"), out);
                 }
             }

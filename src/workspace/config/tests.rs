@@ -163,7 +163,7 @@ fn what_does_not_fit_is_a_warning_and_the_rest_holds() {
         ("use-environment = 'yes'", "1:19: `use-environment` must be a boolean, not a string"),
         ("thresholds.x = nan", "1:16: `x` must be a number, not a number"),
         ("thresholds.x = 2000-01-01", "1:16: `x` must be a number, not a date"),
-        ("[limits]\nfile-mb = 0", "2:11: `file-mb` must be from 1 to 4000"),
+        ("[limits]\nfile-mb = 0", "2:11: `file-mb` must be from 1 to 1000"),
         ("[limits]\neval-steps = -1", "2:14: `eval-steps` must be at least 1"),
         ("[limits]\nexpand-ms = 1.5", "2:13: `expand-ms` must be an integer, not a number"),
         (
@@ -292,7 +292,7 @@ fn the_schema_has_every_key() {
     let schema = schema();
     let properties = schema["properties"].as_object().unwrap();
     assert_eq!(properties.len(), super::keys::KEYS.len());
-    assert_eq!(properties["limits"]["properties"]["file-mb"]["maximum"], 4000);
+    assert_eq!(properties["limits"]["properties"]["file-mb"]["maximum"], 1000);
     assert_eq!(
         properties["roots"]["items"]["properties"]["presets"]["additionalProperties"]["type"],
         "object"

@@ -3,7 +3,8 @@
 
 use std::collections::HashSet;
 
-use super::{MAX_ERRORS, Parser};
+use super::Parser;
+use crate::base::limits::ITEM_ERRORS;
 use crate::xml::decode::{Reference, decode, references};
 use crate::xml::entities::Entities;
 use crate::xml::error::{Condition, Namespace, SyntaxError, SyntaxErrorKind as Kind, expat};
@@ -59,7 +60,7 @@ impl<'t> Parser<'t> {
     }
 
     fn duplicate(&mut self, first: usize, at: usize, name: &str) {
-        if self.errors.len() >= MAX_ERRORS {
+        if self.errors.len() >= ITEM_ERRORS {
             return;
         }
         let before = self.attrs[first..at].iter().find(|other| self.attr_name(other) == name).copied();

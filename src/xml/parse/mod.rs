@@ -19,13 +19,11 @@ use std::collections::HashMap;
 use super::error::{Condition, ItemError, SyntaxError, SyntaxErrorKind};
 use super::item::{EntityUse, Extra, Item};
 use super::node::{AttrData, NONE, NodeData, NodeKind};
+use crate::base::limits::ITEM_ERRORS;
 use crate::base::{TextRange, count_line_ends};
 use names::Scopes;
 
 pub(super) use prolog::{Footer, Header, RootState};
-
-/// Errors kept per item; a hostile or binary file would give one per byte.
-const MAX_ERRORS: usize = 200;
 
 /// What expat says, and the offset where it stops.
 type Verdict = (&'static str, usize);
@@ -237,7 +235,7 @@ impl<'t> Parser<'t> {
                 *floor = error.expat_offset;
             }
         }
-        if self.errors.len() < MAX_ERRORS {
+        if self.errors.len() < ITEM_ERRORS {
             self.errors.push(ItemError { error, condition, diverges: false });
         }
     }

@@ -1,0 +1,690 @@
+//! Each limit of `src/base/limits.rs` is reached here, or by the test that `TESTS` names, and says so: with the file,
+//! the place, the limit, and how to raise it where it can be raised. `docs/limits.md` lists them.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    clippy::disallowed_methods
+)] // a test may fail loudly
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use xacro_lsp::base::limits::*;
+use xacro_lsp::cli::{self, Io};
+use xacro_lsp::model::{Mesh, Meshes};
+use xacro_lsp::vfs::{Environment, Vfs};
+use xacro_lsp::workspace::config::Pattern;
+use xacro_lsp::workspace::{PackageOptions, Packages};
+use xacro_lsp::xml::Document;
+use xacro_lsp::{expr, server};
+
+/// Tests outside of this file, and those that reach several limits.
+const TESTS: &[(&str, &str)] = &[
+    ("CONNECTIONS", "src/preview/browser/tests.rs::a_thousand_idle_connections_keep_nobody_out"),
+    ("ENTITY_FACTOR", "tests/limits.rs::entity_growth"),
+    ("EVALUATIONS", "tests/limits.rs::expand_nodes"),
+    ("FIX_ROUNDS", "tests/fixes.rs::fixes_of_the_pages"),
+    ("GLOB_FOLDERS", "tests/limits.rs::many_folders"),
+    ("KEY_PARTS", "tests/limits.rs::key_depth"),
+    ("MESH_ELEMENTS", "src/model/mesh/tests.rs::data_that_is_read_again_and_again"),
+    ("MESH_VISITS", "src/model/mesh/tests.rs::what_is_wrong_with_gltf"),
+    ("NAMESAKE_FILES", "tests/limits.rs::many_folders"),
+    ("PAGES", "src/preview/browser/tests.rs::who_waits_longest_makes_room"),
+    ("REQUEST_HEAD", "src/preview/browser/tests.rs::what_is_too_large_is_refused"),
+    ("SCAN_FILES", "tests/limits.rs::many_folders"),
+    ("SCAN_FOLDERS", "tests/limits.rs::many_folders"),
+    ("SOCKET_MESSAGE", "src/preview/browser/tests.rs::what_is_too_large_is_refused"),
+    ("STRANGERS", "src/preview/browser/tests.rs::sockets_that_say_nothing_keep_nobody_out"),
+    ("XML_ERRORS_SEEN", "tests/limits.rs::xml_errors"),
+];
+
+/// Groups whose tests stand in `tests/lsp/limits.rs`.
+const OF_THE_SERVER: [&str; 2] = ["Language server", "Preview in a browser"];
+
+/// Where the test of a limit stands: file and function.
+fn test_of(limit: &Limit) -> (String, String) {
+    if let Some((_, place)) = TESTS.iter().find(|(name, _)| *name == limit.name) {
+        let (file, function) = place.split_once("::").unwrap();
+        return (file.to_owned(), function.to_owned());
+    }
+    let own = ["MESSAGE_BYTES", "HEADER_BYTES"].contains(&limit.name);
+    let of_the_server = OF_THE_SERVER.contains(&limit.group) && !own || limit.name == "REWRITTEN_MESH_BYTES";
+    let file = if of_the_server { "tests/lsp/limits.rs" } else { "tests/limits.rs" };
+    (file.to_owned(), limit.name.to_lowercase())
+}
+
+fn repository() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+#[test]
+fn every_limit_has_a_test_and_is_used() {
+    let mut files = Vec::new();
+    sources(&repository().join("src"), &mut files);
+    for limit in ALL {
+        let (file, function) = test_of(limit);
+        let text = fs::read_to_string(repository().join(&file)).unwrap();
+        assert!(text.contains(&format!("fn {function}(")), "{}: no `{function}` in {file}", limit.name);
+        let uses = files.iter().filter(|text| {
+            text.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == limit.name)
+        });
+        assert!(uses.count() > 0, "{} is not used", limit.name);
+    }
+}
+
+/// The texts of all source files but that of the limits.
+fn sources(folder: &Path, found: &mut Vec<String>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            sources(&path, found);
+        } else if path.extension().is_some_and(|ending| ending == "rs") && !path.ends_with("base/limits.rs") {
+            found.push(fs::read_to_string(path).unwrap());
+        }
+    }
+}
+
+/// A number with the groups of its digits apart, or as a power of two where it is one.
+fn shown(value: u64) -> String {
+    for (bits, unit) in [(30, "GiB"), (20, "MiB"), (10, "KiB")] {
+        if value >= 1 << bits && value.is_multiple_of(1 << bits) {
+            return format!("{} {unit}", value >> bits);
+        }
+    }
+    let digits = value.to_string();
+    let groups: Vec<&str> =
+        digits.as_bytes().rchunks(3).rev().map(|group| std::str::from_utf8(group).unwrap()).collect();
+    groups.join(",")
+}
+
+#[test]
+fn the_page_lists_them() {
+    let path = repository().join("docs/limits.md");
+    let page = fs::read_to_string(&path).unwrap();
+    let (begin, end) =
+        ("<!-- limits: made by `UPDATE=1 cargo test --test limits` -->\n", "<!-- end of limits -->\n");
+    let (head, rest) = page.split_once(begin).unwrap();
+    let (_, tail) = rest.split_once(end).unwrap();
+    let mut table = String::new();
+    let mut group = "";
+    for limit in ALL {
+        if limit.group != group {
+            group = limit.group;
+            table.push_str(&format!(
+                "\n### {group}\n\n| what | limit | when it is reached | key | test |\n|---|---|---|---|---|\n"
+            ));
+        }
+        let key = limit.key.map(|key| format!("`{key}`")).unwrap_or_default();
+        let (what, (_, test)) = (limit.what.trim().trim_end_matches('.'), test_of(limit));
+        table.push_str(&format!("| {what} | {} | {} | {key} | `{test}` |\n", shown(limit.value), limit.then));
+    }
+    let new = format!("{head}{begin}{table}\n{end}{tail}");
+    if std::env::var_os("UPDATE").is_some() {
+        fs::write(&path, &new).unwrap();
+    }
+    assert!(
+        new == fs::read_to_string(&path).unwrap(),
+        "docs/limits.md is old: run `UPDATE=1 cargo test --test limits`"
+    );
+}
+
+/// A folder that is made anew.
+fn folder() -> PathBuf {
+    static COUNT: AtomicUsize = AtomicUsize::new(0);
+    let number = COUNT.fetch_add(1, Ordering::Relaxed);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("limits").join(number.to_string());
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn write(folder: &Path, name: &str, text: impl AsRef<[u8]>) {
+    let path = folder.join(name);
+    fs::create_dir_all(path.parent().unwrap()).unwrap();
+    fs::write(path, text).unwrap();
+}
+
+/// A file of so many bytes that takes no room.
+fn sparse(folder: &Path, name: &str, head: &str, size: u64) {
+    write(folder, name, head);
+    fs::File::options().write(true).open(folder.join(name)).unwrap().set_len(size).unwrap();
+}
+
+/// What a command prints in a folder.
+fn run(folder: &Path, arguments: &[&str], input: &mut dyn Read) -> String {
+    let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), folder.join("none").display().to_string())]);
+    let env = Environment { vars, cwd: folder.to_owned() };
+    let (mut out, mut err) = (Vec::new(), Vec::new());
+    let arguments: Vec<String> = arguments.iter().map(|&word| word.to_owned()).collect();
+    let code = cli::run(&arguments, &env, &mut Io::plain(&mut out, &mut err, input));
+    out.extend(err);
+    format!("{}\n[exit {code}]", String::from_utf8(out).unwrap())
+}
+
+fn robot(body: &str) -> String {
+    format!("<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n{body}\n</robot>\n")
+}
+
+/// What `check` says of a robot with this body, beside further files.
+fn check(body: &str, files: &[(&str, &str)]) -> String {
+    let folder = folder();
+    write(&folder, "r.urdf.xacro", robot(body));
+    for (name, text) in files {
+        write(&folder, name, text);
+    }
+    run(&folder, &["check", "."], &mut std::io::empty())
+}
+
+/// An error with its file, its line and each of these words; and `expand` ends too.
+#[track_caller]
+fn reached(body: &str, files: &[(&str, &str)], words: &[&str]) {
+    let said = check(body, files);
+    assert!(said.contains("error[") && said.contains("r.urdf.xacro:"), "{said}");
+    for word in words {
+        assert!(said.contains(word), "no `{word}` in {said}");
+    }
+}
+
+const LINK: &str = "<link name=\"a\"/>";
+
+#[test]
+fn file_mb() {
+    let folder = folder();
+    write(&folder, "xacro-lint.toml", "[limits]\nfile-mb = 1\n");
+    let large = robot(&" ".repeat(1_100_000));
+    write(&folder, "large.xacro", &large);
+    write(&folder, "r.urdf.xacro", robot("<xacro:include filename=\"large.xacro\"/>\n<link name=\"a\"/>"));
+    let said = run(&folder, &["check", "r.urdf.xacro"], &mut std::io::empty());
+    assert!(said.contains("`large.xacro` cannot be read: it has more than 1 MB, the limit"), "{said}");
+    assert!(said.contains("r.urdf.xacro:2:") && said.contains("raise `file-mb` under `[limits]`"), "{said}");
+    let said = run(&folder, &["check", "large.xacro"], &mut std::io::empty());
+    assert!(said.contains("large.xacro") && said.contains("it has more than 1 MB, the limit"), "{said}");
+    let said = run(&folder, &["expand", "r.urdf.xacro"], &mut std::io::empty());
+    assert!(said.contains("File too large") && said.contains("raise `file-mb`"), "{said}");
+    write(&folder, "xacro-lint.toml", "[limits]\nfile-mb = 2\n");
+    let said = run(&folder, &["expand", "r.urdf.xacro"], &mut std::io::empty());
+    assert!(said.contains("[exit 0]"), "{said}");
+}
+
+#[test]
+fn file_mb_most() {
+    let said = check(LINK, &[("xacro-lint.toml", "[limits]\nfile-mb = 1001\n")]);
+    assert!(said.contains("xacro-lint.toml") && said.contains("must be from 1 to 1000"), "{said}");
+    // a configuration is read before it can say how much is read
+    let folder = folder();
+    write(&folder, "r.urdf.xacro", robot(LINK));
+    sparse(&folder, "xacro-lint.toml", "", 5_000_000_000);
+    let said = run(&folder, &["check", "r.urdf.xacro"], &mut std::io::empty());
+    assert!(said.contains("[exit"), "{said}");
+}
+
+#[test]
+fn stdin_bytes() {
+    for command in ["check", "format", "expand"] {
+        let mut input = std::io::repeat(b' ').take(STDIN_BYTES + 1);
+        let said = run(&folder(), &[command, "-"], &mut input);
+        assert!(
+            said.contains("it has more than 20 MB, the limit: name the file instead"),
+            "{command}: {said}"
+        );
+        assert!(said.contains("[exit 2]"), "{command}: {said}");
+    }
+}
+
+fn vfs() -> Vfs {
+    Vfs::with_cwd(1 << 20, folder())
+}
+
+#[test]
+fn mesh_bytes() {
+    let folder = folder();
+    sparse(&folder, "a.stl", "", MESH_BYTES + 1);
+    let mesh = Meshes::default().get(&vfs(), &folder.join("a.stl"));
+    assert_eq!(mesh.defect.as_ref().unwrap().message, "it has more than 100 megabytes");
+}
+
+#[test]
+fn material_bytes() {
+    let folder = folder();
+    write(&folder, "a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let missing = |size| {
+        sparse(&folder, "a.mtl", "newmtl m\nmap_Kd gone.png\n", size);
+        let (meshes, vfs, path) = (Meshes::default(), vfs(), folder.join("a.obj"));
+        let mesh = meshes.get(&vfs, &path);
+        meshes.missing(&vfs, &path, &mesh).len()
+    };
+    assert_eq!((missing(25), missing(MATERIAL_BYTES + 1)), (1, 0));
+}
+
+#[test]
+fn xml_bytes() {
+    // no input gets there: the largest file, the largest message and standard input are smaller
+    let largest = [FILE_MB_MOST * 1_000_000, MESSAGE_BYTES, STDIN_BYTES].into_iter().max();
+    assert!(largest < Some(XML_BYTES as u64), "{largest:?}");
+}
+
+/// A document whose root has entities: `a` of 1000 bytes, the others made of those before.
+fn entities(declarations: &str, body: &str) -> String {
+    let a = "x".repeat(1000);
+    format!("<!DOCTYPE robot [<!ENTITY a \"{a}\">{declarations}]>\n<robot name=\"r\">\n{body}\n</robot>")
+}
+
+fn first_error(text: &str) -> String {
+    let errors = Document::parse(text).errors();
+    errors.first().map(|error| error.message.clone()).unwrap_or_default()
+}
+
+#[test]
+fn entity_bytes() {
+    let (one, nine) = ("&a;".repeat(1000), "&b;".repeat(9));
+    let text = entities(&format!("<!ENTITY b \"{one}\"><!ENTITY c \"{nine}\">"), "<link name=\"&c;\"/>");
+    assert!(first_error(&text).contains("entity `c` grows to more than 8 MB"), "{}", first_error(&text));
+    let folder = folder();
+    write(&folder, "r.urdf", text);
+    let said = run(&folder, &["check", "r.urdf"], &mut std::io::empty());
+    assert!(said.contains("r.urdf:3:") && said.contains("more than 8 MB"), "{said}");
+}
+
+#[test]
+fn entities_bytes() {
+    let one = "&a;".repeat(7000);
+    let declarations: String = (0..6).map(|n| format!("<!ENTITY b{n} \"{one}\">")).collect();
+    let uses: String = (0..6).map(|n| format!("&b{n};")).collect();
+    // a long file, so that it is not the share of the entities that is too large
+    let text = entities(&declarations, &format!("<!--{}-->{uses}", " ".repeat(600_000)));
+    assert!(first_error(&text).contains("all entities to more than 32 MB"), "{}", first_error(&text));
+}
+
+#[test]
+fn entity_depth() {
+    // the deepest one is asked for first
+    let declarations = |count: u32| -> String {
+        let nested = (1..count).rev().map(|n| format!("<!ENTITY d{n} \"&d{};\">", n - 1));
+        nested.collect::<String>() + "<!ENTITY d0 \"x\">"
+    };
+    let text = entities(&declarations(5000), "&d4999;");
+    assert!(first_error(&text).contains("nested more than 256 deep"), "{}", first_error(&text));
+    assert_eq!(first_error(&entities(&declarations(200), "&d199;")), "");
+}
+
+#[test]
+fn entity_growth() {
+    let thousand = "&a;".repeat(1000);
+    let text = entities(&format!("<!ENTITY b \"{thousand}\">"), &"&b;".repeat(9));
+    assert!(first_error(&text).contains("more than 100 times the text it has"), "{}", first_error(&text));
+}
+
+#[test]
+fn value_bytes() {
+    let thousand = "&a;".repeat(1000);
+    let uses = "&b;".repeat(20);
+    let text = entities(&format!("<!ENTITY b \"{thousand}\">"), &format!("<link name=\"{uses}\"/>"));
+    let document = Document::parse(&text);
+    let (_, item) = document.items().next().unwrap();
+    let value = item.element().unwrap().attr("name").unwrap().value(document.entities()).len();
+    assert!(value > VALUE_BYTES && value <= VALUE_BYTES + 1_000_000, "{value}");
+}
+
+#[test]
+fn item_errors() {
+    let text = format!("<robot>\n<a>{}</a>\n</robot>", "&;".repeat(300));
+    assert_eq!(Document::parse(&text).errors().len(), ITEM_ERRORS);
+}
+
+#[test]
+fn xml_errors() {
+    let item = format!("<a>{}</a>\n", "&;".repeat(300));
+    let text = format!("<robot>\n{}</robot>", item.repeat(XML_ERRORS_SEEN / ITEM_ERRORS + 10));
+    assert_eq!(Document::parse(&text).errors().len(), XML_ERRORS);
+}
+
+#[test]
+fn expression_depth() {
+    let deep = format!("<link name=\"${{{}True}}\"/>", "not ".repeat(300));
+    reached(
+        &deep,
+        &[],
+        &["r.urdf.xacro:2:", "is not an expression: the expression is nested more than 240 deep"],
+    );
+}
+
+#[test]
+fn brackets() {
+    let deep = format!("<link name=\"${{{}1{}}}\"/>", "(".repeat(201), ")".repeat(201));
+    reached(&deep, &[], &["brackets are nested more than 200 deep"]);
+}
+
+#[test]
+fn expression_errors() {
+    let texts =
+        ["f(a b), ", "[1 2], ", "'a' 'b' c, ", "__a + ", "a.__b + ", "(1 +), ", "f'{a b}' + ", "lambda, "];
+    let counts = texts.map(|text| expr::parse(&text.repeat(100)).errors.len());
+    // those of f-strings are found in their own small expressions
+    let plain: Vec<usize> = counts.into_iter().filter(|&count| count != 100).collect();
+    assert_eq!(plain.into_iter().max(), Some(EXPRESSION_ERRORS), "{counts:?}");
+}
+
+#[test]
+fn eval_steps() {
+    let endless = "<link name=\"${len([i for i in python.range(10**6)])}\"/>";
+    let config = [("xacro-lint.toml", "[limits]\neval-steps = 1000\n")];
+    reached(endless, &config, &["more than the limit of 1000 steps", "raise `eval-steps` under `[limits]`"]);
+    reached(endless, &[], &["more than the limit of 1000000 steps"]);
+}
+
+#[test]
+fn eval_depth() {
+    reached(
+        "<link name=\"${(lambda f: f(f))(lambda f: f(f))}\"/>",
+        &[],
+        &["maximum recursion depth exceeded"],
+    );
+}
+
+#[test]
+fn eval_value_bytes() {
+    reached("<link name=\"${'a' * 10**9}\"/>", &[], &["more than the limit of 64 MB"]);
+}
+
+#[test]
+fn integer_bits() {
+    reached("<link name=\"${10**10**8}\"/>", &[], &["more than the limit of 1048576 bits"]);
+}
+
+#[test]
+fn integer_digits() {
+    reached("<link name=\"${int('9' * 5000)}\"/>", &[], &["Exceeds the limit (4300 digits)"]);
+}
+
+#[test]
+fn key_depth() {
+    let deep =
+        "<link name=\"${[(t := ())] and [t := (t,) for _ in python.range(10**4)] and python.set([t])}\"/>";
+    reached(deep, &[], &["maximum recursion depth exceeded while hashing a tuple"]);
+    let wide =
+        "<link name=\"${[(t := ())] and [t := (t, t) for _ in python.range(60)] and python.hash(t)}\"/>";
+    reached(wide, &[], &["maximum recursion depth exceeded while hashing a tuple"]);
+}
+
+#[test]
+fn shown_depth() {
+    let deep = "<link name=\"${[(t := [])] and [t := [t] for _ in python.range(10**4)] and str(t)}\"/>";
+    reached(deep, &[], &["maximum recursion depth exceeded while getting the repr"]);
+}
+
+/// A robot that loads `f.yaml`.
+const LOADS: &str =
+    "<xacro:property name=\"p\" value=\"${xacro.load_yaml('f.yaml')}\"/>\n<link name=\"${len(p)}\"/>";
+
+#[test]
+fn yaml_depth() {
+    let deep = format!("a: {}{}\n", "[".repeat(300), "]".repeat(300));
+    reached(LOADS, &[("f.yaml", &deep)], &["more than 200 levels of nesting"]);
+}
+
+#[test]
+fn yaml_nodes() {
+    let mut text = "a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n".to_owned();
+    for n in 1..7 {
+        let uses = vec![format!("*a{}", n - 1); 10].join(", ");
+        text.push_str(&format!("a{n}: &a{n} [{uses}]\n"));
+    }
+    reached(LOADS, &[("f.yaml", &text)], &["more than 500000 values"]);
+}
+
+#[test]
+fn yaml_merges() {
+    let text = format!("a: {}{{x: 1}}{}\n", "{<<: ".repeat(150), "}".repeat(150));
+    reached(LOADS, &[("f.yaml", &text)], &["more than 100 merges into each other"]);
+}
+
+/// A macro that makes as many links as it is told, ten calls deep.
+const MANY: &str = "<xacro:macro name=\"m\" params=\"n p\"><xacro:if value=\"${n > 0}\"><link name=\"${p}\"/>\
+    <xacro:m n=\"${n - 1}\" p=\"${p}a\"/><xacro:m n=\"${n - 1}\" p=\"${p}b\"/></xacro:if></xacro:macro>\n\
+    <xacro:m n=\"30\" p=\"l\"/>";
+
+#[test]
+fn expand_nodes() {
+    let config = [("xacro-lint.toml", "[limits]\nexpand-nodes = 100\n")];
+    reached(
+        MANY,
+        &config,
+        &["the expansion has more than 100 nodes", "raise `expand-nodes` under `[limits]`"],
+    );
+    // each node is made by at most a few expressions: their values are bounded with the nodes
+    assert!(EVALUATIONS as u64 >= EXPAND_NODES);
+}
+
+#[test]
+fn expand_ms() {
+    let config = [("xacro-lint.toml", "[limits]\nexpand-ms = 1\n")];
+    reached(MANY, &config, &["the expansion takes more than 1 ms", "raise `expand-ms` under `[limits]`"]);
+}
+
+#[test]
+fn output_bytes() {
+    let uses = "<link name=\"${p}\"/>\n".repeat(40);
+    let body = format!("<xacro:property name=\"p\" value=\"${{'a' * 2 * 10**6}}\"/>\n{uses}");
+    reached(&body, &[], &["64 MB"]);
+}
+
+#[test]
+fn macro_depth() {
+    let endless = "<xacro:macro name=\"m\" params=\"n\"><xacro:if value=\"${n > 0}\"><xacro:m n=\"${n + 1}\"/></xacro:if>\
+                   </xacro:macro>\n<xacro:m n=\"1\"/>";
+    reached(
+        endless,
+        &[],
+        &["nested more than 1000 deep, here into macro `m`", "raise `macro-depth` under `[limits]`"],
+    );
+    // a workspace may raise it, but not beyond what the stack holds
+    let config = [("xacro-lint.toml", "[limits]\nmacro-depth = 10000\nexpand-ms = 60000\n")];
+    reached(endless, &config, &["nested more than 10000 deep"]);
+}
+
+#[test]
+fn include_depth() {
+    let endless = "<xacro:include filename=\"${'r'}.urdf.xacro\"/>\n<link name=\"a\"/>";
+    reached(
+        endless,
+        &[],
+        &["includes are nested more than 500 deep", "raise `include-depth` under `[limits]`"],
+    );
+    let config = [("xacro-lint.toml", "[limits]\ninclude-depth = 10000\nexpand-ms = 60000\n")];
+    reached(endless, &config, &["includes are nested more than 10000 deep"]);
+}
+
+#[test]
+fn element_depth() {
+    let count = ELEMENT_DEPTH as usize + 10;
+    let deep = format!("{}{}", "<a>".repeat(count), "</a>".repeat(count));
+    reached(&deep, &[], &["elements are nested more than 5000 deep"]);
+}
+
+#[test]
+fn block_depth() {
+    let endless = "<xacro:property name=\"b\"><xacro:insert_block name=\"b\"/></xacro:property>\n\
+                   <xacro:insert_block name=\"b\"/>";
+    reached(endless, &[], &["block `b` inserts itself, more than 500 deep"]);
+}
+
+#[test]
+fn lazy_depth() {
+    let chain: String = (0..600)
+        .map(|n| format!("<xacro:property name=\"p{n}\" value=\"${{p{} + 1}}\"/>\n", n + 1))
+        .collect();
+    let body = format!("{chain}<xacro:property name=\"p600\" value=\"1\"/>\n<link name=\"${{p0}}\"/>");
+    reached(&body, &[], &["more than 500 properties need each other"]);
+}
+
+#[test]
+fn config_chain() {
+    let mut files = vec![("xacro-lint.toml".to_owned(), "extend = 'c0.toml'\n".to_owned())];
+    files.extend((0..20).map(|n| (format!("c{n}.toml"), format!("extend = 'c{}.toml'\n", n + 1))));
+    let files: Vec<(&str, &str)> = files.iter().map(|(name, text)| (&**name, &**text)).collect();
+    let said = check(LINK, &files);
+    assert!(said.contains("c14.toml:1:") && said.contains("more than 16 files extend each other"), "{said}");
+}
+
+#[test]
+fn glob_alternatives() {
+    let names: Vec<String> = (0..70).map(|n| format!("a{n}")).collect();
+    let pattern = Pattern::new(&format!("{{{}}}", names.join(",")), Path::new("/w"));
+    let matches = |n: usize| pattern.matches(&Path::new("/w").join(format!("a{n}")));
+    assert!(matches(0) && matches(GLOB_ALTERNATIVES - 1) && !matches(GLOB_ALTERNATIVES));
+}
+
+const MANIFEST: &str = "<package format=\"3\"><name>far</name><version>1.0.0</version><description>-</description>\
+    <maintainer email=\"a@b.c\">a</maintainer><license>MIT</license></package>";
+
+/// Whether the package `far` is found whose manifest lies so many folders down.
+fn found_below(levels: usize) -> bool {
+    let folder = folder();
+    let deep: PathBuf = (0..levels).map(|_| "d").collect();
+    // packages of the other tests lie in the same workspace
+    let name = format!("far{levels}");
+    write(&folder, &format!("{}/package.xml", deep.display()), MANIFEST.replace("far", &name));
+    write(&folder, "r.urdf", "<robot name=\"r\"/>");
+    let env = Environment { vars: BTreeMap::new(), cwd: folder.clone() };
+    let options = PackageOptions { explicit: vec![folder.clone()], ..PackageOptions::default() };
+    Packages::new(Arc::new(Vfs::with_cwd(1 << 20, folder.clone())), &env, options)
+        .find(&name, &folder.join("r.urdf"))
+        .is_ok()
+}
+
+#[test]
+fn scan_depth() {
+    assert_eq!((found_below(SCAN_DEPTH - 4), found_below(SCAN_DEPTH + 4)), (true, false));
+}
+
+/// Whether a file of the same name is suggested that lies so many folders down.
+fn suggested_below(levels: usize) -> bool {
+    let folder = folder();
+    let deep: PathBuf = (0..levels).map(|_| "d").collect();
+    write(&folder, "package.xml", MANIFEST.replace("far", "near"));
+    let name = format!("part{levels}.stl");
+    write(&folder, &format!("{}/{name}", deep.display()), "");
+    let env = Environment { vars: BTreeMap::new(), cwd: folder.clone() };
+    let packages =
+        Packages::new(Arc::new(Vfs::with_cwd(1 << 20, folder.clone())), &env, PackageOptions::default());
+    packages.namesake(&folder.join("gone").join(name), Some(&folder), &folder.join("r.urdf")).is_some()
+}
+
+#[test]
+fn namesake_depth() {
+    assert_eq!((suggested_below(NAMESAKE_DEPTH - 4), suggested_below(NAMESAKE_DEPTH + 4)), (true, false));
+}
+
+#[test]
+fn manifest_nodes() {
+    let found = |count: usize| {
+        let folder = folder();
+        let filler = "<a/>".repeat(count);
+        write(&folder, "far/package.xml", MANIFEST.replace("</package>", &format!("{filler}</package>")));
+        let env = Environment { vars: BTreeMap::new(), cwd: folder.clone() };
+        let options = PackageOptions { explicit: vec![folder.clone()], ..PackageOptions::default() };
+        let vfs = Arc::new(Vfs::with_cwd(1 << 24, folder.clone()));
+        Packages::new(vfs, &env, options).find("far", &folder.join("r.urdf")).is_ok()
+    };
+    // its name counts all the same
+    assert_eq!((found(1000), found(MANIFEST_NODES as usize)), (true, true));
+}
+
+/// Makes some hundred thousand folders and files: run it by `cargo test --test limits -- --ignored`.
+#[test]
+#[ignore = "makes 200,000 folders"]
+fn many_folders() {
+    let folder = folder();
+    write(&folder, "r.urdf", robot(LINK));
+    for n in 0..SCAN_FOLDERS * 2 {
+        let path = folder.join(format!("{}/{n}", n / 1000));
+        fs::create_dir_all(&path).unwrap();
+        if n % 5 == 0 {
+            fs::write(path.join("x.urdf"), "<robot name=\"x\"/>").unwrap();
+        }
+    }
+    let begin = std::time::Instant::now();
+    let env = Environment { vars: BTreeMap::new(), cwd: folder.clone() };
+    let options = PackageOptions { explicit: vec![folder.clone()], ..PackageOptions::default() };
+    let vfs = Arc::new(Vfs::with_cwd(1 << 20, folder.clone()));
+    let packages = Packages::new(vfs.clone(), &env, options);
+    assert!(packages.find("far", &folder.join("r.urdf")).is_err());
+    assert!(packages.namesake(&folder.join("gone.stl"), Some(&folder), &folder.join("r.urdf")).is_none());
+    let mut world = xacro_lsp::analysis::World::new(env, vec![folder.clone()]);
+    while world.scan(|| false).is_some() {}
+    assert!(world.known_files().len() <= SCAN_FILES + 1, "{}", world.known_files().len());
+    println!("{:?}", begin.elapsed());
+    assert!(begin.elapsed().as_secs() < 120);
+    let _ = fs::remove_dir_all(folder);
+}
+
+fn mesh_defect(ending: &str, bytes: &[u8]) -> String {
+    Mesh::read(ending, bytes, &|_| None).defect.map(|defect| defect.message).unwrap_or_default()
+}
+
+#[test]
+fn mesh_triangles() {
+    let text = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{}", "f 1 2 3\n".repeat(MESH_TRIANGLES + 1));
+    assert_eq!(mesh_defect("obj", text.as_bytes()), "line 2500004: it has more than 2500000 triangles");
+}
+
+#[test]
+fn mesh_nodes() {
+    let text = format!("<COLLADA>{}</COLLADA>", "<a/>".repeat(MESH_NODES as usize));
+    assert_eq!(mesh_defect("dae", text.as_bytes()), "it has more than 4000000 nodes");
+}
+
+#[test]
+fn mesh_files() {
+    let libraries: String = (0..MESH_FILES + 500).map(|n| format!("mtllib {n}.mtl\n")).collect();
+    let text = format!("{libraries}v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    assert_eq!(Mesh::read("obj", text.as_bytes(), &|_| None).dependencies.len(), MESH_FILES);
+}
+
+#[test]
+fn message_letters() {
+    let name = "n".repeat(50_000);
+    let said = check(
+        &format!(
+            "<joint name=\"{name}\" type=\"fixed\"><parent link=\"{name}p\"/><child link=\"{name}c\"/></joint>"
+        ),
+        &[],
+    );
+    let longest = said.lines().filter(|line| line.starts_with("error[")).map(str::len).max().unwrap();
+    assert!((MESSAGE_LETTERS..MESSAGE_LETTERS + 100).contains(&longest), "{longest}");
+}
+
+#[test]
+fn drawn_line() {
+    let said = check(&format!("{}<link/>", " ".repeat(DRAWN_LINE)), &[]);
+    assert!(said.contains(&format!("r.urdf.xacro:2:{}", DRAWN_LINE + 1)), "{said}");
+    assert!(said.len() < DRAWN_LINE, "{}", said.len());
+}
+
+#[test]
+fn drawn_of_a_rule() {
+    let links: String = (0..150).map(|n| format!("<link name=\"${{gone{n}}}\"/>\n")).collect();
+    let said = check(&links, &[]);
+    assert!(said.contains("more than 100 of one rule in one file"), "{said}");
+}
+
+const SMALL: &str = "Content-Length: 30\r\n\r\n{\"jsonrpc\":\"2.0\",\"method\":\"x\"}";
+
+#[test]
+fn message_bytes() {
+    let said = |length: u64| server::reframe(format!("Content-Length: {length}\r\n\r\n{SMALL}").as_bytes());
+    assert_eq!(said(MESSAGE_BYTES + 1), SMALL.as_bytes(), "a header that claims too much is none");
+    assert_eq!(said(MESSAGE_BYTES), b"", "the rest of the message is waited for");
+}
+
+#[test]
+fn header_bytes() {
+    let line = "x".repeat(HEADER_BYTES as usize * 3);
+    assert_eq!(server::reframe(format!("{line}\r\n{SMALL}").as_bytes()), SMALL.as_bytes());
+}
