@@ -25,11 +25,17 @@ impl Page {
     }
 }
 
+/// Folders that builds and tests make.
+const MADE: [&str; 4] = ["build", "dist", "node_modules", "target"];
+
 fn markdown(folder: &Path, found: &mut Vec<String>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
-        if path.is_dir() && path.file_name().is_some_and(|name| name != "node_modules" && name != "target") {
-            markdown(&path, found);
+        if path.is_dir() {
+            let is_made = path.file_name().is_some_and(|name| MADE.iter().any(|made| name == *made));
+            if !is_made {
+                markdown(&path, found);
+            }
         } else if path.extension().is_some_and(|ending| ending == "md") {
             let path = path.strip_prefix(root()).unwrap();
             found.push(path.to_str().unwrap().replace('\\', "/"));
