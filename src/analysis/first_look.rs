@@ -12,15 +12,20 @@ use super::roots::{Job, Reason};
 use super::world::{Analyzed, World};
 use crate::base::{CancelFlag, Span, TextRange};
 use crate::expand::Focus;
-use crate::rules::{Category, Finding, LEFT_TO_DO, check_part};
+use crate::facts::Definitions;
+use crate::rules::{Category, Finding, LEFT_TO_DO, Suppressions, check_part};
 use crate::vfs::SourceFile;
-use crate::xml::{Document, Item, NodeKind};
+use crate::xml::{Document, NodeKind};
 
 /// What the last check said of an open file, and what was edited since.
 pub(super) struct Settled {
     root: RootChoice,
     source: Arc<SourceFile>,
     findings: Vec<Finding>,
+    /// Where the file defines names; of large robots.
+    definitions: Definitions,
+    /// Whether some comment says what the linter is to hide.
+    has_suppressions: bool,
     /// Replaced bytes and the length of what replaced them, in the order of the edits.
     edits: Vec<(TextRange, u32)>,
     /// All edits were in comments that mean nothing to anybody but people.
@@ -96,10 +101,12 @@ impl World {
         let Some(source) = self.document(path) else { return };
         let own = report.findings.iter().filter(|finding| finding.span.file == source.id);
         let findings = own.cloned().collect();
-        self.settled.insert(
-            path.to_path_buf(),
-            Settled { root, source, findings, edits: Vec::new(), only_comments: true },
-        );
+        let is_large = self.last(&root).is_some_and(|last| last.expansion.tree.len() >= Self::LARGE);
+        let definitions = is_large.then(|| Definitions::of(&source.document)).unwrap_or_default();
+        let has_suppressions = !Suppressions::of(&source.document).list.is_empty();
+        let (edits, only_comments) = (Vec::new(), true);
+        let settled = Settled { root, source, findings, definitions, has_suppressions, edits, only_comments };
+        self.settled.insert(path.to_path_buf(), settled);
     }
 
     /// What can be said at once of an open file that was edited since its last check; none when the robot is
@@ -112,7 +119,10 @@ impl World {
         }
         let last = self.last(&settled.root).filter(|last| last.expansion.tree.len() >= Self::LARGE)?;
         let source = self.document(path)?;
-        let items = changed_items(&settled.source.document, &source.document)?;
+        let items = source.document.items_not_in(&settled.source.document)?;
+        if items.len() > MOST_ITEMS || stretch(&source.document, &items).len() > MOST_BYTES {
+            return None;
+        }
         let mut findings = self.look_at(settled, last, path, &items)?;
         // of a file that is not well-formed, only that is said
         let carried = if is_sound(&source) { settled.all_carried() } else { Vec::new() };
@@ -147,7 +157,9 @@ impl World {
         let session = self.session();
         let RootChoice { file, args, preset } = settled.root.clone();
         let job = Job { file, reason: Reason::Named, args, preset };
-        let focus = Focus { path: path.to_path_buf(), items: items.clone() };
+        let edited = self.document(path)?;
+        let needed = settled.definitions.needed(&edited.document, items.clone());
+        let focus = Focus { path: path.to_path_buf(), items: items.clone(), needed };
         let expansion = job::part(session, &CancelFlag::default(), &job, Some(focus));
         let source = &expansion.files.iter().find(|file| *file.source.path == *path)?.source;
         let settings = session.settings(&job.file);
@@ -158,37 +170,17 @@ impl World {
             here && !is_known_elsewhere(finding, source, last)
                 || finding.rule.code == "XML001" && finding.span.file == source.id
         });
-        let outcome = Outcome {
-            job,
-            is_robot: last.is_robot(),
-            complete: false,
-            reads: Vec::new(),
-            files: vec![source.clone()],
-            findings,
-        };
+        // comments for the linter are looked for in the whole file
+        let may_hide =
+            settled.has_suppressions || source.document.slice(stretch).contains(Suppressions::MARK);
+        let files = if may_hide { vec![source.clone()] } else { Vec::new() };
+        let is_robot = last.is_robot();
+        let outcome = Outcome { job, is_robot, complete: false, reads: Vec::new(), files, findings };
         let report = session.conclude(&self.options(&[path.to_path_buf()]), vec![outcome]);
         let own =
             |finding: &Finding| finding.span.file == source.id && finding.rule.category != Category::Linter;
         Some(report.findings.into_iter().filter(own).collect())
     }
-}
-
-/// The items of `new` that `old` does not have; none when more than items changed, or too many of them.
-fn changed_items(old: &Document, new: &Document) -> Option<Range<usize>> {
-    if !Arc::ptr_eq(old.header(), new.header()) || !Arc::ptr_eq(old.footer(), new.footer()) {
-        return None;
-    }
-    let same = |a: &Arc<Item>, b: &Arc<Item>| Arc::ptr_eq(a, b);
-    let start = old.items().zip(new.items()).take_while(|((_, a), (_, b))| same(a, b)).count();
-    let (old_count, new_count) = (old.item_count(), new.item_count());
-    let most = old_count.min(new_count) - start;
-    let back = |n: usize| {
-        let pair = old.item(old_count - 1 - n).zip(new.item(new_count - 1 - n));
-        pair.is_some_and(|((_, a), (_, b))| same(a, b))
-    };
-    let kept = (0..most).take_while(|&n| back(n)).count();
-    let items = start..new_count - kept;
-    (items.len() <= MOST_ITEMS && stretch(new, &items).len() <= MOST_BYTES).then_some(items)
 }
 
 /// The bytes of some items.

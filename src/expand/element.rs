@@ -49,7 +49,7 @@ impl Expander<'_> {
         let Some(used) = self.result.files.get(file.0 as usize) else { return };
         let document = used.source.document.clone();
         let header = used.first_source;
-        let footer = SrcId(header.0 + 1 + document.item_count() as u32);
+        let footer = SrcId(header.0 + 1 + used.items);
         for node in document.header().nodes() {
             if Some(node.id()) == document.root().map(|r| r.id()) {
                 self.eval_root(node, header, file, cx);
@@ -82,19 +82,18 @@ impl Expander<'_> {
     pub fn eval_root_content(&mut self, file: FileIdx, out: XId, cx: Cx) {
         let Some(used) = self.result.files.get(file.0 as usize) else { return };
         let document = used.source.document.clone();
-        let header = used.first_source;
-        let count = document.item_count();
+        let (header, count) = (used.first_source, used.items);
         let has_tail = document.footer_content().next().is_some();
         let mut siblings = Siblings::default();
-        for (i, (_, item)) in document.items().enumerate() {
-            if !self.is_wanted(file, i, item) {
+        for i in 0..count {
+            let src = SrcId(header.0 + 1 + i);
+            let Some(item) = self.result.sources.get(src.0 as usize).map(|source| source.item.clone()) else {
                 continue;
-            }
-            let src = SrcId(header.0 + 1 + i as u32);
+            };
             let more = i + 1 < count || has_tail;
             self.eval_nodes(item.nodes(), src, more, out, cx, &mut siblings);
         }
-        let footer = SrcId(header.0 + 1 + count as u32);
+        let footer = SrcId(header.0 + 1 + count);
         self.eval_nodes(document.footer_content(), footer, false, out, cx, &mut siblings);
     }
 

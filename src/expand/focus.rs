@@ -1,14 +1,16 @@
 //! Expanding only what an edit touched, with what that needs: for a first answer while somebody types.
 //!
-//! The items of a file that only give output are passed over, except those in focus. Definitions count, so names
-//! mean what they mean in the whole file; macros in focus are looked into with unknown parameters.
+//! Of the file, the items in focus and those that they need are evaluated; of other files, all that define something,
+//! so names mean what they mean in the whole robot. Macros in focus are looked into with unknown parameters.
 
 use std::ops::Range;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use super::machine::Expander;
-use super::origin::{FileIdx, SrcId};
-use crate::xml::{Item, NodeKind};
+use super::origin::SrcId;
+use crate::vfs::SourceFile;
+use crate::xml::{Document, Item, NodeKind};
 
 /// Some items of one file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -17,31 +19,42 @@ pub struct Focus {
     pub path: PathBuf,
     /// The items, by number.
     pub items: Range<usize>,
+    /// All items of the file that are evaluated: these, and those that they need; sorted.
+    pub needed: Vec<usize>,
+}
+
+impl Focus {
+    /// The items with their offsets.
+    fn items<'d>(&self, document: &'d Document) -> Vec<(u32, &'d Arc<Item>)> {
+        self.needed.iter().filter_map(|&number| document.item(number)).collect()
+    }
+
+    /// Whether one of the items that are evaluated is in focus itself.
+    fn holds(&self, place: usize) -> bool {
+        self.needed.get(place).is_some_and(|number| self.items.contains(number))
+    }
 }
 
 impl Expander<'_> {
-    /// Whether an item is to be evaluated: all without a focus, else those in it and those that define something.
-    pub(super) fn is_wanted(&self, file: FileIdx, number: usize, item: &Item) -> bool {
-        self.request.focus.is_none() || self.in_focus(file, number) || defines(item)
+    /// The items of a file that take part, with their offsets: all, or those needed for what is in focus.
+    pub(super) fn items_of<'d>(&self, source: &'d SourceFile) -> Vec<(u32, &'d Arc<Item>)> {
+        let document = &source.document;
+        match &self.request.focus {
+            None => document.items().collect(),
+            Some(focus) if *source.path == *focus.path => focus.items(document),
+            Some(_) => document.items().filter(|(_, item)| defines(item)).collect(),
+        }
     }
 
     /// Whether the macro whose body is `src` is to be looked into when nothing calls it.
     pub(super) fn may_probe(&self, src: SrcId) -> bool {
-        if self.request.focus.is_none() {
-            return true;
-        }
-        let source = self.result.sources.get(src.0 as usize);
-        source.is_some_and(|source| {
-            let first = self.result.files.get(source.file.0 as usize).map_or(0, |file| file.first_source.0);
-            src.0 > first && self.in_focus(source.file, (src.0 - first - 1) as usize)
+        let Some(focus) = &self.request.focus else { return true };
+        let file = self.result.sources.get(src.0 as usize).map(|source| source.file);
+        let file = file.and_then(|file| self.result.files.get(file.0 as usize));
+        file.is_some_and(|file| {
+            let place = (src.0 as usize).checked_sub(file.first_source.0 as usize + 1);
+            *file.source.path == *focus.path && place.is_some_and(|place| focus.holds(place))
         })
-    }
-
-    fn in_focus(&self, file: FileIdx, number: usize) -> bool {
-        let file = self.result.files.get(file.0 as usize);
-        let focus = self.request.focus.as_ref();
-        file.zip(focus)
-            .is_some_and(|(file, focus)| focus.items.contains(&number) && *file.source.path == *focus.path)
     }
 }
 

@@ -209,12 +209,19 @@ impl Expander<'_> {
         let document = &source.document;
         let footer_base = document.len() - document.footer().text().len() as u32;
         let header = Source { file, item: document.header().clone(), base: 0 };
-        let items = document.items().map(|(base, item)| Source { file, item: item.clone(), base });
+        let items = self.items_of(source).into_iter();
+        let items = items.map(|(base, item)| Source { file, item: item.clone(), base });
         let footer = Source { file, item: document.footer().clone(), base: footer_base };
         self.result.sources.push(header);
         self.result.sources.extend(items);
         self.result.sources.push(footer);
-        self.result.files.push(FileUse { name: name.to_owned(), source: source.clone(), first_source });
+        let items = self.result.sources.len() as u32 - first_source.0 - 2;
+        self.result.files.push(FileUse {
+            name: name.to_owned(),
+            source: source.clone(),
+            first_source,
+            items,
+        });
     }
 
     fn not_loaded(&mut self, name: &str, error: LoadError, at: Origin) {

@@ -109,6 +109,8 @@ pub struct FileUse {
     pub source: Arc<SourceFile>,
     /// Source of its header; its items and its footer follow in order.
     pub first_source: SrcId,
+    /// How many items it has, or how many of them take part.
+    pub items: u32,
 }
 
 /// The result: the document, and where everything in it came from.

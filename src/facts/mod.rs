@@ -3,6 +3,7 @@
 //! Facts are read off the tree of an item once and stay with it, so after an edit only the edited item is
 //! looked at again. They know nothing of other files: what a name refers to is the expander's business.
 
+mod definitions;
 mod item;
 mod mentions;
 #[cfg(test)]
@@ -12,6 +13,7 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
+pub use definitions::Definitions;
 pub use item::{facts_of, is_keyword};
 pub use mentions::{Mention, MentionKind, Site};
 

@@ -213,6 +213,23 @@ impl Chunks {
         None
     }
 
+    /// How many items two lists share at their starts, and behind these at their ends. Lists of which one came out
+    /// of the other by edits share most chunks, and these are not looked into.
+    pub(super) fn shared(&self, other: &Self) -> (usize, usize) {
+        let same = |(a, b): &(&Chunk, &Chunk)| Arc::ptr_eq(&a.items, &b.items);
+        let same_item = |(a, b): &(&Arc<Item>, &Arc<Item>)| Arc::ptr_eq(a, b);
+        let count = |(chunk, _): (&Chunk, &Chunk)| chunk.items.len();
+        let whole: usize = self.list.iter().zip(&other.list).take_while(same).map(count).sum();
+        let more = self.iter_from(whole).zip(other.iter_from(whole)).take_while(same_item).count();
+        let start = whole + more;
+        let (own, others) = (self.count(), other.count());
+        let back = self.list.iter().rev().zip(other.list.iter().rev());
+        let whole: usize = back.take_while(same).map(count).sum();
+        let behind = self.iter_before(own - whole).zip(other.iter_before(others - whole));
+        let end = whole + behind.take_while(same_item).count();
+        (start, end.min(own - start).min(others - start))
+    }
+
     /// Replace the items of `range` by `new`.
     pub(super) fn splice(&mut self, range: Range<usize>, new: Vec<Arc<Item>>) {
         let (first, before) = self.locate(range.start);

@@ -1,5 +1,6 @@
 //! A document: header, items, footer.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::chunks::Chunks;
@@ -139,6 +140,14 @@ impl Document {
     pub fn item(&self, index: usize) -> Option<(u32, &Arc<Item>)> {
         let item = self.items.get(index)?;
         Some((self.header.len() + self.items.at_index(index).bytes, item))
+    }
+
+    /// The items that an older state of this document does not have; none when its header or footer differs.
+    pub fn items_not_in(&self, older: &Document) -> Option<Range<usize>> {
+        let same_ends =
+            Arc::ptr_eq(older.header(), self.header()) && Arc::ptr_eq(older.footer(), self.footer());
+        let (start, kept) = older.items.shared(&self.items);
+        same_ends.then(|| start..self.item_count() - kept)
     }
 
     /// The children of the root in order, each an element with the text and comments before it, with their

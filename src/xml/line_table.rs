@@ -6,22 +6,24 @@ use std::sync::{Arc, OnceLock};
 use super::document::Document;
 use crate::base::{Encoding, LineCol};
 
-/// Questions that are answered without a table.
-const FREE: u32 = 64;
+/// What a question costs besides the bytes that are looked at for it, as bytes.
+const QUESTION: u32 = 256;
 /// Bytes between two entries.
 const STEP: usize = 256;
 
-/// The table of a document, made when many positions are asked for. An edited document begins anew.
+/// The table of a document, made when answers without it have cost as much as it costs. An edited document begins
+/// anew.
 #[derive(Default)]
 pub(super) struct LineTable {
-    asked: AtomicU32,
+    /// Bytes that were looked at.
+    spent: AtomicU32,
     table: OnceLock<Arc<Table>>,
 }
 
 impl Clone for LineTable {
     fn clone(&self) -> Self {
         let table = self.table.get().cloned().map_or_else(OnceLock::new, OnceLock::from);
-        Self { asked: AtomicU32::new(self.asked.load(Ordering::Relaxed)), table }
+        Self { spent: AtomicU32::new(self.spent.load(Ordering::Relaxed)), table }
     }
 }
 
@@ -31,10 +33,16 @@ impl LineTable {
         if let Some(table) = self.table.get() {
             return Some(table);
         }
-        if self.asked.fetch_add(1, Ordering::Relaxed) < FREE {
+        if self.spent.load(Ordering::Relaxed) <= document.len() {
             return None;
         }
         Some(self.table.get_or_init(|| Arc::new(Table::of(document))))
+    }
+
+    /// A question was answered without the table.
+    pub fn spend(&self, bytes: u32) {
+        // documents are much shorter than what would not fit
+        self.spent.fetch_add(bytes + QUESTION, Ordering::Relaxed);
     }
 }
 

@@ -28,6 +28,7 @@ impl Document {
             inside -= 1;
         }
         let before = item.text().get(..inside).unwrap_or("");
+        self.lines.spend(before.len() as u32);
         let line = lines + crate::base::count_line_ends(before);
         let col = match last_line_start(before) {
             // Between CR and LF: still the line that ends here.
@@ -50,6 +51,7 @@ impl Document {
         let items = self.items.iter_before(index.saturating_sub(1));
         let header = (index > 0).then_some(&self.header);
         for item in items.chain(header) {
+            self.lines.spend(item.len());
             match last_line_start(item.text()) {
                 Some(at) => return width + encoding.width(item.text().get(at..).unwrap_or("")),
                 None => width += encoding.width(item.text()),

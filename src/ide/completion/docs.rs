@@ -89,14 +89,15 @@ fn property(scope: &Scope<'_>, name: &str) -> Option<String> {
     let all = scope.properties(0);
     let found = all.iter().rev().find(|property| property.name == name)?;
     let file = scope.files.get(found.file).map(|file| file_name(&file.source.path)).unwrap_or_default();
-    let value = found.value.as_deref().unwrap_or("");
+    let value = found.value().unwrap_or_default();
     let mut text = format!("```\n{name} = {value}\n```\n\n");
-    if let Some(shown) = Evaluator::new(scope, 0).shown(name).filter(|shown| shown != value) {
+    if let Some(shown) = Evaluator::new(scope, 0).shown(name).filter(|shown| *shown != value) {
         text.push_str(&format!("is `{shown}`, "));
     }
     text.push_str(&format!("in `{file}`"));
-    if !found.comment.is_empty() {
-        text.push_str(&format!("\n\n{}", found.comment));
+    let comment = found.comment();
+    if !comment.is_empty() {
+        text.push_str(&format!("\n\n{comment}"));
     }
     Some(text)
 }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::scope::Scope;
+use super::scope::{PropertyInfo, Scope};
 use crate::base::FastMap;
 use crate::expand::yaml_value;
 use crate::expr::{self, Code, Lookup, Subst, SubstError, Template, Token, Value, display, literal};
@@ -16,8 +16,8 @@ use crate::ide::host::{self, Names};
 
 /// Where a property's value stands.
 struct Given {
-    value: String,
-    file: Arc<Path>,
+    /// The last definition, by number.
+    last: usize,
     /// Another definition says something else.
     ambiguous: bool,
 }
@@ -25,7 +25,8 @@ struct Given {
 /// Evaluates texts of a scope.
 pub(super) struct Evaluator<'a> {
     scope: &'a Scope<'a>,
-    given: FastMap<String, Given>,
+    properties: Vec<PropertyInfo>,
+    given: FastMap<EcoString, Given>,
     arguments: FastMap<String, Option<String>>,
     memo: FastMap<String, Value>,
     /// Properties being evaluated.
@@ -44,18 +45,19 @@ impl<'a> Evaluator<'a> {
 
     /// For the place at `offset` of the edited file.
     pub fn new(scope: &'a Scope<'a>, offset: u32) -> Self {
-        let mut given: FastMap<String, Given> = FastMap::default();
-        for property in scope.properties(offset) {
-            let (Some(value), Some(file)) = (property.value, scope.files.get(property.file)) else {
-                continue;
-            };
-            let file = file.source.path.clone();
+        let mut properties = scope.properties(offset);
+        properties.retain(|property| !property.is_block);
+        let mut given: FastMap<EcoString, Given> = FastMap::default();
+        for (last, property) in properties.iter().enumerate() {
             let known = given.get(&property.name);
-            let ambiguous = known.is_some_and(|known| known.ambiguous || known.value != value);
-            given.insert(property.name, Given { value, file, ambiguous });
+            let other = known.and_then(|known| properties.get(known.last));
+            let differs = other.is_some_and(|other| other.value() != property.value());
+            let ambiguous = differs || known.is_some_and(|known| known.ambiguous);
+            given.insert(property.name.clone(), Given { last, ambiguous });
         }
         Self {
             scope,
+            properties,
             given,
             arguments: scope.arguments().into_iter().collect(),
             memo: FastMap::default(),
@@ -81,7 +83,11 @@ impl<'a> Evaluator<'a> {
         if self.open.iter().any(|open| open == name) || self.open.len() >= Self::MOST_OPEN {
             return Value::Unknown;
         }
-        let (text, file) = (given.value.clone(), given.file.clone());
+        let found = self.properties.get(given.last).and_then(|property| {
+            let file = self.scope.files.get(property.file)?;
+            Some((property.value()?, file.source.path.clone()))
+        });
+        let Some((text, file)) = found else { return Value::Unknown };
         self.open.push(name.to_owned());
         let before = std::mem::replace(&mut self.file, file);
         let value = match literal::from_text(&text) {

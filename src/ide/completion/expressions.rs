@@ -1,9 +1,9 @@
 //! Inside of `${…}` and `$(…)`.
 
 use super::evaluate::{Evaluator, keys};
-use super::item::{Completion, Completions, ItemKind, Topic};
+use super::item::{Completion, Completions, ItemKind, Topic, fits};
 use super::paths;
-use super::scope::Scope;
+use super::scope::{PropertyInfo, Scope};
 use super::substitutions;
 use crate::base::limits::COMPLETIONS;
 use crate::expand::parse_params;
@@ -71,14 +71,15 @@ fn code(scope: &Scope<'_>, typed: &Typed, code: &str, is_eval: bool) -> Completi
         }
         Cursor::Member { object, start } => answer(start, members(scope, typed, object)),
         Cursor::Name { start } => {
-            let mut items = names(scope, typed, is_eval);
+            let word = code.get(start..).unwrap_or("");
+            let (mut items, more) = names(scope, typed, word, is_eval);
             if let Some(object) = code.get(..start).unwrap_or("").trim_end().strip_suffix('[') {
                 let quoted = entries(scope, typed, chain_before(object), |key| {
                     display::repr(key).map(|text| text.to_string())
                 });
                 items.extend(quoted.into_iter().map(|item| item.rank(0)));
             }
-            answer(start, items)
+            Completions { more, ..answer(start, items) }
         }
     }
 }
@@ -105,7 +106,7 @@ fn members(scope: &Scope<'_>, typed: &Typed, object: &str) -> Vec<Completion> {
     let prefix = format!("{object}.");
     let mut evaluator = Evaluator::new(scope, typed.offset);
     for property in scope.properties(typed.offset) {
-        if let Some(name) = property.name.strip_prefix(&prefix).filter(|_| property.value.is_some()) {
+        if let Some(name) = property.name.strip_prefix(&prefix).filter(|_| !property.is_block) {
             let value = evaluator.shown(&property.name).unwrap_or_default();
             items.push(Completion::new(ItemKind::Property, name).note(value).rank(1));
         }
@@ -127,18 +128,22 @@ fn members(scope: &Scope<'_>, typed: &Typed, object: &str) -> Vec<Completion> {
     items
 }
 
-/// Names that an expression can begin with.
-fn names(scope: &Scope<'_>, typed: &Typed, is_eval: bool) -> Vec<Completion> {
+/// Names that an expression can begin with, and whether some that do not fit to `word` were left out.
+fn names(scope: &Scope<'_>, typed: &Typed, word: &str, is_eval: bool) -> (Vec<Completion>, bool) {
     let mut items = Vec::new();
+    let mut more = false;
     if is_eval {
         items.extend(substitutions::arguments(scope, typed));
     } else {
         items.extend(parameters(typed));
-        items.extend(properties(scope, typed));
+        let mut found = scope.properties(typed.offset);
+        more = found.len() > COMPLETIONS;
+        found.retain(|property| !more || fits(word, &property.name));
+        items.extend(properties(scope, &found));
     }
     let bare = global_symbols().filter(|symbol| symbol.namespace.is_none() && symbol.deprecated.is_none());
     items.extend(bare.map(|symbol| global(&symbol)));
-    items
+    (items, more)
 }
 
 fn parameters(typed: &Typed) -> Vec<Completion> {
@@ -154,32 +159,41 @@ fn parameters(typed: &Typed) -> Vec<Completion> {
         .collect()
 }
 
-/// Properties with their values; only so many are evaluated as can be shown.
-fn properties(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
-    let mut evaluator = Evaluator::new(scope, typed.offset);
+/// Properties; their values follow when it is known which are shown.
+fn properties(scope: &Scope<'_>, found: &[PropertyInfo]) -> Vec<Completion> {
     let own = &scope.sources.source.path;
-    let all = scope.properties(typed.offset).into_iter().filter(|property| property.value.is_some());
     let mut items: Vec<Completion> = Vec::new();
     let mut seen = crate::base::FastSet::default();
-    for property in all.filter(|property| !property.name.is_empty() && !property.name.contains('$')) {
+    let named = |property: &&PropertyInfo| !property.name.is_empty() && !property.name.contains('$');
+    for property in found.iter().filter(|property| !property.is_block).filter(named) {
         if !seen.insert(property.name.clone()) {
             continue;
         }
         let here = scope.files.get(property.file).is_some_and(|file| file.source.path == *own);
         let rank = if property.local { 0 } else { 2 - u8::from(here) };
-        let name = property.name.clone();
+        let name = property.name.to_string();
         match name.split_once('.') {
             Some((namespace, _)) => {
                 items.push(Completion::new(ItemKind::Module, namespace).note("namespace").rank(2));
             }
             None => {
-                let value = if items.len() < COMPLETIONS { evaluator.shown(&name) } else { None };
-                let item = Completion::new(ItemKind::Property, name.as_str()).note(value.unwrap_or_default());
-                items.push(item.detail("property").rank(rank).about(Topic::Property { name }));
+                let item = Completion::new(ItemKind::Property, name.as_str()).detail("property");
+                items.push(item.rank(rank).about(Topic::Property { name }));
             }
         }
     }
     items
+}
+
+/// Note the values of properties.
+pub(super) fn show_values(scope: &Scope<'_>, offset: u32, items: &mut [Completion]) {
+    let mut evaluator = None;
+    for item in items {
+        if let Some(Topic::Property { name }) = &item.topic {
+            let evaluator = evaluator.get_or_insert_with(|| Evaluator::new(scope, offset));
+            item.note = evaluator.shown(name).unwrap_or_default();
+        }
+    }
 }
 
 fn global(symbol: &crate::expr::GlobalSymbol) -> Completion {

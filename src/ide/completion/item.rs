@@ -171,7 +171,7 @@ impl Completions {
         let mut seen = crate::base::FastSet::default();
         self.items.sort_by_key(|item| item.rank);
         self.items.retain(|item| seen.insert(item.label.clone()));
-        if self.items.len() > COMPLETIONS {
+        if self.more || self.items.len() > COMPLETIONS {
             self.more = true;
             self.items.retain(|item| fits(typed, &item.label));
             self.items.truncate(COMPLETIONS);
@@ -181,7 +181,7 @@ impl Completions {
 }
 
 /// Whether the letters of `typed` stand in `label` in that order, whatever their case.
-fn fits(typed: &str, label: &str) -> bool {
+pub(super) fn fits(typed: &str, label: &str) -> bool {
     let mut letters = label.chars().flat_map(char::to_lowercase);
     typed.chars().flat_map(char::to_lowercase).all(|wanted| letters.any(|letter| letter == wanted))
 }

@@ -47,7 +47,9 @@ pub fn completions(scope: &Scope<'_>, offset: u32, trigger: Option<char>) -> Com
     };
     let length = found.insert.len() as usize;
     let word = typed.before.get(typed.before.len().saturating_sub(length)..).unwrap_or("").to_owned();
-    found.bounded(&word)
+    let mut found = found.bounded(&word);
+    expressions::show_values(scope, offset, &mut found.items);
+    found
 }
 
 /// Between tags: expressions; names in elements that hold one; elements when the user asks.

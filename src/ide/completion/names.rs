@@ -170,7 +170,7 @@ pub(super) fn blocks(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
             Completion::new(ItemKind::Block, name).note("parameter").rank(0)
         })
         .collect();
-    let properties = scope.properties(typed.offset).into_iter().filter(|property| property.value.is_none());
+    let properties = scope.properties(typed.offset).into_iter().filter(|property| property.is_block);
     let properties =
         properties.map(|property| Completion::new(ItemKind::Block, property.name).note("property"));
     params.into_iter().chain(properties).collect()

@@ -13,7 +13,7 @@ use crate::facts::{Fact, FactKind, facts_of};
 use crate::model::Robot;
 use crate::vfs::{SourceFile, Vfs};
 use crate::workspace::Packages;
-use crate::xml::{Entities, Item, Node, NodeKind};
+use crate::xml::{Attr, Entities, Item, Node, NodeKind};
 
 /// What the answer may be taken from.
 #[derive(Clone, Copy)]
@@ -61,18 +61,37 @@ pub(super) struct MacroInfo {
     pub node: crate::xml::NodeId,
 }
 
-/// A property that can be read, or a block that can be inserted.
+/// A property that can be read, or a block that can be inserted. What there is to say about it is read off its
+/// element when it is asked for: a robot has thousands, and a list shows some.
 pub(super) struct PropertyInfo {
     /// Its name, with its namespaces.
-    pub name: String,
-    /// Its value as written; none for a block.
-    pub value: Option<String>,
+    pub name: EcoString,
+    /// Whether it is a block.
+    pub is_block: bool,
     /// Index of its file.
     pub file: usize,
     /// Whether it belongs to the macro that is edited.
     pub local: bool,
+    item: Arc<Item>,
+    node: crate::xml::NodeId,
+}
+
+impl PropertyInfo {
+    /// Its value as written; none for a block.
+    pub fn value(&self) -> Option<String> {
+        let value = written_value(self.item.node(self.node))?;
+        Some(value.value(&Entities::default()).into_owned())
+    }
+
     /// The comment above it.
-    pub comment: String,
+    pub fn comment(&self) -> String {
+        comment_above(self.item.node(self.node))
+    }
+}
+
+/// The attribute that gives a property its value.
+fn written_value(node: Node<'_>) -> Option<Attr<'_>> {
+    node.attr("value").or_else(|| node.attr("default"))
 }
 
 impl<'a> Scope<'a> {
@@ -188,14 +207,14 @@ impl<'a> Scope<'a> {
                 if fact.in_macro && !here && !handed_on {
                     continue;
                 }
-                let value = node.attr("value").or_else(|| node.attr("default"));
-                found.push(PropertyInfo {
-                    name: format!("{}{}", in_scope.namespace, fact.name),
-                    value: value.map(|attr| attr.value(&Entities::default()).into_owned()),
-                    file,
-                    local: fact.in_macro && here,
-                    comment: comment_above(node),
-                });
+                let name = match in_scope.namespace.as_str() {
+                    "" => fact.name.clone(),
+                    namespace => ecow::eco_format!("{namespace}{}", fact.name),
+                };
+                let is_block = written_value(node).is_none();
+                let local = fact.in_macro && here;
+                let item = item.clone();
+                found.push(PropertyInfo { name, is_block, file, local, item, node: fact.node });
             }
         }
         found

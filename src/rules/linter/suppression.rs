@@ -5,9 +5,6 @@ use crate::base::{Encoding, TextRange};
 use crate::workspace::nearest;
 use crate::xml::{Document, Node, NodeKind};
 
-/// What a comment for the linter begins with.
-const MARK: &str = "xacro-lint:";
-
 /// The words that may follow.
 const WORDS: [&str; 4] = ["disable-next-line", "disable", "enable", "disable-file"];
 
@@ -77,10 +74,13 @@ impl Selector {
 }
 
 impl Suppressions {
+    /// How comments for the linter begin.
+    pub const MARK: &str = "xacro-lint:";
+
     /// Read the comments of a document.
     pub fn of(document: &Document) -> Self {
         let mut found = Self::default();
-        let mark = memchr::memmem::Finder::new(MARK);
+        let mark = memchr::memmem::Finder::new(Self::MARK);
         if document.parts().all(|(_, item)| mark.find(item.text().as_bytes()).is_none()) {
             return found;
         }
@@ -184,7 +184,7 @@ fn own_text(element: Node<'_>) -> TextRange {
 /// Read a comment; none when it is not for the linter.
 fn parse(comment: Node<'_>, base: u32) -> Option<Result<Suppression, Malformed>> {
     let raw = comment.raw();
-    let rest = raw.trim_start().strip_prefix(MARK)?;
+    let rest = raw.trim_start().strip_prefix(Suppressions::MARK)?;
     let start = base + comment.raw_range().end - rest.len() as u32;
     let range = comment.range().shift(base);
     Some(read(rest, start, range).map_err(|(message, help)| Malformed { comment: range, message, help }))
