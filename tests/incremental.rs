@@ -196,6 +196,41 @@ fn a_first_look_at_a_call_names_what_is_wrong_with_it() {
 }
 
 #[test]
+fn a_first_look_follows_names_to_where_they_are_defined() {
+    let (_, path, mut session) = large_robot("names");
+    let defined = r#"<xacro:property name="a" value="1"/>
+  <xacro:property name="b" value="${a + 1}"/>
+  <xacro:property name="sizes" value="${dict(wide=b)}"/>
+  <xacro:property name="at"><origin xyz="${b} 0 0"/></xacro:property>
+  <xacro:arg name="more" default="2"/>
+  <xacro:macro name="inner" params="name width:=^"><link name="${name}_${width}"/></xacro:macro>
+  <xacro:property name="width" value="${sizes['wide'] * 2}"/>
+  <xacro:macro name="xacro:outer" params="name"><xacro:inner name="${name}"/></xacro:macro>
+  <xacro:if value="${b == 2}"><xacro:property name="chosen" value="${b}"/></xacro:if>
+"#;
+    session.replace(&path, "  <xacro:seg name=\"last\"", &format!("{defined}  <xacro:seg name=\"last\""));
+    let before = session.findings();
+    let mut last = "nobody".to_owned();
+    for wanted in [
+        "s${sizes['wide']}",
+        "s${chosen + int('$(arg more)')}",
+        "s5\"/><xacro:outer name=\"x\"/><link name=\"${width",
+        "s5\"/><link name=\"y\"><xacro:insert_block name=\"at\"/></link><xacro:call macro=\"outer\" name=\"z",
+    ] {
+        session.replace(&path, &format!("parent=\"{last}\""), &format!("parent=\"{wanted}\""));
+        last = wanted.to_owned();
+        let look = session.first_look(&path).unwrap();
+        let undefined: Vec<&String> = look.iter().filter(|line| line.contains("undefined-")).collect();
+        let known = |line: &&&String| before.iter().any(|known| known.contains(line.as_str()));
+        assert_eq!(undefined.iter().filter(|line| !known(line)).count(), 0, "{wanted}: {look:?}");
+    }
+    session.findings();
+    session.replace(&path, "value=\"${b == 2}\"", "value=\"${bb == 2}\"");
+    let look = session.first_look(&path).unwrap();
+    assert!(look.iter().any(|line| line.contains("property `bb` is not defined")), "{look:?}");
+}
+
+#[test]
 fn words_in_a_comment_need_no_check() {
     let (_, path, mut session) = large_robot("comment");
     session.findings();

@@ -102,7 +102,7 @@ impl World {
         let own = report.findings.iter().filter(|finding| finding.span.file == source.id);
         let findings = own.cloned().collect();
         let is_large = self.last(&root).is_some_and(|last| last.expansion.tree.len() >= Self::LARGE);
-        let definitions = is_large.then(|| Definitions::of(&source.document)).unwrap_or_default();
+        let definitions = if is_large { Definitions::of(&source.document) } else { Definitions::default() };
         let has_suppressions = !Suppressions::of(&source.document).list.is_empty();
         let (edits, only_comments) = (Vec::new(), true);
         let settled = Settled { root, source, findings, definitions, has_suppressions, edits, only_comments };

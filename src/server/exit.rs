@@ -1,13 +1,10 @@
 //! How the process ends: on `exit`, on a broken pipe, and when the client is gone.
 
-use std::io;
-use std::pin::Pin;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::task::{Context, Poll};
 use std::time::Duration;
 
-use tokio::io::AsyncWrite;
 use tower::Service;
 use tower_lsp::jsonrpc::Request;
 
@@ -23,7 +20,8 @@ impl Shutdown {
         u8::from(!self.0.load(Ordering::Relaxed))
     }
 
-    fn end(&self) -> ! {
+    /// End the process.
+    pub fn end(&self) -> ! {
         std::process::exit(i32::from(self.code()))
     }
 }
@@ -57,38 +55,6 @@ impl<S: Service<Request>> Service<Request> for Watched<S> {
             _ => {}
         }
         self.inner.call(request)
-    }
-}
-
-/// A writer for which a reader that is gone is a quiet end, not a panic.
-pub(super) struct Quiet<W> {
-    pub inner: W,
-    pub shutdown: Shutdown,
-}
-
-impl<W> Quiet<W> {
-    fn checked<T>(&self, result: Poll<io::Result<T>>) -> Poll<io::Result<T>> {
-        match result {
-            Poll::Ready(Err(_)) => self.shutdown.end(),
-            other => other,
-        }
-    }
-}
-
-impl<W: AsyncWrite + Unpin> AsyncWrite for Quiet<W> {
-    fn poll_write(mut self: Pin<&mut Self>, cx: &mut Context<'_>, buf: &[u8]) -> Poll<io::Result<usize>> {
-        let result = Pin::new(&mut self.inner).poll_write(cx, buf);
-        self.checked(result)
-    }
-
-    fn poll_flush(mut self: Pin<&mut Self>, cx: &mut Context<'_>) -> Poll<io::Result<()>> {
-        let result = Pin::new(&mut self.inner).poll_flush(cx);
-        self.checked(result)
-    }
-
-    fn poll_shutdown(mut self: Pin<&mut Self>, cx: &mut Context<'_>) -> Poll<io::Result<()>> {
-        let result = Pin::new(&mut self.inner).poll_shutdown(cx);
-        self.checked(result)
     }
 }
 

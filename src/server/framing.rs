@@ -2,50 +2,80 @@
 //!
 //! What is a message goes on to the service, with a plain header. What is none is said to be so in the log.
 
-use crate::base::limits::{HEADER_BYTES, MESSAGE_BYTES};
 use std::borrow::Cow;
+use std::io::{BufRead, Read};
 
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Deserializer};
 use serde_json::{Value, json};
-use tokio::io::{AsyncBufReadExt, AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt, BufReader};
+use tower_lsp::jsonrpc::{Request, Response};
+
+use crate::base::limits::{HEADER_BYTES, MESSAGE_BYTES};
 
 /// Our own notification about what was no message.
 pub(super) const BAD_MESSAGE: &str = "xacro/badMessage";
 
-/// Pass messages on until the input ends.
-///
-/// `announce` is called for each edit before it is passed on.
-pub(super) async fn pump(
-    input: impl AsyncRead + Unpin,
-    mut output: impl AsyncWrite + Unpin,
-    announce: impl Fn(),
-) {
-    let mut input = BufReader::with_capacity(1 << 14, input);
-    while let Some(length) = next_length(&mut input).await {
+/// A message from the client.
+pub(super) enum Incoming {
+    /// A request or a notification.
+    Request(Request),
+    /// The answer to a request of ours.
+    Response(Response),
+}
+
+impl Incoming {
+    /// Whether it changes the text of a document.
+    pub fn is_edit(&self) -> bool {
+        matches!(self, Self::Request(request) if request.method() == "textDocument/didChange")
+    }
+}
+
+/// Hand on messages until the input ends, or until `take` wants no more.
+pub(super) fn read(input: impl BufRead, mut take: impl FnMut(Incoming) -> bool) {
+    bodies(input, |body, is_reply| take(message(&body, is_reply)));
+}
+
+/// A body with a plain header.
+pub(super) fn framed(body: &[u8]) -> Vec<u8> {
+    let mut message = format!("Content-Length: {}\r\n\r\n", body.len()).into_bytes();
+    message.extend_from_slice(body);
+    message
+}
+
+/// Hand on the bodies of messages, mended where they can be, and whether they are replies.
+pub(super) fn bodies(mut input: impl BufRead, mut take: impl FnMut(Cow<'_, [u8]>, bool) -> bool) {
+    while let Some(length) = next_length(&mut input) {
         let mut body = Vec::new();
         // grows as bytes arrive: a header that claims much costs nothing
-        let read = (&mut input).take(length).read_to_end(&mut body).await;
+        let read = input.by_ref().take(length).read_to_end(&mut body);
         if read.is_err() || (body.len() as u64) < length {
             return;
         }
-        let (body, is_edit) = checked(&body);
-        if is_edit {
-            announce();
-        }
-        let header = format!("Content-Length: {}\r\n\r\n", body.len());
-        if output.write_all(header.as_bytes()).await.is_err() || output.write_all(&body).await.is_err() {
+        let (body, is_reply) = checked(&body);
+        if !take(body, is_reply) {
             return;
         }
     }
 }
 
+/// What a body that was checked says.
+fn message(body: &[u8], is_reply: bool) -> Incoming {
+    let read = match is_reply {
+        true => serde_json::from_slice(body).map(Incoming::Response),
+        false => serde_json::from_slice(body).map(Incoming::Request),
+    };
+    read.unwrap_or_else(|error| {
+        let params = json!({ "reason": error.to_string() });
+        Incoming::Request(Request::build(BAD_MESSAGE).params(params).finish())
+    })
+}
+
 /// The length that the next header names; what is no header is passed over. None at the end of the input.
-async fn next_length(input: &mut (impl AsyncBufReadExt + Unpin)) -> Option<u64> {
+fn next_length(input: &mut impl BufRead) -> Option<u64> {
     let mut length = None;
     loop {
         let mut line = Vec::new();
-        let read = input.take(HEADER_BYTES).read_until(b'\n', &mut line).await.ok()?;
+        let read = input.take(HEADER_BYTES).read_until(b'\n', &mut line).ok()?;
         if read == 0 {
             return None;
         }
@@ -82,49 +112,45 @@ fn is_there<'de, D: Deserializer<'de>>(field: D) -> Result<bool, D::Error> {
     IgnoredAny::deserialize(field).map(|_| true)
 }
 
-/// The body, mended where it can be, and whether it is an edit; a note about it where it is no message.
-fn checked(body: &[u8]) -> (Vec<u8>, bool) {
+/// The body, mended where it can be, and whether it is a reply; a note about it where it is no message.
+fn checked(body: &[u8]) -> (Cow<'_, [u8]>, bool) {
     let mended = without_lone_surrogates(body);
-    let bad =
-        |reason: String| json!({ "jsonrpc": "2.0", "method": BAD_MESSAGE, "params": { "reason": reason } });
+    let written = |message: Value| (Cow::Owned(message.to_string().into_bytes()), false);
+    let bad = |reason: String| {
+        written(json!({ "jsonrpc": "2.0", "method": BAD_MESSAGE, "params": { "reason": reason } }))
+    };
     let head = match serde_json::from_slice::<Head<'_>>(&mended) {
         Ok(head) => head,
-        Err(error) => return (bad(error.to_string()).to_string().into_bytes(), false),
+        Err(error) => return bad(error.to_string()),
     };
     let id_fits = head.id.as_ref().is_none_or(|id| id.is_string() || id.is_i64() || id.is_null());
     let is_reply = head.method.is_none() && head.id.is_some() && (head.result || head.error);
     if head.jsonrpc.as_deref() != Some("2.0") || !id_fits || !(head.method.is_some() || is_reply) {
-        return (bad("it is no message of JSON-RPC 2.0".to_owned()).to_string().into_bytes(), false);
+        return bad("it is no message of JSON-RPC 2.0".to_owned());
     }
-    let is_edit = head.method.as_deref() == Some("textDocument/didChange");
-    let body = match (head.method.as_deref(), &head.id) {
+    match (head.method.as_deref(), &head.id) {
         // some clients send `null` for no parameters, which the service would refuse
-        (Some("shutdown"), Some(id)) => {
-            json!({ "jsonrpc": "2.0", "id": id, "method": "shutdown" }).to_string().into_bytes()
-        }
-        (Some("initialize"), Some(_)) => with_our_name_of_diagnostics(mended),
-        (Some("exit"), _) => json!({ "jsonrpc": "2.0", "method": "exit" }).to_string().into_bytes(),
+        (Some("shutdown"), Some(id)) => written(json!({ "jsonrpc": "2.0", "id": id, "method": "shutdown" })),
+        (Some("initialize"), Some(_)) => (with_our_name_of_diagnostics(mended), false),
+        (Some("exit"), _) => written(json!({ "jsonrpc": "2.0", "method": "exit" })),
         // requests with `$/` that are not known must be answered all the same
         (Some(method), Some(id)) if method.starts_with("$/") => {
-            json!({ "jsonrpc": "2.0", "id": id, "method": format!("unknown{method}") })
-                .to_string()
-                .into_bytes()
+            written(json!({ "jsonrpc": "2.0", "id": id, "method": format!("unknown{method}") }))
         }
-        _ => mended.into_owned(),
-    };
-    (body, is_edit)
+        _ => (mended, is_reply),
+    }
 }
 
 /// The protocol says `workspace.diagnostics`; the types that read it say `diagnostic`.
-fn with_our_name_of_diagnostics(body: Cow<'_, [u8]>) -> Vec<u8> {
-    let Ok(mut message) = serde_json::from_slice::<Value>(&body) else { return body.into_owned() };
+fn with_our_name_of_diagnostics(body: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
+    let Ok(mut message) = serde_json::from_slice::<Value>(&body) else { return body };
     let workspace = message.pointer_mut("/params/capabilities/workspace").and_then(Value::as_object_mut);
     match workspace.and_then(|workspace| Some((workspace.remove("diagnostics")?, workspace))) {
         Some((diagnostics, workspace)) => {
             workspace.insert("diagnostic".to_owned(), diagnostics);
-            message.to_string().into_bytes()
+            Cow::Owned(message.to_string().into_bytes())
         }
-        None => body.into_owned(),
+        None => body,
     }
 }
 
@@ -162,10 +188,7 @@ mod tests {
     use super::*;
 
     fn pumped(input: &str) -> String {
-        let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
-        let mut output = Vec::new();
-        runtime.block_on(pump(input.as_bytes(), &mut output, || ()));
-        String::from_utf8(output).unwrap()
+        String::from_utf8(super::super::reframe(input.as_bytes())).unwrap()
     }
 
     #[test]

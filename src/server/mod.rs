@@ -36,23 +36,18 @@ mod roots;
 mod structure;
 mod sync;
 mod tokens;
+mod transport;
 mod workspace_symbols;
 
 use tokio::runtime::Builder;
-use tower_lsp::{LspService, Server};
+use tower_lsp::LspService;
 
 use crate::expand::spawn_on_large_stack;
 use crate::vfs::Environment;
 use engine::Engine;
-use exit::{Quiet, Shutdown, Watched};
+use exit::{Shutdown, Watched};
 use handlers::Handlers;
 use outbox::Outbox;
-
-/// Handlers only wait, so there may be many of them: a slow answer never holds back an edit.
-const HANDLERS_AT_ONCE: usize = 1024;
-
-/// Bytes between the framing and the service.
-const PIPE: usize = 1 << 14;
 
 /// Serve one client on standard input and output until it is gone; the exit code.
 pub fn run(env: Environment) -> u8 {
@@ -63,9 +58,10 @@ pub fn run(env: Environment) -> u8 {
 /// What the service is given of a stream of bytes: messages with plain headers, whatever arrives.
 pub fn reframe(input: &[u8]) -> Vec<u8> {
     let mut output = Vec::new();
-    if let Ok(runtime) = Builder::new_current_thread().build() {
-        runtime.block_on(framing::pump(input, &mut output, || ()));
-    }
+    framing::bodies(input, |body, _| {
+        output.extend(framing::framed(&body));
+        true
+    });
     output
 }
 
@@ -103,9 +99,6 @@ async fn serve(env: Environment) -> u8 {
     let service = service.custom_method("xacro/debug/fail", Handlers::fail);
     let (service, socket) = service.finish();
     let service = Watched { inner: service, shutdown: shutdown.clone() };
-    let stdout = Quiet { inner: tokio::io::stdout(), shutdown: shutdown.clone() };
-    let (clean, input) = tokio::io::duplex(PIPE);
-    tokio::spawn(framing::pump(tokio::io::stdin(), clean, move || announced.announce_edit()));
-    Server::new(input, stdout, socket).concurrency_level(HANDLERS_AT_ONCE).serve(service).await;
+    transport::serve(service, socket, shutdown.clone(), move || announced.announce_edit()).await;
     shutdown.code()
 }
