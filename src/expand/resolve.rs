@@ -101,7 +101,7 @@ impl Expander<'_> {
     fn force(&mut self, holder: ScopeId, name: &str, at: Origin) -> Value {
         let scope = self.scopes.get_mut(holder);
         let Some((name, State::Lazy(text, place), info)) =
-            scope.vars.get_key_value(name).map(|(n, b)| (n.clone(), b.state.clone(), b.info))
+            scope.vars.get(name).map(|(n, b)| (n.clone(), b.state.clone(), b.info))
         else {
             return Value::Unknown;
         };

@@ -62,9 +62,56 @@ pub(super) struct Scope {
     pub parent: Option<ScopeId>,
     /// Made by `ns=` of an include.
     pub is_namespace: bool,
-    pub vars: FastMap<EcoString, Binding>,
+    pub vars: Vars,
     /// Lazy properties of this scope that are being evaluated right now.
     pub resolving: Vec<EcoString>,
+}
+
+/// The names of a scope. Most scopes are those of macro calls and hold a few, which are searched one by one; a robot
+/// has thousands of them, and a table for each takes more room than all that is made of them.
+#[derive(Debug, Default)]
+pub(super) struct Vars {
+    few: Vec<(EcoString, Binding)>,
+    /// All, once they are not few.
+    many: FastMap<EcoString, Binding>,
+}
+
+impl Vars {
+    const FEW: usize = 12;
+
+    pub fn get(&self, name: &str) -> Option<(&EcoString, &Binding)> {
+        if !self.many.is_empty() {
+            return self.many.get_key_value(name);
+        }
+        self.few.iter().find(|(known, _)| known == name).map(|(name, binding)| (name, binding))
+    }
+
+    pub fn get_mut(&mut self, name: &str) -> Option<&mut Binding> {
+        if !self.many.is_empty() {
+            return self.many.get_mut(name);
+        }
+        self.few.iter_mut().find(|(known, _)| known == name).map(|(_, binding)| binding)
+    }
+
+    pub fn insert(&mut self, name: EcoString, binding: Binding) {
+        if let Some(known) = self.get_mut(&name) {
+            *known = binding;
+        } else if self.many.is_empty() && self.few.len() < Self::FEW {
+            self.few.push((name, binding));
+        } else {
+            self.many.extend(std::mem::take(&mut self.few));
+            self.many.insert(name, binding);
+        }
+    }
+
+    fn remove(&mut self, name: &str) {
+        self.few.retain(|(known, _)| known != name);
+        self.many.remove(name);
+    }
+
+    fn iter(&self) -> impl Iterator<Item = (&EcoString, &Binding)> {
+        self.few.iter().map(|(name, binding)| (name, binding)).chain(&self.many)
+    }
 }
 
 /// All property scopes of an expansion; none is ever dropped, since lambdas may keep one.
@@ -104,7 +151,7 @@ impl Scopes {
         let mut at = Some(id);
         while let Some(id) = at {
             let scope = self.get(id);
-            if scope.vars.contains_key(name) {
+            if scope.vars.get(name).is_some() {
                 return Some(id);
             }
             at = scope.parent;
@@ -115,7 +162,7 @@ impl Scopes {
     /// The binding of `name` visible from `id`, and the scope that holds it.
     pub fn find(&self, id: ScopeId, name: &str) -> Option<(ScopeId, &Binding)> {
         let holder = self.holder(id, name)?;
-        self.get(holder).vars.get(name).map(|b| (holder, b))
+        self.get(holder).vars.get(name).map(|(_, binding)| (holder, binding))
     }
 
     /// Delete `name` from `id` and everything around it.
@@ -147,7 +194,9 @@ impl Scopes {
         let mut names: Vec<&str> = Vec::new();
         let mut at = Some(id);
         while let Some(id) = at {
-            names.extend(self.get(id).vars.keys().map(EcoString::as_str).filter(|n| !n.starts_with('*')));
+            names.extend(
+                self.get(id).vars.iter().map(|(name, _)| name.as_str()).filter(|n| !n.starts_with('*')),
+            );
             at = self.get(id).parent;
         }
         names.sort_unstable();

@@ -99,15 +99,20 @@ impl Expander<'_> {
         admitted
     }
 
-    /// The split form of a text, from the cache where the text is the one of its place.
+    /// The split form of a text; in macros from the cache, where the text is the one of its place.
     fn split(&mut self, text: &str, place: Place) -> Arc<CachedText> {
+        let parse = || Arc::new(CachedText { text: text.into(), template: expr::split(text) });
+        if self.calls.is_empty() {
+            // outside of macros, a text is evaluated once
+            return parse();
+        }
         let key = (place.origin.src, place.origin.range.start);
         if let Some(cached) = self.texts.get(&key)
             && cached.text == text
         {
             return cached.clone();
         }
-        let cached = Arc::new(CachedText { text: text.into(), template: expr::split(text) });
+        let cached = parse();
         self.texts.entry(key).or_insert_with(|| cached.clone());
         cached
     }

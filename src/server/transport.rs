@@ -17,6 +17,7 @@ use tower_lsp::jsonrpc::{Request, Response};
 
 use super::exit::Shutdown;
 use super::framing::{self, Incoming};
+use crate::vfs::unbuffered_stdout;
 
 /// Handlers only wait, so there may be many of them: a slow answer never holds back an edit.
 const HANDLERS_AT_ONCE: usize = 1024;
@@ -112,9 +113,9 @@ fn encoded(message: &impl Serialize) -> Vec<u8> {
 
 /// Write messages until there are no more; a reader that is gone is a quiet end of the process.
 fn write(mut messages: Receiver<Vec<u8>>, shutdown: &Shutdown) {
-    let mut output = io::stdout().lock();
+    let Ok(mut output) = unbuffered_stdout() else { shutdown.end() };
     while let Some(message) = messages.blocking_recv() {
-        if output.write_all(&message).and_then(|()| output.flush()).is_err() {
+        if output.write_all(&message).is_err() {
             shutdown.end();
         }
     }

@@ -1,4 +1,7 @@
-//! Other processes, as far as `/proc` tells.
+//! Other processes, as far as `/proc` tells, and the pipe to the one that started us.
+
+use std::fs::File;
+use std::io;
 
 /// Whether a process runs. Where there is no `/proc`, every process counts as running.
 pub fn is_process_alive(process: u32) -> bool {
@@ -9,6 +12,18 @@ pub fn is_process_alive(process: u32) -> bool {
     // `1234 (name) S ...`; a name may hold brackets
     let state = stat.rsplit(')').next().unwrap_or("").trim_start();
     !state.starts_with(['Z', 'X'])
+}
+
+/// Standard output, without the buffer of the standard library that cuts what is written behind line ends.
+///
+/// # Errors
+/// When it was closed.
+pub fn unbuffered_stdout() -> io::Result<File> {
+    #[cfg(unix)]
+    let stdout = std::os::fd::AsFd::as_fd(&io::stdout()).try_clone_to_owned();
+    #[cfg(windows)]
+    let stdout = std::os::windows::io::AsHandle::as_handle(&io::stdout()).try_clone_to_owned();
+    stdout.map(File::from)
 }
 
 #[cfg(test)]
