@@ -65,7 +65,7 @@ impl Session {
         vfs.set_max_file_bytes(config.limits.file_bytes());
         let explicit = setup.package_path.iter().map(|path| env.cwd.join(path));
         let options = PackageOptions {
-            workspace_folders: setup.folders,
+            workspace_folders: setup.folders.into_iter().filter(|folder| vfs.is_dir(folder)).collect(),
             explicit: explicit.chain(config.package_path.iter().cloned()).collect(),
             use_environment: config.use_environment,
             target: config.target,

@@ -38,7 +38,8 @@ pub(super) fn prepare(args: &CheckArgs, env: &Environment, stdin: &mut dyn Read)
         about: options.paths.iter().chain(&options.entries).next().cloned().unwrap_or_default(),
         package_path: args.package_path.iter().map(PathBuf::from).collect(),
         overrides: overrides(args),
-        ..Setup::default()
+        // who checks a folder means the packages in it
+        folders: options.paths.iter().map(|path| env.cwd.join(path)).collect(),
     };
     let session =
         Session::new(env, setup).map_err(|error| format!("{}: {}", error.path.display(), error.reason()))?;

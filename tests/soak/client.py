@@ -21,7 +21,7 @@ class Gone(Exception):
 
 
 class Client:
-    def __init__(self, server, folder):
+    def __init__(self, server, folder, capabilities=None):
         self.process = subprocess.Popen([server], cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         stderr=subprocess.PIPE, bufsize=0,
                                         env=dict(os.environ, AMENT_PREFIX_PATH=os.path.join(folder, 'none')))
@@ -34,7 +34,7 @@ class Client:
         threading.Thread(target=self.read, daemon=True).start()
         threading.Thread(target=self.read_errors, daemon=True).start()
         self.request('initialize', {
-            'processId': os.getpid(), 'rootUri': None, 'capabilities': CAPABILITIES,
+            'processId': os.getpid(), 'rootUri': None, 'capabilities': capabilities or CAPABILITIES,
             'workspaceFolders': [{'uri': uri(folder), 'name': 'ws'}]})
         self.notify('initialized', {})
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Count the instructions of five fixed runs, and fail when one needs a tenth more than is written down.
 
-    tests/instructions/run.py --bin target/release/xacro-lint [--update]
+    tests/bench/instructions.py --bin target/release/xacro-lint [--update]
 
 Instructions, counted by callgrind, are the same on a busy machine as on a quiet one. `figures.toml` holds what is
 expected, in millions; `--update` writes what was counted. A newer compiler may move all figures by a few in a hundred.
@@ -15,49 +15,12 @@ import sys
 import tempfile
 import tomllib
 
+from robots import EXAMPLES, long_robot
+
 HERE = pathlib.Path(__file__).resolve().parent
-EXAMPLES = HERE.parent.parent / 'docs' / 'examples'
 FIGURES = HERE / 'figures.toml'
 MOST = 1.10
 LEAST = 0.90
-
-HEAD = '''<?xml version="1.0"?>
-<robot name="long" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:property name="sizes" value="${xacro.load_yaml('sizes.yaml')}"/>
-  <xacro:macro name="segment" params="name parent size *origin">
-    <link name="${name}">
-      <inertial>
-        <mass value="${sizes[size]['mass']}"/>
-        <inertia ixx="${sizes[size]['mass'] * sizes[size]['radius'] ** 2 / 2}" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-      </inertial>
-    </link>
-    <joint name="${name}_joint" type="revolute">
-      <xacro:insert_block name="origin"/>
-      <parent link="${parent}"/>
-      <child link="${name}"/>
-      <axis xyz="0 0 1"/>
-      <limit lower="${-pi}" upper="${pi}" effort="10" velocity="1"/>
-    </joint>
-  </xacro:macro>
-  <link name="s0"/>
-'''
-CALL = '''  <xacro:segment name="s{n}" parent="s{before}" size="{size}">
-    <origin xyz="0 0 ${{sizes['{size}']['length'] + {n} / 1000}}"/>
-  </xacro:segment>
-'''
-SIZES = ''.join(f'{name}:\n  mass: {mass}\n  radius: 0.0{mass}\n  length: 0.{mass}\n'
-                for name, mass in (('small', 1), ('middle', 2), ('large', 4)))
-
-
-def long_robot(folder, links):
-    """A robot of many calls of one macro, whose sizes stand in YAML."""
-    sizes = ('small', 'middle', 'large')
-    calls = ''.join(CALL.format(n=n, before=n - 1, size=sizes[n % 3]) for n in range(1, links + 1))
-    (folder / 'sizes.yaml').write_text(SIZES)
-    path = folder / 'long.urdf.xacro'
-    path.write_text(HEAD + calls + '</robot>\n')
-    return path
-
 
 def count(command):
     """Instructions of a run, in millions."""
@@ -94,7 +57,7 @@ def main():
         found = {name: count(command) for name, command in runs(binary, pathlib.Path(folder)).items()}
     if options.update:
         lines = ''.join(f'"{name}" = {figure:.2f}\n' for name, figure in found.items())
-        FIGURES.write_text('# Millions of instructions: written by `tests/instructions/run.py --update`.\n' + lines)
+        FIGURES.write_text('# Millions of instructions: written by `tests/bench/instructions.py --update`.\n' + lines)
     expected = tomllib.loads(FIGURES.read_text())
     failed = sorted(set(expected) ^ set(found))
     for name in sorted(set(expected) & set(found)):
