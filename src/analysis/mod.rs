@@ -7,6 +7,7 @@ mod change;
 mod check;
 mod configs;
 mod context;
+mod contexts;
 mod coverage;
 mod first_look;
 mod fix;

@@ -92,6 +92,8 @@ pub struct World {
     epoch: u64,
     /// What the last check said of open files, to be carried along while they are edited.
     pub(super) settled: FastMap<PathBuf, Settled>,
+    /// Whether every configured root is checked with each preset, not only what files are shown under.
+    all_contexts: bool,
     /// Settings of the editor, and the folder they belong to.
     editor: Option<(serde_json::Value, PathBuf)>,
 }
@@ -118,6 +120,7 @@ impl World {
             good: FastMap::default(),
             epoch: 0,
             settled: FastMap::default(),
+            all_contexts: false,
             editor: None,
         }
     }
@@ -164,6 +167,11 @@ impl World {
         self.editor = Some((settings, folder));
         self.reload();
         warnings.iter().map(ToString::to_string).collect()
+    }
+
+    /// Check every configured root with each preset, or only the one that each file is shown under.
+    pub fn set_all_contexts(&mut self, all: bool) {
+        self.all_contexts = all;
     }
 
     /// The files that are open.
@@ -439,12 +447,17 @@ impl World {
                 roots.push(root);
             }
         }
+        if self.all_contexts {
+            let further = self.configured_contexts(&paths);
+            roots.extend(further.into_iter().filter(|root| !own.contains(root)));
+        }
         let mut outcomes = Vec::new();
         for root in &roots {
+            let is_context = self.all_contexts || self.is_configured(root);
             let analyzed = self.analyzed(root, cancel)?;
             let mut outcome = analyzed.outcome(&self.session, cancel)?.clone();
             outcome.findings.extend(check_recovered(&analyzed.expansion, &self.session.vfs));
-            outcomes.push(outcome);
+            outcomes.push(Outcome { is_context, ..outcome });
         }
         let entries: Vec<PathBuf> = paths.iter().map(|path| (*path).clone()).collect();
         let mut report = self.session.conclude(&self.options(&entries), outcomes);

@@ -25,6 +25,7 @@ mod on_type;
 mod outline;
 mod paths;
 mod rename;
+mod rename_robot;
 mod schema;
 mod search;
 mod selection;

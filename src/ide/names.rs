@@ -98,7 +98,7 @@ pub(super) enum NameKind {
 
 impl NameKind {
     /// Whether two names may mean one thing.
-    fn is(self, other: Self) -> bool {
+    pub fn is(self, other: Self) -> bool {
         let mixed = |a, b| a == Self::LinkOrJoint && b != Self::Material;
         self == other || mixed(self, other) || mixed(other, self)
     }

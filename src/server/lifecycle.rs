@@ -109,6 +109,14 @@ impl Engine {
                 }
             }
         }
+        let dotted = || settings.get("diagnostics.contexts");
+        if let Some(contexts) = settings.pointer("/diagnostics/contexts").or_else(dotted) {
+            self.world.set_all_contexts(contexts == "all");
+            if contexts != "all" && contexts != "active" {
+                let message = "`xacro.diagnostics.contexts` is neither `active` nor `all`; the default holds";
+                self.warn_once(message.to_owned());
+            }
+        }
         super::hints::settings(settings, &mut self.hint_settings);
         if let Some(snippets) = settings.pointer("/completion/snippets") {
             self.snippets = snippets.as_bool().unwrap_or(true);
