@@ -139,8 +139,7 @@ impl World {
             for root in &settings.config.roots {
                 for file in root.files(&session.vfs) {
                     let file = session.vfs.absolute(&file);
-                    let choice =
-                        |Variant { preset, args }| RootChoice { file: file.clone(), args, preset };
+                    let choice = |Variant { preset, args }| RootChoice { file: file.clone(), args, preset };
                     found.extend(root.variants().into_iter().map(choice));
                 }
             }
@@ -155,7 +154,8 @@ mod tests {
 
     #[test]
     fn the_last_value_of_an_argument_counts() {
-        let args = [("a", "1"), ("b", "2"), ("a", "3")].map(|(name, value)| (name.to_owned(), value.to_owned()));
+        let args =
+            [("a", "1"), ("b", "2"), ("a", "3")].map(|(name, value)| (name.to_owned(), value.to_owned()));
         assert_eq!(label("r.xacro".to_owned(), &args), "r.xacro b:=2 a:=3");
     }
 }

@@ -21,6 +21,7 @@ mod report;
 mod roots;
 mod session;
 mod suppress;
+mod trial;
 mod walk;
 mod world;
 

@@ -480,7 +480,7 @@ impl World {
 }
 
 /// The expansion of a root.
-fn job_of(root: &RootChoice) -> Job {
+pub(super) fn job_of(root: &RootChoice) -> Job {
     let RootChoice { file, args, preset } = root.clone();
     Job { file, reason: Reason::Named, args, preset }
 }

@@ -37,8 +37,8 @@ mod typed;
 mod values;
 
 pub use actions::{
-    Action, ActionKind, MacroFile, NewFile, before_use, ignored_in_config, include_macro, inlinable,
-    move_to_file, other_name, quick_fixes, refactorings,
+    Action, ActionKind, MacroFile, NewFile, Refused, before_use, ignored_in_config, include_macro, inlinable,
+    inline_macro, move_to_file, of_mesh, other_name, quick_fixes, refactorings,
 };
 pub use calls::{Caller, Calls, caller_target, calls_of, incoming, macro_at, macros_of, outgoing};
 pub use colours::{Colour, colour_text, colours};

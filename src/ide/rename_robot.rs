@@ -108,7 +108,8 @@ impl Work<'_, '_> {
             next += 1;
             for (name, parts) in self.all {
                 let inside = |part: &NamePart| {
-                    let holds = part.written.file == span.file && part.written.range.contains_range(span.range);
+                    let holds =
+                        part.written.file == span.file && part.written.range.contains_range(span.range);
                     let start = (part.of.start + span.range.start).checked_sub(part.written.range.start)?;
                     holds.then(|| TextRange::new(start, start + span.range.len()))
                 };
@@ -122,7 +123,9 @@ impl Work<'_, '_> {
                 }
             }
         }
-        let overlaps = |a: &Span, b: &Span| a != b && a.file == b.file && a.range.start < b.range.end && b.range.start < a.range.end;
+        let overlaps = |a: &Span, b: &Span| {
+            a != b && a.file == b.file && a.range.start < b.range.end && b.range.start < a.range.end
+        };
         match self.spans.iter().any(|a| self.spans.iter().any(|b| overlaps(a, b))) {
             true => Err("parts of this name are written inside of each other".to_owned()),
             false => Ok(()),
@@ -152,12 +155,16 @@ impl Work<'_, '_> {
 
     /// Why a name cannot be changed there.
     fn refusal(&self, number: usize) -> String {
-        let Some((name, _)) = self.all.get(number) else { return "this name is not known any more".to_owned() };
+        let Some((name, _)) = self.all.get(number) else {
+            return "this name is not known any more".to_owned();
+        };
         let (cx, text) = (self.cx, name.text);
         let mut calls = cx.expansion.frames_of(text.origin).filter(|frame| frame.kind == FrameKind::Macro);
         let span = cx.span(SourceRange::from(text.origin));
         let file = span.and_then(|span| Some((span, cx.file_of(span.file)?)));
-        let line = |(span, file): (Span, &SourceFile)| file.document.line_col(span.range.start, Encoding::Utf8).line + 1;
+        let line = |(span, file): (Span, &SourceFile)| {
+            file.document.line_col(span.range.start, Encoding::Utf8).line + 1
+        };
         let raw = |(span, file): (Span, &SourceFile)| file.document.slice(span.range);
         let maker = calls.next().map(|frame| frame.name.to_string()).or_else(|| file.map(raw));
         format!(
@@ -180,7 +187,8 @@ impl Work<'_, '_> {
             let mut changed = name.text.value.to_string();
             let mut ranges = ranges.clone();
             ranges.sort_unstable_by_key(|range| std::cmp::Reverse(range.start));
-            let fits = |range: &TextRange| name.text.value.get(range.start as usize..range.end as usize).is_some();
+            let fits =
+                |range: &TextRange| name.text.value.get(range.start as usize..range.end as usize).is_some();
             for range in ranges.into_iter().filter(fits) {
                 changed.replace_range(range.start as usize..range.end as usize, new);
             }

@@ -31,6 +31,7 @@ mod mapping;
 mod navigation;
 mod outbox;
 mod preview;
+mod refactorings;
 mod rename;
 mod roots;
 mod structure;

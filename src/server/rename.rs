@@ -4,8 +4,9 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
 
 use lsp_types::{
-    AnnotatedTextEdit, ChangeAnnotation, DocumentChanges, OneOf, OptionalVersionedTextDocumentIdentifier, PrepareRenameResponse, RenameParams,
-    TextDocumentEdit, TextDocumentPositionParams, TextEdit, Url, WorkspaceEdit,
+    AnnotatedTextEdit, ChangeAnnotation, DocumentChanges, OneOf, OptionalVersionedTextDocumentIdentifier,
+    PrepareRenameResponse, RenameParams, TextDocumentEdit, TextDocumentPositionParams, TextEdit, Url,
+    WorkspaceEdit,
 };
 
 use super::convert;
@@ -70,12 +71,15 @@ impl Engine {
             return Ok(());
         }
         let shown = path.display();
-        if self.world.session().is_installed(path) || path.iter().any(|part| BUILT.iter().any(|b| part == *b)) {
+        if self.world.session().is_installed(path) || path.iter().any(|part| BUILT.iter().any(|b| part == *b))
+        {
             return Err(Failure::Refused(format!("`{shown}` lies in an install folder and is not changed")));
         }
         match self.client.change_annotations {
             true => Ok(()),
-            false => Err(Failure::Refused(format!("`{shown}` is not part of the workspace and is not changed"))),
+            false => {
+                Err(Failure::Refused(format!("`{shown}` is not part of the workspace and is not changed")))
+            }
         }
     }
 
@@ -105,7 +109,8 @@ impl Engine {
             for span in &first {
                 let file = expansion.files.iter().find(|file| file.source.id == span.file);
                 let Some(source) = file.map(|file| &*file.source) else { continue };
-                let cx = Cx { source, expansion, robot, kinematics: analyzed.kinematics.as_ref(), pinned: None };
+                let cx =
+                    Cx { source, expansion, robot, kinematics: analyzed.kinematics.as_ref(), pinned: None };
                 if ide::renameable(&cx, span.range.start).is_some_and(|(range, _)| range == span.range) {
                     spans.extend(ide::rename(&cx, span.range.start, new).map_err(Failure::Refused)?);
                 }
@@ -124,7 +129,8 @@ impl Engine {
         };
         let Some(target) = ide::definition_of(&cx, id) else { return Vec::new() };
         let path = self.world.session().vfs.path(target.name.file);
-        let roots: Vec<PathBuf> = self.world.context(&path).candidates.into_iter().map(|(r, _)| r.file).collect();
+        let roots: Vec<PathBuf> =
+            self.world.context(&path).candidates.into_iter().map(|(r, _)| r.file).collect();
         let session = self.world.session();
         let configs: BTreeSet<PathBuf> =
             roots.iter().flat_map(|root| session.settings(root).config.files.clone()).collect();

@@ -30,7 +30,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             }
             Target::OtherCase(found) => {
                 let message = format!("texture of material `{name}` is spelled otherwise on disk");
-                out.report(file.origin, message).help(format!("the file is `{}`", shown(cx, file, &found))).done();
+                out.report(file.origin, message)
+                    .help(format!("the file is `{}`", shown(cx, file, &found)))
+                    .done();
             }
             _ => {}
         }
