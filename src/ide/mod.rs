@@ -38,7 +38,7 @@ mod values;
 
 pub use actions::{
     Action, ActionKind, MacroFile, NewFile, Refused, before_use, ignored_in_config, include_macro, inlinable,
-    inline_macro, move_to_file, of_mesh, other_name, quick_fixes, refactorings,
+    inline_macro, move_to_file, of_mesh, other_name, quick_fixes, refactorings, suggested,
 };
 pub use calls::{Caller, Calls, caller_target, calls_of, incoming, macro_at, macros_of, outgoing};
 pub use colours::{Colour, colour_text, colours};

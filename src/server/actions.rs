@@ -131,6 +131,10 @@ impl Engine {
                 let action = Action { title, kind: ActionKind::Fix, edits };
                 actions.push((action, fix.safety == Safety::Safe));
             }
+            if finding.fix.is_none() {
+                let near = finding.help.as_deref().and_then(|help| ide::suggested(source, range, help));
+                actions.extend(near.map(|action| (action, false)));
+            }
             if rule == "undefined-macro" {
                 self.world.scan(|| cancel.is_cancelled());
                 let more = ide::include_macro(source, range, |name| self.files_with_macro(path, name));

@@ -25,6 +25,7 @@ mod lifecycle;
 mod limits;
 mod navigation;
 mod preview;
+mod quick_fixes;
 mod refactorings;
 mod rename;
 mod structure;

@@ -24,7 +24,7 @@ pub use create::{MacroFile, include_macro};
 pub use extract_macro::{NewFile, move_to_file};
 pub use inline::inlinable;
 pub use inline_macro::inline_macro;
-pub use mend_xacro::{before_use, other_name};
+pub use mend_xacro::{before_use, other_name, suggested};
 pub use mesh_inertia::{Refused, of_mesh};
 pub use suppress::ignored_in_config;
 
