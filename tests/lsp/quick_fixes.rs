@@ -48,7 +48,7 @@ fn fixes_of_syntax_and_of_xacro() {
         (
             unbound.to_owned(),
             "missing-xacro-namespace",
-            "xmlns:xacro",
+            "declare the prefix",
             "xmlns:xacro=\"http://www.ros.org/wiki/xacro\"",
         ),
         (old, "nonstandard-xacro-namespace", "", "\"http://www.ros.org/wiki/xacro\""),
@@ -67,7 +67,7 @@ fn fixes_of_syntax_and_of_xacro() {
         ),
         (robot("<link name=\"🤖 & b\"/>"), "xml-syntax-error", "write `&amp;`", "🤖 &amp; b"),
         (robot("<link name=\"🤖 < b\"/>"), "xml-syntax-error", "write `&lt;`", "🤖 &lt; b"),
-        (call("<xacro:m/>"), "missing-macro-param", "tool", "<xacro:m tool=\"\"/>"),
+        (call("<xacro:m/>"), "missing-macro-param", "add the missing parameters", "<xacro:m tool=\"\"/>"),
         (
             call("<xacro:m tool=\"🤖\" sise=\"2\"/>"),
             "unknown-macro-param",
