@@ -338,7 +338,7 @@ fn the_active_context_alone_is_checked_by_default() {
                 note["params"]["message"].as_str().is_some_and(|m| m.contains("diagnostics.contexts"))
             })
         };
-        assert_eq!(client.eventually(|client| told(client) == (contexts == "some")), true, "{contexts}");
+        assert!(client.eventually(|client| told(client) == (contexts == "some")), "{contexts}");
     }
 }
 
