@@ -55,7 +55,9 @@ pub use hover::{Hover, declared_argument, hover, hover_while_typing, value_of};
 pub use instances::{Pin, pin, pinned};
 pub use locate::{At, Part, locate};
 pub use moved::{Move, renamed_files};
-pub use names::{NameUse, Target, definition_of, definitions, occurrences};
+pub use names::{
+    NameUse, RobotThing, Target, definition_of, definitions, occurrences, robot_name_at, uses_of,
+};
 pub use navigate::{FilePlace, declaration, file_definition, implementations, is_text, type_definition};
 pub use on_type::{Insertion, on_type};
 pub use outline::{Outline, OutlineKind, outline};

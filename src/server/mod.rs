@@ -32,6 +32,7 @@ mod navigation;
 mod outbox;
 mod preview;
 mod refactorings;
+mod references;
 mod rename;
 mod roots;
 mod structure;

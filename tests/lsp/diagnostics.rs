@@ -363,3 +363,20 @@ fn contexts_of_broken_and_unsaved_files_are_told_apart() {
     assert_eq!(syntax.len(), 1, "{found:?}");
     assert!(!syntax[0]["message"].as_str().unwrap().contains("[root"), "{found:?}");
 }
+
+#[test]
+fn all_contexts_are_pulled_too() {
+    let settings = json!({ "diagnostics.contexts": "all" });
+    let capabilities = json!({ "textDocument": { "diagnostic": {} } });
+    let mut client = Client::with(with_presets(), Options { settings, capabilities, ..Options::default() });
+    client.open(ROBOT);
+    client.edit(ROBOT, "</robot>", &wrong_if("'$(arg mount)' == 'mast'"));
+    let told = |client: &mut Client| {
+        let report = client.request("textDocument/diagnostic", client.of(ROBOT));
+        let items = report["items"].as_array().unwrap().clone();
+        items.iter().any(|found| {
+            found["message"].as_str().unwrap().contains("[root pan_tilt.urdf.xacro mount:=mast]")
+        })
+    };
+    assert!(client.eventually(told));
+}
