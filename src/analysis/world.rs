@@ -94,8 +94,8 @@ pub struct World {
     pub(super) settled: FastMap<PathBuf, Settled>,
     /// Whether every configured root is checked with each preset, not only what files are shown under.
     all_contexts: bool,
-    /// Settings of the editor, and the folder they belong to.
-    editor: Option<(serde_json::Value, PathBuf)>,
+    /// Settings of the editor, and the folders they belong to.
+    editor: Vec<(serde_json::Value, PathBuf)>,
 }
 
 impl World {
@@ -105,7 +105,7 @@ impl World {
     /// A world that sees `folders`; without any, single files are shown by themselves.
     pub fn new(env: Environment, folders: Vec<PathBuf>) -> Self {
         let vfs = Arc::new(Vfs::with_cwd(config::Limits::default().file_bytes(), env.cwd.clone()));
-        let session = session(&vfs, &env, &folders, None);
+        let session = session(&vfs, &env, &folders, Vec::new());
         Self {
             session,
             env,
@@ -121,16 +121,14 @@ impl World {
             epoch: 0,
             settled: FastMap::default(),
             all_contexts: false,
-            editor: None,
+            editor: Vec::new(),
         }
     }
 
     /// A world with the same folders and settings that sees the files on the disk, whatever is open.
     pub fn on_disk(&self) -> Self {
         let mut world = Self::new(self.env.clone(), self.folders.clone());
-        if let Some((settings, _)) = &self.editor {
-            world.set_editor_settings(settings.clone());
-        }
+        world.set_folder_settings(self.editor.clone());
         world
     }
 
@@ -163,8 +161,14 @@ impl World {
     /// them has no effect.
     pub fn set_editor_settings(&mut self, settings: serde_json::Value) -> Vec<String> {
         let folder = self.folders.first().unwrap_or(&self.env.cwd).clone();
-        let warnings = Config::default().apply_settings(&settings, &folder);
-        self.editor = Some((settings, folder));
+        self.set_folder_settings(vec![(settings, folder)])
+    }
+
+    /// The same with settings for each folder.
+    pub fn set_folder_settings(&mut self, settings: Vec<(serde_json::Value, PathBuf)>) -> Vec<String> {
+        let apply = |(own, folder): &(_, PathBuf)| Config::default().apply_settings(own, folder);
+        let warnings: Vec<_> = settings.iter().flat_map(apply).collect();
+        self.editor = settings;
         self.reload();
         warnings.iter().map(ToString::to_string).collect()
     }
@@ -489,7 +493,7 @@ fn session(
     vfs: &Arc<Vfs>,
     env: &Environment,
     folders: &[PathBuf],
-    editor: Option<(serde_json::Value, PathBuf)>,
+    editor: Vec<(serde_json::Value, PathBuf)>,
 ) -> Session {
     let about = folders.first().cloned().unwrap_or_else(|| env.cwd.clone());
     let setup = Setup {
