@@ -119,7 +119,8 @@ impl Engine {
         Ok(())
     }
 
-    /// Where configuration files give the argument at a place a value, for robots that read it.
+    /// Where configuration files, and comments that name a root, give the argument at a place a value, for robots that
+    /// read it.
     fn in_presets(&mut self, asked: &Asked) -> Vec<Span> {
         let cx = asked.cx();
         let definition = cx.symbol_at(asked.offset).map(|(id, _)| id);
@@ -145,6 +146,9 @@ impl Engine {
             let places = argument_places(&text.text, &argument.name, reads);
             found.extend(places.into_iter().map(|range| Span { file: id, range }));
         }
+        let known = self.world.known_files().into_iter();
+        let comments = known.filter_map(|file| self.world.commented_argument(&file, &argument.name));
+        found.extend(comments.filter(|(root, _)| roots.contains(root)).map(|(_, span)| span));
         found
     }
 

@@ -239,6 +239,8 @@ fn an_argument_is_renamed_in_the_presets_of_its_robots() {
     let mut client = Client::with(folder, Options::default());
     client.open(ROBOT);
     client.open("xacro-lint.toml");
+    client.open(UNIT);
+    client.edit(UNIT, "<!-- A motor", "<!-- xacro-root: pan_tilt.urdf.xacro mount:=🤖 --><!-- A motor");
     let mut params = client.at(ROBOT, "<xacro:arg name=\"mo|unt\"");
     params["newName"] = json!("place");
     let edit = client.request("textDocument/rename", params);
@@ -248,4 +250,5 @@ fn an_argument_is_renamed_in_the_presets_of_its_robots() {
         .replace("{ \"mount\" = \"wall\"", "{ \"place\" = \"wall\"");
     assert_eq!(changed, expected);
     assert!(client.after(ROBOT, &edit).contains("$(arg place)"));
+    assert!(client.after(UNIT, &edit).contains("pan_tilt.urdf.xacro place:=🤖 -->"));
 }
