@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use super::context::Cx;
 use super::names::{NameKind, RobotName, all_names};
-use crate::base::{Encoding, FastMap, Span, TextRange};
+use crate::base::{Encoding, FastMap, FastSet, FileId, Span, TextRange};
 use crate::expand::{FrameKind, Origin, SourceRange, argument};
 use crate::model::Text;
 use crate::vfs::SourceFile;
@@ -81,7 +81,13 @@ pub(super) fn rename(cx: &Cx<'_>, offset: u32, new: &str) -> Result<Vec<Span>, S
     let all = with_parts(cx);
     let nowhere = || "no name that can be renamed stands here".to_owned();
     let first = asked(cx, &all, offset).ok_or_else(nowhere)?;
-    let mut work = Work { cx, all: &all, changed: BTreeMap::new(), spans: vec![first] };
+    let mut work = Work {
+        cx,
+        all: &all,
+        changed: BTreeMap::new(),
+        spans: vec![first],
+        seen: [first].into_iter().collect(),
+    };
     work.spread()?;
     work.admit(new)?;
     Ok(work.spans)
@@ -94,6 +100,35 @@ struct Work<'a, 'b> {
     /// Which bytes change, by the number of the name.
     changed: BTreeMap<usize, Vec<TextRange>>,
     spans: Vec<Span>,
+    seen: FastSet<Span>,
+}
+
+/// Where parts of names are written. Texts are divided at their expressions: two places are the same or apart.
+struct Written {
+    places: Vec<(Span, Vec<(usize, NamePart)>)>,
+}
+
+impl Written {
+    fn of(all: &[(RobotName<'_>, Vec<NamePart>)]) -> Self {
+        let mut places: BTreeMap<(FileId, u32, u32), Vec<(usize, NamePart)>> = BTreeMap::new();
+        for (number, (_, parts)) in all.iter().enumerate() {
+            for part in parts {
+                let Span { file, range } = part.written;
+                places.entry((file, range.start, range.end)).or_default().push((number, *part));
+            }
+        }
+        let span = |(file, start, end)| Span { file, range: TextRange::new(start, end) };
+        Self { places: places.into_iter().map(|(place, parts)| (span(place), parts)).collect() }
+    }
+
+    /// The parts whose text a span is, or is in.
+    fn around(&self, span: Span) -> &[(usize, NamePart)] {
+        let key = |place: &Span| (place.file, place.range.start);
+        let after = self.places.partition_point(|(place, _)| key(place) <= key(&span));
+        let place = after.checked_sub(1).and_then(|index| self.places.get(index));
+        let holds = |place: &Span| place.file == span.file && place.range.contains_range(span.range);
+        place.filter(|(place, _)| holds(place)).map_or(&[], |(_, parts)| parts)
+    }
 }
 
 impl Work<'_, '_> {
@@ -103,30 +138,26 @@ impl Work<'_, '_> {
         for (number, (name, _)) in self.all.iter().enumerate() {
             by_value.entry(&name.text.value).or_default().push(number);
         }
+        let written = Written::of(self.all);
         let mut next = 0;
         while let Some(&span) = self.spans.get(next) {
             next += 1;
-            for (name, parts) in self.all {
-                let inside = |part: &NamePart| {
-                    let holds =
-                        part.written.file == span.file && part.written.range.contains_range(span.range);
-                    let start = (part.of.start + span.range.start).checked_sub(part.written.range.start)?;
-                    holds.then(|| TextRange::new(start, start + span.range.len()))
-                };
-                let namesakes = by_value.get(name.text.value.as_str()).into_iter().flatten();
-                for range in parts.iter().filter_map(inside) {
-                    for &other in namesakes.clone() {
-                        if self.all.get(other).is_some_and(|(other, _)| other.kind.is(name.kind)) {
-                            self.change(other, range)?;
-                        }
+            for &(number, part) in written.around(span) {
+                let Some((name, _)) = self.all.get(number) else { continue };
+                let start = part.of.start + (span.range.start - part.written.range.start);
+                let range = TextRange::new(start, start + span.range.len());
+                for &other in by_value.get(name.text.value.as_str()).into_iter().flatten() {
+                    if self.all.get(other).is_some_and(|(other, _)| other.kind.is(name.kind)) {
+                        self.change(other, range)?;
                     }
                 }
             }
         }
-        let overlaps = |a: &Span, b: &Span| {
-            a != b && a.file == b.file && a.range.start < b.range.end && b.range.start < a.range.end
-        };
-        match self.spans.iter().any(|a| self.spans.iter().any(|b| overlaps(a, b))) {
+        let mut sorted = self.spans.clone();
+        sorted.sort_unstable_by_key(|span| (span.file, span.range.start));
+        let overlap =
+            |pair: &[Span]| matches!(pair, [a, b] if a.file == b.file && b.range.start < a.range.end);
+        match sorted.windows(2).any(overlap) {
             true => Err("parts of this name are written inside of each other".to_owned()),
             false => Ok(()),
         }
@@ -147,7 +178,7 @@ impl Work<'_, '_> {
         let Some(part) = whole else { return Err(self.refusal(number)) };
         let start = part.written.range.start + (range.start - part.of.start);
         let span = Span { range: TextRange::new(start, start + range.len()), ..part.written };
-        if !self.spans.contains(&span) {
+        if self.seen.insert(span) {
             self.spans.push(span);
         }
         Ok(())
