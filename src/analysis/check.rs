@@ -204,12 +204,13 @@ impl Session {
         finding.severity = severity;
         // what `$(find)` made absolute is shown as the user would write it
         let cwd = format!("{}/", self.env.cwd.display());
-        if finding.message.contains(&cwd) {
-            finding.message = finding.message.replace(&cwd, "");
+        let related = finding.related.iter_mut().map(|related| &mut related.message);
+        for text in std::iter::once(&mut finding.message).chain(&mut finding.help).chain(related) {
+            if text.contains(&cwd) {
+                *text = text.replace(&cwd, "");
+            }
+            shorten(text);
         }
-        shorten(&mut finding.message);
-        finding.help.iter_mut().for_each(shorten);
-        finding.related.iter_mut().for_each(|related| shorten(&mut related.message));
         let is_config = finding.rule.code == "LNT004";
         severity == Severity::Error || is_config || homes.iter().any(|home| path.starts_with(home))
     }

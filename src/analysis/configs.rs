@@ -24,8 +24,18 @@ pub struct Overrides {
     pub ignore: Option<Vec<String>>,
     /// `--profile`
     pub profiles: Option<Vec<String>>,
-    /// The settings of an editor (what stands below `xacro.`), and the folder its relative paths start at.
-    pub editor: Option<(serde_json::Value, PathBuf)>,
+    /// The settings of an editor (what stands below `xacro.`), and the folder they hold for, where their relative
+    /// paths start; outside of all of these folders the first ones hold.
+    pub editor: Vec<(serde_json::Value, PathBuf)>,
+}
+
+impl Overrides {
+    /// The number of the editor's settings that hold for a folder.
+    fn editor_of(&self, folder: &Path) -> Option<usize> {
+        let around = self.editor.iter().enumerate().filter(|(_, (_, own))| folder.starts_with(own));
+        let nearest = around.max_by_key(|(_, (_, own))| own.components().count());
+        nearest.map(|(number, _)| number).or((!self.editor.is_empty()).then_some(0))
+    }
 }
 
 /// The settings that hold for a file.
@@ -42,12 +52,15 @@ pub(super) struct Configs {
     state: Mutex<State>,
 }
 
+/// What settings are made of: a configuration file, and settings of the editor by their number.
+type Origin = (Option<PathBuf>, Option<usize>);
+
 #[derive(Default)]
 struct State {
     /// By folder: the settings that hold there.
     folders: FastMap<PathBuf, Arc<Settings>>,
-    /// By configuration file; none: no file at all.
-    files: FastMap<Option<PathBuf>, Arc<Settings>>,
+    /// By configuration file (none: no file at all) and by the number of the editor's settings.
+    files: FastMap<Origin, Arc<Settings>>,
     warnings: Vec<ConfigWarning>,
 }
 
@@ -110,7 +123,7 @@ impl Configs {
         let configs = Self { overrides, state: Mutex::default() };
         if let Some(path) = &configs.overrides.config {
             let loaded = Config::load(vfs, path)?;
-            configs.lock().add(None, loaded, &configs.overrides);
+            configs.lock().add((None, None), loaded, &configs.overrides);
         }
         Ok(configs)
     }
@@ -134,11 +147,13 @@ impl Configs {
             Some(_) => None,
             None => find_config(vfs, folder),
         };
-        let settings = match state.files.get(&path) {
+        let origin = (path, self.overrides.editor_of(folder));
+        let settings = match state.files.get(&origin) {
             Some(settings) => settings.clone(),
             None => {
-                let loaded = path.as_ref().and_then(|path| Config::load(vfs, path).ok()).unwrap_or_default();
-                state.add(path, loaded, &self.overrides)
+                let path = origin.0.as_ref();
+                let loaded = path.and_then(|path| Config::load(vfs, path).ok()).unwrap_or_default();
+                state.add(origin, loaded, &self.overrides)
             }
         };
         state.folders.insert(folder.to_owned(), settings.clone());
@@ -157,9 +172,9 @@ impl Configs {
 }
 
 impl State {
-    fn add(&mut self, path: Option<PathBuf>, loaded: Loaded, overrides: &Overrides) -> Arc<Settings> {
+    fn add(&mut self, origin: Origin, loaded: Loaded, overrides: &Overrides) -> Arc<Settings> {
         let Loaded { mut config, mut warnings } = loaded;
-        if let Some((settings, folder)) = &overrides.editor {
+        if let Some((settings, folder)) = origin.1.and_then(|number| overrides.editor.get(number)) {
             // what is wrong in them is said once, when they come in
             config.apply_settings(settings, folder);
         }
@@ -171,7 +186,7 @@ impl State {
             }
         }
         let settings = Arc::new(Settings::new(config, overrides));
-        self.files.insert(path, settings.clone());
+        self.files.insert(origin, settings.clone());
         settings
     }
 }

@@ -6,6 +6,7 @@
 use std::path::{Path, PathBuf};
 
 use super::world::World;
+use crate::base::{Span, TextRange};
 use crate::vfs::SourceFile;
 
 /// A root and the arguments it is expanded with.
@@ -124,12 +125,28 @@ impl World {
     }
 }
 
+impl World {
+    /// Where the comment at the top of a file that names its root gives an argument a value, with the root.
+    pub fn commented_argument(&self, path: &Path, name: &str) -> Option<(PathBuf, Span)> {
+        let root = self.commented_root(path)?.file;
+        let source = self.session().vfs.document(path).ok()?;
+        let text = source.document.text();
+        let start = text.find(ROOT_COMMENT)?;
+        let comment = text.get(start..)?.split("-->").next()?;
+        let at = (start + comment.find(&format!(" {name}:="))? + 1) as u32;
+        Some((root, Span { file: source.id, range: TextRange::new(at, at + name.len() as u32) }))
+    }
+}
+
+/// What the comment begins with.
+const ROOT_COMMENT: &str = "<!-- xacro-root:";
+
 /// The file and the arguments that a comment at the top of a file names.
 fn root_comment(source: &SourceFile) -> Option<(String, Vec<(String, String)>)> {
     const LINES: u32 = 10;
     let lines = (0..LINES.min(source.document.line_count())).map(|line| source.document.line_text(line));
     let comment = lines.filter_map(|line| {
-        let (_, rest) = line.split_once("<!-- xacro-root:")?;
+        let (_, rest) = line.split_once(ROOT_COMMENT)?;
         Some(rest.split_once("-->")?.0.trim().to_owned())
     });
     let comment = comment.into_iter().next()?;

@@ -142,6 +142,16 @@ impl Session {
         Fixed { found, left, count: work.count, files: work.files.into_values().collect() }
     }
 
+    /// Whether a file belongs to what was installed for ROS.
+    pub fn is_installed(&self, path: &Path) -> bool {
+        let path = self.vfs.canonical(path);
+        let installed =
+            ["AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH"].into_iter().flat_map(|name| self.env.paths(name));
+        let mut installed =
+            installed.chain([PathBuf::from("/opt/ros")]).map(|prefix| self.vfs.canonical(&prefix));
+        installed.any(|prefix| path.starts_with(prefix))
+    }
+
     /// How many findings of a report can be fixed: by safe fixes, and by those that are not.
     pub fn fixable(&self, options: &CheckOptions, report: &Report) -> (usize, usize) {
         let work = Work::new(self, options, Safety::Unsafe);
@@ -249,10 +259,7 @@ impl<'a> Work<'a> {
     fn lies_in_workspace(&self, path: &Path) -> bool {
         let Session { vfs, env, .. } = self.session;
         let path = vfs.canonical(path);
-        let installed =
-            ["AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH"].into_iter().flat_map(|name| env.paths(name));
-        let mut installed = installed.chain([PathBuf::from("/opt/ros")]).map(|prefix| vfs.canonical(&prefix));
-        if installed.any(|prefix| path.starts_with(prefix)) {
+        if self.session.is_installed(&path) {
             return false;
         }
         let home = env.var("HOME").map(Path::new);

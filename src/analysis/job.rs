@@ -22,6 +22,8 @@ pub(super) struct Outcome {
     pub(super) job: Job,
     /// Whether the file is a robot on its own.
     pub(super) is_robot: bool,
+    /// Whether it is one of the contexts that are checked: findings say in which of these they occur.
+    pub(super) is_context: bool,
     /// Whether everything was read and expanded, so that what was not found is not there.
     pub(super) complete: bool,
     /// Files that were read, the root file left out.
@@ -81,6 +83,7 @@ pub(super) fn judge(
     }
     Outcome {
         is_robot: kind == RootKind::Robot,
+        is_context: job.reason == Reason::Root,
         complete: expansion.whole
             && expansion.files.iter().all(|file| file.source.document.errors().is_empty()),
         reads: reads(expansion),

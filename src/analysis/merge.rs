@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use indexmap::IndexMap;
 
+use super::contexts::{Contexts, Run};
 use super::job::Outcome;
 use crate::base::{FastMap, FileId, Span};
 use crate::rules::{Edit, Finding, Related, Severity};
@@ -13,6 +14,8 @@ struct Merged {
     finding: Finding,
     /// Numbers of the outcomes that have it.
     outcomes: Vec<usize>,
+    /// The same for each way of the finding.
+    by_way: Vec<Vec<usize>>,
 }
 
 /// All findings; one that several expansions have is kept once, with the places of all of them.
@@ -21,7 +24,7 @@ pub(super) fn merge(outcomes: Vec<Outcome>) -> Vec<Finding> {
     let mut by_place: FastMap<(&'static str, Span), Vec<usize>> = FastMap::default();
     let mut runs: Vec<Run> = Vec::new();
     for (number, outcome) in outcomes.into_iter().enumerate() {
-        runs.push(Run { file: outcome.job.file, preset: outcome.job.preset });
+        runs.push(Run::of(&outcome));
         let library = !outcome.is_robot;
         for mut finding in outcome.findings {
             if library && finding.rule.code == "XAC003" {
@@ -34,12 +37,13 @@ pub(super) fn merge(outcomes: Vec<Outcome>) -> Vec<Finding> {
                 Some(old) => old.add(finding, number),
                 None => {
                     places.push(merged.len());
-                    merged.push(Merged { finding, outcomes: vec![number] });
+                    merged.push(Merged::new(finding, number));
                 }
             }
         }
     }
-    merged.into_iter().map(|merged| merged.finish(&runs)).collect()
+    let contexts = Contexts::of(runs);
+    merged.into_iter().filter_map(|merged| merged.finish(&contexts)).collect()
 }
 
 /// A finding that stands for those of a whole package.
@@ -88,13 +92,12 @@ pub(super) fn once_per_package(findings: &mut Vec<Finding>, package: impl Fn(Fil
 /// Further places listed with a finding.
 const MOST_PLACES: usize = 10;
 
-/// An expansion: the file and its preset.
-struct Run {
-    file: PathBuf,
-    preset: Option<String>,
-}
-
 impl Merged {
+    fn new(finding: Finding, number: usize) -> Self {
+        let by_way = vec![vec![number]; finding.ways.len()];
+        Self { finding, outcomes: vec![number], by_way }
+    }
+
     /// Whether a finding at the same place is the same: two expansions may word one defect differently, one
     /// expansion says different things at one place only when they are different.
     fn admits(&self, finding: &Finding, number: usize) -> bool {
@@ -107,8 +110,12 @@ impl Merged {
         self.finding.severity = self.finding.severity.max(finding.severity);
         self.finding.partial |= finding.partial;
         for way in finding.ways {
-            if !self.finding.ways.iter().any(|known| known.call == way.call) {
-                self.finding.ways.push(way);
+            match self.finding.ways.iter().position(|known| known.call == way.call) {
+                Some(known) => self.by_way.get_mut(known).into_iter().for_each(|own| own.push(number)),
+                None => {
+                    self.finding.ways.push(way);
+                    self.by_way.push(vec![number]);
+                }
             }
         }
         for related in finding.related {
@@ -118,16 +125,23 @@ impl Merged {
         }
     }
 
-    /// Say in which presets the finding occurs, when not in all of them.
-    fn finish(mut self, runs: &[Run]) -> Finding {
-        let own = |number: &usize| runs.get(*number);
-        let presets: Vec<&str> =
-            self.outcomes.iter().filter_map(own).filter_map(|run| run.preset.as_deref()).collect();
-        let has = |run: &Run| self.outcomes.iter().filter_map(own).any(|own| own.file == run.file);
-        let possible = runs.iter().filter(|run| has(run)).count();
-        if !presets.is_empty() && self.outcomes.len() < possible {
-            self.finding.message.push_str(&format!(" (with preset `{}`)", presets.join("`, `")));
+    /// Say in which contexts the finding occurs, when not in all of them. What is unused in some of them only is not
+    /// unused.
+    fn finish(mut self, contexts: &Contexts) -> Option<Finding> {
+        let possible = contexts.that_read(self.finding.span.file, &self.outcomes);
+        let has = |number: &usize| self.outcomes.contains(number);
+        if possible.iter().all(has) {
+            // what holds in all contexts may still blame a call that only some of them make
+            return Some(self.finding);
         }
-        self.finding
+        if self.finding.rule.name.starts_with("unused-") {
+            return None;
+        }
+        for (way, own) in self.finding.ways.iter_mut().zip(&self.by_way) {
+            way.message.push_str(&contexts.suffix(own));
+        }
+        self.finding.message.push_str(&contexts.suffix(&self.outcomes));
+        self.finding.related.extend(contexts.places(&self.outcomes));
+        Some(self.finding)
     }
 }

@@ -7,6 +7,7 @@ mod change;
 mod check;
 mod configs;
 mod context;
+mod contexts;
 mod coverage;
 mod first_look;
 mod fix;
@@ -20,6 +21,7 @@ mod report;
 mod roots;
 mod session;
 mod suppress;
+mod trial;
 mod walk;
 mod world;
 

@@ -64,9 +64,16 @@ impl Session {
         let config = &settings.config;
         vfs.set_max_file_bytes(config.limits.file_bytes());
         let explicit = setup.package_path.iter().map(|path| env.cwd.join(path));
+        let folders: Vec<PathBuf> = setup.folders.into_iter().filter(|folder| vfs.is_dir(folder)).collect();
+        // each folder may name places of its own
+        let others = folders.iter().map(|folder| configs.of_folder(&vfs, folder));
+        let of_folders: Vec<PathBuf> = others
+            .flat_map(|settings| settings.config.package_path.clone())
+            .filter(|path| !config.package_path.contains(path))
+            .collect();
         let options = PackageOptions {
-            workspace_folders: setup.folders.into_iter().filter(|folder| vfs.is_dir(folder)).collect(),
-            explicit: explicit.chain(config.package_path.iter().cloned()).collect(),
+            workspace_folders: folders,
+            explicit: explicit.chain(config.package_path.iter().cloned()).chain(of_folders).collect(),
             use_environment: config.use_environment,
             target: config.target,
             ..PackageOptions::default()

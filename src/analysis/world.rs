@@ -92,8 +92,10 @@ pub struct World {
     epoch: u64,
     /// What the last check said of open files, to be carried along while they are edited.
     pub(super) settled: FastMap<PathBuf, Settled>,
-    /// Settings of the editor, and the folder they belong to.
-    editor: Option<(serde_json::Value, PathBuf)>,
+    /// Whether every configured root is checked with each preset, not only what files are shown under.
+    all_contexts: bool,
+    /// Settings of the editor, and the folders they belong to.
+    editor: Vec<(serde_json::Value, PathBuf)>,
 }
 
 impl World {
@@ -103,7 +105,7 @@ impl World {
     /// A world that sees `folders`; without any, single files are shown by themselves.
     pub fn new(env: Environment, folders: Vec<PathBuf>) -> Self {
         let vfs = Arc::new(Vfs::with_cwd(config::Limits::default().file_bytes(), env.cwd.clone()));
-        let session = session(&vfs, &env, &folders, None);
+        let session = session(&vfs, &env, &folders, Vec::new());
         Self {
             session,
             env,
@@ -118,16 +120,15 @@ impl World {
             good: FastMap::default(),
             epoch: 0,
             settled: FastMap::default(),
-            editor: None,
+            all_contexts: false,
+            editor: Vec::new(),
         }
     }
 
     /// A world with the same folders and settings that sees the files on the disk, whatever is open.
     pub fn on_disk(&self) -> Self {
         let mut world = Self::new(self.env.clone(), self.folders.clone());
-        if let Some((settings, _)) = &self.editor {
-            world.set_editor_settings(settings.clone());
-        }
+        world.set_folder_settings(self.editor.clone());
         world
     }
 
@@ -160,10 +161,21 @@ impl World {
     /// them has no effect.
     pub fn set_editor_settings(&mut self, settings: serde_json::Value) -> Vec<String> {
         let folder = self.folders.first().unwrap_or(&self.env.cwd).clone();
-        let warnings = Config::default().apply_settings(&settings, &folder);
-        self.editor = Some((settings, folder));
+        self.set_folder_settings(vec![(settings, folder)])
+    }
+
+    /// The same with settings for each folder.
+    pub fn set_folder_settings(&mut self, settings: Vec<(serde_json::Value, PathBuf)>) -> Vec<String> {
+        let apply = |(own, folder): &(_, PathBuf)| Config::default().apply_settings(own, folder);
+        let warnings: Vec<_> = settings.iter().flat_map(apply).collect();
+        self.editor = settings;
         self.reload();
         warnings.iter().map(ToString::to_string).collect()
+    }
+
+    /// Check every configured root with each preset, or only the one that each file is shown under.
+    pub fn set_all_contexts(&mut self, all: bool) {
+        self.all_contexts = all;
     }
 
     /// The files that are open.
@@ -439,12 +451,17 @@ impl World {
                 roots.push(root);
             }
         }
+        if self.all_contexts {
+            let further = self.configured_contexts(&paths);
+            roots.extend(further.into_iter().filter(|root| !own.contains(root)));
+        }
         let mut outcomes = Vec::new();
         for root in &roots {
+            let is_context = self.all_contexts || self.is_configured(root);
             let analyzed = self.analyzed(root, cancel)?;
             let mut outcome = analyzed.outcome(&self.session, cancel)?.clone();
             outcome.findings.extend(check_recovered(&analyzed.expansion, &self.session.vfs));
-            outcomes.push(outcome);
+            outcomes.push(Outcome { is_context, ..outcome });
         }
         let entries: Vec<PathBuf> = paths.iter().map(|path| (*path).clone()).collect();
         let mut report = self.session.conclude(&self.options(&entries), outcomes);
@@ -467,7 +484,7 @@ impl World {
 }
 
 /// The expansion of a root.
-fn job_of(root: &RootChoice) -> Job {
+pub(super) fn job_of(root: &RootChoice) -> Job {
     let RootChoice { file, args, preset } = root.clone();
     Job { file, reason: Reason::Named, args, preset }
 }
@@ -476,7 +493,7 @@ fn session(
     vfs: &Arc<Vfs>,
     env: &Environment,
     folders: &[PathBuf],
-    editor: Option<(serde_json::Value, PathBuf)>,
+    editor: Vec<(serde_json::Value, PathBuf)>,
 ) -> Session {
     let about = folders.first().cloned().unwrap_or_else(|| env.cwd.clone());
     let setup = Setup {

@@ -25,6 +25,7 @@ mod on_type;
 mod outline;
 mod paths;
 mod rename;
+mod rename_robot;
 mod schema;
 mod search;
 mod selection;
@@ -36,8 +37,8 @@ mod typed;
 mod values;
 
 pub use actions::{
-    Action, ActionKind, MacroFile, NewFile, before_use, ignored_in_config, include_macro, inlinable,
-    move_to_file, other_name, quick_fixes, refactorings,
+    Action, ActionKind, MacroFile, NewFile, Refused, before_use, ignored_in_config, include_macro, inlinable,
+    inline_macro, move_to_file, of_mesh, other_name, quick_fixes, refactorings, suggested,
 };
 pub use calls::{Caller, Calls, caller_target, calls_of, incoming, macro_at, macros_of, outgoing};
 pub use colours::{Colour, colour_text, colours};
@@ -54,7 +55,9 @@ pub use hover::{Hover, declared_argument, hover, hover_while_typing, value_of};
 pub use instances::{Pin, pin, pinned};
 pub use locate::{At, Part, locate};
 pub use moved::{Move, renamed_files};
-pub use names::{NameUse, Target, definition_of, definitions, occurrences};
+pub use names::{
+    NameUse, RobotThing, Target, definition_of, definitions, occurrences, robot_name_at, uses_of,
+};
 pub use navigate::{FilePlace, declaration, file_definition, implementations, is_text, type_definition};
 pub use on_type::{Insertion, on_type};
 pub use outline::{Outline, OutlineKind, outline};

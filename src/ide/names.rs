@@ -72,11 +72,30 @@ pub fn occurrences(cx: &Cx<'_>, offset: u32) -> Vec<NameUse> {
             .filter_map(|used| Some(NameUse { span: cx.span(used.place)?, is_definition: false }));
         return given.into_iter().chain(uses).collect();
     }
-    let Some((_, names, kind)) = named(cx, offset) else { return Vec::new() };
-    let Some(name) = names.first().and_then(|text| text.name()) else { return Vec::new() };
+    robot_name_at(cx, offset).map(|name| uses_of(cx, &name)).unwrap_or_default()
+}
+
+/// The name of a link, joint or material.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RobotThing {
+    /// Its name in the expanded robot.
+    pub name: String,
+    kind: NameKind,
+}
+
+/// The link, joint or material that the text at an offset names.
+pub fn robot_name_at(cx: &Cx<'_>, offset: u32) -> Option<RobotThing> {
+    let (_, names, kind) = named(cx, offset)?;
+    let name = names.first()?.name()?.to_string();
+    Some(RobotThing { name, kind })
+}
+
+/// All places that give or use a name of the robot.
+pub fn uses_of(cx: &Cx<'_>, thing: &RobotThing) -> Vec<NameUse> {
     let mut found: Vec<NameUse> = Vec::new();
-    for other in all_names(cx).into_iter().filter(|other| other.kind.is(kind)) {
-        let span = written(cx, other.text).filter(|_| other.text.name() == Some(name));
+    for other in all_names(cx).into_iter().filter(|other| other.kind.is(thing.kind)) {
+        let same = other.text.name().is_some_and(|name| *name == *thing.name);
+        let span = written(cx, other.text).filter(|_| same);
         if let Some(span) = span
             && !found.iter().any(|used| used.span == span)
         {
@@ -98,7 +117,7 @@ pub(super) enum NameKind {
 
 impl NameKind {
     /// Whether two names may mean one thing.
-    fn is(self, other: Self) -> bool {
+    pub fn is(self, other: Self) -> bool {
         let mixed = |a, b| a == Self::LinkOrJoint && b != Self::Material;
         self == other || mixed(self, other) || mixed(other, self)
     }

@@ -1,8 +1,8 @@
 //! Renaming: every text that gives or uses a name, or why it cannot be renamed.
 
 use super::context::Cx;
-use super::locate::{Part, locate};
-use super::names::{definition_of, occurrences};
+use super::names::definition_of;
+use super::rename_robot;
 use crate::base::limits::NAME_LETTERS;
 use crate::base::{Span, TextRange};
 use crate::expand::{DefinitionId, SourceRange, SymbolKind, UseKind};
@@ -15,12 +15,7 @@ pub fn renameable(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, String)> {
         let name = cx.expansion.symbols.get(id)?.name.to_string();
         return (cx.source.document.slice(range) == name).then_some((range, name));
     }
-    let at = locate(&cx.source.document, offset);
-    let Part::AttrValue(attr) = at.part else { return None };
-    let range = at.shift(attr.value_range());
-    let named =
-        occurrences(cx, offset).iter().any(|used| used.span.file == cx.source.id && used.span.range == range);
-    named.then(|| (range, attr.raw().to_owned()))
+    rename_robot::renameable(cx, offset)
 }
 
 /// The texts to be replaced by `new` when the name at an offset is renamed, in the files of this expansion.
@@ -31,32 +26,16 @@ pub fn rename(cx: &Cx<'_>, offset: u32, new: &str) -> Result<Vec<Span>, String> 
     if new.len() > NAME_LETTERS {
         return Err(format!("a name of more than {NAME_LETTERS} letters is refused"));
     }
-    let Some((_, name)) = renameable(cx, offset) else {
+    let Some((id, range)) = cx.symbol_at(offset) else { return rename_robot::rename(cx, offset, new) };
+    if symbols_name(cx, id) != Some(cx.source.document.slice(range)) {
         return Err("no name that can be renamed stands here".to_owned());
-    };
-    if let Some((id, _)) = cx.symbol_at(offset) {
-        admit(cx, id, new)?;
-        return Ok(places(cx, id));
     }
-    let is_plain = |c: char| !c.is_whitespace() && !matches!(c, '<' | '&' | '"' | '\'' | '$' | '{' | '}');
-    if new.is_empty() || !new.chars().all(is_plain) {
-        return Err(format!("`{new}` is no good name of a link or joint"));
-    }
-    let uses = occurrences(cx, offset);
-    for used in &uses {
-        let text = cx.file_of(used.span.file).map(|file| file.document.slice(used.span.range));
-        if text.as_deref() != Some(name.as_str()) {
-            let file = cx.file_of(used.span.file);
-            let line = file.map_or(0, |file| {
-                file.document.line_col(used.span.range.start, crate::base::Encoding::Utf8).line + 1
-            });
-            let text = text.unwrap_or_default();
-            return Err(format!(
-                "`{name}` is made by `{text}` in line {line}: rename it there, or change what the call passes"
-            ));
-        }
-    }
-    Ok(uses.into_iter().map(|used| used.span).collect())
+    admit(cx, id, new)?;
+    Ok(places(cx, id))
+}
+
+fn symbols_name(cx: &Cx<'_>, id: DefinitionId) -> Option<String> {
+    Some(cx.expansion.symbols.get(id)?.name.to_string())
 }
 
 /// The texts of a definition and its uses, in the files of this expansion.

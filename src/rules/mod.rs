@@ -34,7 +34,7 @@ mod xml;
 pub use catalogue::{catalogue, catalogue_of};
 pub use context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings};
 pub use finding::{Edit, Finding, Fix, Related, Way};
-pub use geometry::{FileTarget, link_bounds, resolve_file};
+pub use geometry::{FileTarget, factors, link_bounds, resolve_file};
 pub use linter::{
     Directive, Malformed, Selector, Suppression, Suppressions, invalid_config, unused_suppression,
 };

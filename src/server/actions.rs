@@ -9,8 +9,7 @@ use std::sync::Arc;
 
 use lsp_types::{
     CodeAction, CodeActionKind, CodeActionOptions, CodeActionOrCommand, CodeActionParams, Command,
-    CreateFile, Diagnostic, DocumentChangeOperation, DocumentChanges, NumberOrString, OneOf,
-    OptionalVersionedTextDocumentIdentifier, Range, RenameFile, ResourceOp, TextDocumentEdit,
+    Diagnostic, DocumentChangeOperation, DocumentChanges, NumberOrString, RenameFile, ResourceOp,
     TextDocumentPositionParams, TextEdit, Url, WorkDoneProgressOptions, WorkspaceEdit,
 };
 use serde_json::json;
@@ -20,7 +19,7 @@ use super::engine::Engine;
 use super::failure::Failure;
 use crate::analysis::{apply, choose};
 use crate::base::{CancelFlag, Span, TextRange};
-use crate::facts::{FactKind, MentionKind, facts};
+use crate::facts::{FactKind, facts};
 use crate::ide::{self, Action, ActionKind, MacroFile};
 use crate::rules::{Edit, Finding, Safety};
 use crate::vfs::SourceFile;
@@ -44,7 +43,7 @@ pub(super) fn offered() -> CodeActionOptions {
             CodeActionKind::REFACTOR_REWRITE,
             FIX_ALL,
         ]),
-        resolve_provider: Some(false),
+        resolve_provider: Some(true),
         work_done_progress_options: WorkDoneProgressOptions::default(),
     }
 }
@@ -61,15 +60,11 @@ impl Engine {
         if wants(only, &CodeActionKind::QUICKFIX) {
             found.extend(self.quick_fixes(&params, &path, &source, cancel)?);
         }
-        let selection = convert::text_range(&source.document, params.range, self.encoding);
         if ["extract", "inline", "rewrite"].iter().any(|kind| wants(only, &refactor(kind))) {
-            let at = TextDocumentPositionParams::new(params.text_document.clone(), params.range.start);
-            let actions = self.refactorings(&at, selection, cancel)?;
-            let actions = actions.into_iter().filter(|action| wants(only, &kind(action.kind)));
-            found.extend(actions.filter_map(|action| self.action(action, None)).collect::<Vec<_>>());
-            found.extend(
-                self.moved_to_file(&path, &source, selection).filter(|_| wants(only, &refactor("extract"))),
-            );
+            let actions = self.refactor_actions(&params.text_document.uri, params.range, cancel)?;
+            let actions =
+                actions.into_iter().filter(|action| action.kind.as_ref().is_some_and(|k| wants(only, k)));
+            found.extend(actions.collect::<Vec<_>>());
         }
         if self.client.renames_files && wants(only, &CodeActionKind::QUICKFIX) {
             found.extend(self.renamed_to_xacro(&params, &path));
@@ -79,35 +74,6 @@ impl Engine {
             found.extend(self.fix_all(&path, &source, cancel)?);
         }
         Ok(Some(found.into_iter().map(CodeActionOrCommand::CodeAction).collect()))
-    }
-
-    /// Elements moved to a file of their own, for clients that make files.
-    fn moved_to_file(&self, path: &Path, source: &SourceFile, selection: TextRange) -> Option<CodeAction> {
-        if !self.client.creates_files || !self.is_ours(path) {
-            return None;
-        }
-        let folder = path.parent()?;
-        let vfs = &self.world.session().vfs;
-        let (action, file) = ide::move_to_file(source, selection, |name| vfs.exists(&folder.join(name)))?;
-        let uri = Url::from_file_path(folder.join(&file.name)).ok()?;
-        let mut operations = vec![
-            DocumentChangeOperation::Op(ResourceOp::Create(CreateFile {
-                uri: uri.clone(),
-                options: None,
-                annotation_id: None,
-            })),
-            DocumentChangeOperation::Edit(TextDocumentEdit {
-                text_document: OptionalVersionedTextDocumentIdentifier { uri, version: None },
-                edits: vec![OneOf::Left(TextEdit::new(Range::default(), file.text))],
-            }),
-        ];
-        let made = self.action(action, None)?;
-        if let Some(DocumentChanges::Edits(edits)) = made.edit.as_ref()?.document_changes.clone() {
-            operations.extend(edits.into_iter().map(DocumentChangeOperation::Edit));
-        }
-        let changes = Some(DocumentChanges::Operations(operations));
-        let edit = WorkspaceEdit { document_changes: changes, ..WorkspaceEdit::default() };
-        Some(CodeAction { edit: Some(edit), ..made })
     }
 
     /// A file with tags of xacro gets a name that says so.
@@ -164,6 +130,10 @@ impl Engine {
                 let (title, edits) = (fix.message.clone(), fix.edits.clone());
                 let action = Action { title, kind: ActionKind::Fix, edits };
                 actions.push((action, fix.safety == Safety::Safe));
+            }
+            if finding.fix.is_none() {
+                let near = finding.help.as_deref().and_then(|help| ide::suggested(source, range, help));
+                actions.extend(near.map(|action| (action, false)));
             }
             if rule == "undefined-macro" {
                 self.world.scan(|| cancel.is_cancelled());
@@ -271,33 +241,6 @@ impl Engine {
         files.filter_map(include).take(MOST_FILES).collect()
     }
 
-    fn refactorings(
-        &mut self,
-        at: &TextDocumentPositionParams,
-        selection: TextRange,
-        cancel: &CancelFlag,
-    ) -> Result<Vec<Action>, Failure> {
-        let asked = self.asked(at, cancel)?;
-        let session = self.world.session();
-        let settings = session.settings(&asked.source.path);
-        let world = session.surroundings(&settings.config);
-        let mut actions = ide::refactorings(&asked.cx(), world, selection);
-        if let Some((_, name)) = ide::inlinable(&asked.cx(), selection.start) {
-            // files of other robots may read the property
-            self.world.scan(|| cancel.is_cancelled());
-            if !self.world.is_scanned() {
-                return Err(Failure::Cancelled);
-            }
-            let others = self.world.known_files().into_iter().filter(|file| !asked.analyzed.includes(file));
-            let reads =
-                |file: &Path| self.world.document(file).is_some_and(|own| mentions(&own.document, &name));
-            if others.into_iter().any(|file| reads(&file)) {
-                actions.retain(|action| action.kind != ActionKind::Inline);
-            }
-        }
-        Ok(actions)
-    }
-
     /// All safe fixes of a file that change nothing else and leave its syntax whole.
     fn fix_all(
         &mut self,
@@ -323,7 +266,7 @@ impl Engine {
     }
 
     /// An action for the client; none when it would change a file that is not the user's.
-    fn action(&self, action: Action, diagnostic: Option<&Diagnostic>) -> Option<CodeAction> {
+    pub(super) fn action(&self, action: Action, diagnostic: Option<&Diagnostic>) -> Option<CodeAction> {
         Some(CodeAction {
             title: action.title,
             kind: Some(kind(action.kind)),
@@ -365,17 +308,11 @@ fn refactor(name: &str) -> CodeActionKind {
     CodeActionKind::from(format!("refactor.{name}"))
 }
 
-fn kind(kind: ActionKind) -> CodeActionKind {
+pub(super) fn kind(kind: ActionKind) -> CodeActionKind {
     match kind {
         ActionKind::Fix => CodeActionKind::QUICKFIX,
         ActionKind::Extract => CodeActionKind::REFACTOR_EXTRACT,
         ActionKind::Inline => CodeActionKind::REFACTOR_INLINE,
         ActionKind::Rewrite => CodeActionKind::REFACTOR_REWRITE,
     }
-}
-
-/// Whether an expression of a document reads a name.
-fn mentions(document: &Document, name: &str) -> bool {
-    let reads = |mention: &crate::facts::Mention| mention.kind == MentionKind::Name && mention.name == name;
-    facts(document).any(|(_, facts)| facts.sites.iter().flat_map(|site| &site.mentions).any(reads))
 }

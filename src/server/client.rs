@@ -24,6 +24,12 @@ pub(super) struct ClientFacts {
     pub shows_documents: bool,
     /// It takes edits with versions.
     pub document_changes: bool,
+    /// It shows what an edit says about itself, and asks before it makes some.
+    pub change_annotations: bool,
+    /// It asks for the edits of an action when the action is picked.
+    pub resolves_actions: bool,
+    /// It shows actions that cannot be made, with the reason.
+    pub disabled_actions: bool,
     /// It makes files that an edit asks for.
     pub creates_files: bool,
     /// It renames files that an edit asks for.
@@ -49,6 +55,7 @@ impl ClientFacts {
         let item = item.unwrap_or_default();
         let signature = text.signature_help.as_ref().and_then(|help| help.signature_information.clone());
         let parameter = signature.and_then(|signature| signature.parameter_information);
+        let action = text.code_action.clone().unwrap_or_default();
         let yes = |flag: Option<Option<bool>>| flag.flatten().unwrap_or(false);
         let edit = workspace.workspace_edit.clone().unwrap_or_default();
         let operations = edit.resource_operations.unwrap_or_default();
@@ -74,6 +81,10 @@ impl ClientFacts {
                 .and_then(|window| window.show_document.as_ref())
                 .is_some_and(|show| show.support),
             document_changes: yes(workspace.workspace_edit.as_ref().map(|e| e.document_changes)),
+            change_annotations: versions && edit.change_annotation_support.is_some(),
+            resolves_actions: action.data_support.unwrap_or(false)
+                && action.resolve_support.is_some_and(|s| s.properties.iter().any(|p| p == "edit")),
+            disabled_actions: action.disabled_support.unwrap_or(false),
             creates_files: operation(ResourceOperationKind::Create),
             renames_files: operation(ResourceOperationKind::Rename),
             links: text.definition.as_ref().and_then(|d| d.link_support).unwrap_or(false),

@@ -9,6 +9,8 @@ use tower_lsp::jsonrpc::{Error, ErrorCode};
 pub(super) enum Failure {
     /// The client no longer wants it.
     Cancelled,
+    /// It was about a text that is another one by now.
+    Outdated,
     /// The request makes no sense; the text says why.
     Invalid(String),
     /// What was asked for is refused; the text says why.
@@ -19,6 +21,7 @@ impl Failure {
     pub fn into_error(self) -> Error {
         let (code, message) = match self {
             Failure::Cancelled => (ErrorCode::RequestCancelled, "cancelled".to_owned()),
+            Failure::Outdated => (ErrorCode::ContentModified, "the text has changed: ask anew".to_owned()),
             Failure::Invalid(message) => (ErrorCode::InvalidParams, message),
             // `RequestFailed` of LSP 3.17
             Failure::Refused(message) => (ErrorCode::ServerError(-32803), message),

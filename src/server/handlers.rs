@@ -153,6 +153,10 @@ impl LanguageServer for Handlers {
         self.letterbox.ask(params, Engine::actions).await
     }
 
+    async fn code_action_resolve(&self, params: CodeAction) -> Result<CodeAction> {
+        self.letterbox.ask(params, Engine::resolve_action).await
+    }
+
     async fn formatting(&self, params: DocumentFormattingParams) -> Result<Option<Vec<TextEdit>>> {
         self.letterbox.ask(params, Engine::format).await
     }

@@ -66,7 +66,8 @@ impl Engine {
         }
     }
 
-    fn ask_for_settings(&self) {
+    /// Ask for the settings of each folder, where the client answers that.
+    pub fn ask_for_settings(&self) {
         if self.client.configuration {
             let folders = self.world.folders().iter().map(|folder| Url::from_file_path(folder).ok());
             let mut scopes: Vec<_> = folders.collect();
@@ -86,10 +87,24 @@ impl Engine {
         self.schedule();
     }
 
-    /// The client's answer about settings.
-    pub fn configured(&mut self, (_, values): (Vec<Option<Url>>, Vec<Value>)) {
-        for value in &values {
-            self.settings(value);
+    /// The client's answer about settings: those of each folder hold for what lies in it.
+    pub fn configured(&mut self, (scopes, values): (Vec<Option<Url>>, Vec<Value>)) {
+        let first = self.world.folders().first().cloned();
+        let mut of_folders = Vec::new();
+        for (scope, value) in scopes.iter().zip(&values) {
+            let settings = value.get("xacro").unwrap_or(value);
+            let folder = scope.as_ref().map(|uri| self.path(uri)).or_else(|| first.clone());
+            match folder.filter(|_| settings.is_object()) {
+                Some(folder) => {
+                    self.own_settings(settings);
+                    of_folders.push((settings.clone(), folder));
+                }
+                None => self.settings(value),
+            }
+        }
+        if !of_folders.is_empty() {
+            let warnings = self.world.set_folder_settings(of_folders);
+            self.warn_of_settings(warnings);
         }
         self.schedule();
     }
@@ -100,6 +115,19 @@ impl Engine {
         if !settings.is_object() {
             return;
         }
+        self.own_settings(settings);
+        let warnings = self.world.set_editor_settings(settings.clone());
+        self.warn_of_settings(warnings);
+    }
+
+    fn warn_of_settings(&mut self, warnings: Vec<String>) {
+        for warning in warnings {
+            self.warn_once(format!("settings: {warning}"));
+        }
+    }
+
+    /// Take over what is the server's own: that holds for all folders.
+    fn own_settings(&mut self, settings: &Value) {
         if let Some(delay) = settings.pointer("/diagnostics/delay") {
             match delay.as_u64() {
                 Some(delay) => self.delay = Duration::from_millis(delay.min(60_000)),
@@ -109,13 +137,17 @@ impl Engine {
                 }
             }
         }
+        let dotted = || settings.get("diagnostics.contexts");
+        if let Some(contexts) = settings.pointer("/diagnostics/contexts").or_else(dotted) {
+            self.world.set_all_contexts(contexts == "all");
+            if contexts != "all" && contexts != "active" {
+                let message = "`xacro.diagnostics.contexts` is neither `active` nor `all`; the default holds";
+                self.warn_once(message.to_owned());
+            }
+        }
         super::hints::settings(settings, &mut self.hint_settings);
         if let Some(snippets) = settings.pointer("/completion/snippets") {
             self.snippets = snippets.as_bool().unwrap_or(true);
-        }
-        let warnings = self.world.set_editor_settings(settings.clone());
-        for warning in warnings {
-            self.warn_once(format!("settings: {warning}"));
         }
         for unknown in unknown_settings(settings) {
             self.outbox.log(format!("settings: {unknown}"));

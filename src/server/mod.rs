@@ -31,6 +31,8 @@ mod mapping;
 mod navigation;
 mod outbox;
 mod preview;
+mod refactorings;
+mod references;
 mod rename;
 mod roots;
 mod structure;

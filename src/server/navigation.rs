@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use lsp_types::{
     DocumentHighlight, DocumentHighlightKind, DocumentHighlightParams, GotoDefinitionParams,
-    GotoDefinitionResponse, Location, LocationLink, Range, ReferenceParams, TextDocumentPositionParams, Url,
+    GotoDefinitionResponse, Location, LocationLink, Range, TextDocumentPositionParams, Url,
 };
 
 use super::convert;
@@ -186,18 +186,6 @@ impl Engine {
             target_range: self.location(target.whole)?.range,
             target_selection_range: name.range,
         })
-    }
-
-    pub fn references(
-        &mut self,
-        params: ReferenceParams,
-        cancel: &CancelFlag,
-    ) -> Result<Option<Vec<Location>>, Failure> {
-        let asked = self.asked(&params.text_document_position, cancel)?;
-        let with_definition = params.context.include_declaration;
-        let uses = ide::occurrences(&asked.cx(), asked.offset).into_iter();
-        let uses = uses.filter(|used| with_definition || !used.is_definition);
-        Ok(Some(uses.filter_map(|used| self.location(used.span)).collect()))
     }
 
     pub fn highlights(

@@ -1,10 +1,12 @@
 //! Renaming names in all files that use them.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::path::{Path, PathBuf};
 
 use lsp_types::{
-    DocumentChanges, OneOf, OptionalVersionedTextDocumentIdentifier, PrepareRenameResponse, RenameParams,
-    TextDocumentEdit, TextDocumentPositionParams, TextEdit, Url, WorkspaceEdit,
+    AnnotatedTextEdit, ChangeAnnotation, DocumentChanges, OneOf, OptionalVersionedTextDocumentIdentifier,
+    PrepareRenameResponse, RenameParams, TextDocumentEdit, TextDocumentPositionParams, TextEdit, Url,
+    WorkspaceEdit,
 };
 
 use super::convert;
@@ -13,7 +15,12 @@ use super::failure::Failure;
 use super::navigation::Asked;
 use crate::base::limits::RENAME_ROBOTS;
 use crate::base::{CancelFlag, Span};
+use crate::expand::SymbolKind;
 use crate::ide::{self, Cx};
+use crate::workspace::config::{argument_places, files_named};
+
+/// Folders of what tools have built.
+const BUILT: [&str; 4] = ["install", "build", "log", "devel"];
 
 impl Engine {
     pub fn prepare_rename(
@@ -35,23 +42,114 @@ impl Engine {
         cancel: &CancelFlag,
     ) -> Result<Option<WorkspaceEdit>, Failure> {
         let asked = self.asked(&params.text_document_position, cancel)?;
-        let refuse = |message: String| Failure::Refused(message);
-        let mut spans = ide::rename(&asked.cx(), asked.offset, &params.new_name).map_err(refuse)?;
-        spans.extend(self.in_other_robots(&asked, cancel)?);
+        let new = params.new_name.as_str();
+        let mut spans = ide::rename(&asked.cx(), asked.offset, new).map_err(Failure::Refused)?;
+        match asked.cx().symbol_at(asked.offset) {
+            Some(_) => {
+                spans.extend(self.in_other_robots(&asked, cancel)?);
+                spans.extend(self.in_presets(&asked));
+            }
+            None => self.in_further_robots(&asked, new, &mut spans, cancel)?,
+        }
         spans.sort_by_key(|span| (span.file, span.range.start));
         spans.dedup();
         let mut edits: BTreeMap<Url, Vec<TextEdit>> = BTreeMap::new();
         for span in spans {
             let path = self.world.session().vfs.path(span.file);
-            if !self.is_ours(&path) {
-                let message = format!("`{}` is not part of the workspace and is not changed", path.display());
-                return Err(Failure::Refused(message));
-            }
+            self.admit_edit(&path)?;
             if let Some(place) = self.location(span) {
-                edits.entry(place.uri).or_default().push(TextEdit::new(place.range, params.new_name.clone()));
+                edits.entry(place.uri).or_default().push(TextEdit::new(place.range, new.to_owned()));
             }
         }
-        Ok(Some(self.workspace_edit(edits)))
+        Ok(Some(self.annotated(edits)))
+    }
+
+    /// Whether a file may be changed with the user's consent, which for files outside of the workspace the client has
+    /// to ask for.
+    fn admit_edit(&self, path: &Path) -> Result<(), Failure> {
+        if self.is_ours(path) {
+            return Ok(());
+        }
+        let shown = path.display();
+        if self.world.session().is_installed(path) || path.iter().any(|part| BUILT.iter().any(|b| part == *b))
+        {
+            return Err(Failure::Refused(format!("`{shown}` lies in an install folder and is not changed")));
+        }
+        match self.client.change_annotations {
+            true => Ok(()),
+            false => {
+                Err(Failure::Refused(format!("`{shown}` is not part of the workspace and is not changed")))
+            }
+        }
+    }
+
+    /// The texts of links, joints and materials in the other robots that read the files to be changed.
+    fn in_further_robots(
+        &mut self,
+        asked: &Asked,
+        new: &str,
+        spans: &mut Vec<Span>,
+        cancel: &CancelFlag,
+    ) -> Result<(), Failure> {
+        let first = spans.clone();
+        let files: BTreeSet<_> = first.iter().map(|span| span.file).collect();
+        let paths = files.into_iter().map(|file| self.world.session().vfs.path(file));
+        let paths: Vec<_> = paths.collect();
+        let mut roots = Vec::new();
+        for path in paths {
+            for (root, _) in self.world.context(&path).candidates {
+                if root != asked.analyzed.root && !roots.contains(&root) {
+                    roots.push(root);
+                }
+            }
+        }
+        for root in roots.into_iter().take(RENAME_ROBOTS) {
+            let analyzed = self.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+            let (expansion, robot) = (&analyzed.expansion, analyzed.robot.as_ref());
+            for span in &first {
+                let file = expansion.files.iter().find(|file| file.source.id == span.file);
+                let Some(source) = file.map(|file| &*file.source) else { continue };
+                let cx =
+                    Cx { source, expansion, robot, kinematics: analyzed.kinematics.as_ref(), pinned: None };
+                if ide::renameable(&cx, span.range.start).is_some_and(|(range, _)| range == span.range) {
+                    spans.extend(ide::rename(&cx, span.range.start, new).map_err(Failure::Refused)?);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Where configuration files, and comments that name a root, give the argument at a place a value, for robots that
+    /// read it.
+    fn in_presets(&mut self, asked: &Asked) -> Vec<Span> {
+        let cx = asked.cx();
+        let definition = cx.symbol_at(asked.offset).map(|(id, _)| id);
+        let argument = definition.and_then(|id| Some((id, cx.expansion.symbols.get(id)?)));
+        let Some((id, argument)) = argument.filter(|(_, it)| it.kind == SymbolKind::Argument) else {
+            return Vec::new();
+        };
+        let Some(target) = ide::definition_of(&cx, id) else { return Vec::new() };
+        let path = self.world.session().vfs.path(target.name.file);
+        let roots: Vec<PathBuf> =
+            self.world.context(&path).candidates.into_iter().map(|(r, _)| r.file).collect();
+        let session = self.world.session();
+        let configs: BTreeSet<PathBuf> =
+            roots.iter().flat_map(|root| session.settings(root).config.files.clone()).collect();
+        let mut found = Vec::new();
+        for config in configs {
+            let (Ok(text), Some(folder)) = (session.vfs.text(&config), config.parent()) else { continue };
+            let (id, folder) = (session.vfs.file_id(&config), folder.to_path_buf());
+            let reads = |file: &str| {
+                let files = files_named(file, &folder, &session.vfs);
+                files.iter().any(|file| roots.contains(&session.vfs.absolute(file)))
+            };
+            let places = argument_places(&text.text, &argument.name, reads);
+            found.extend(places.into_iter().map(|range| Span { file: id, range }));
+        }
+        let known = self.world.known_files().into_iter();
+        let comments = known.filter_map(|file| self.world.commented_argument(&file, &argument.name));
+        found.extend(comments.filter(|(root, _)| roots.contains(root)).map(|(_, span)| span));
+        found
     }
 
     /// Uses in the other robots that reach the definition.
@@ -72,11 +170,42 @@ impl Engine {
     }
 
     /// Files that may be changed: open ones, and those of the workspace that no tool has built.
-    pub fn is_ours(&self, path: &std::path::Path) -> bool {
-        const BUILT: [&str; 4] = ["install", "build", "log", "devel"];
+    pub fn is_ours(&self, path: &Path) -> bool {
         let inside = self.world.folders().iter().filter_map(|folder| path.strip_prefix(folder).ok());
-        let built = |path: &std::path::Path| path.iter().any(|part| BUILT.iter().any(|name| part == *name));
+        let built = |path: &Path| path.iter().any(|part| BUILT.iter().any(|name| part == *name));
         self.documents.contains_key(path) || inside.into_iter().any(|path| !built(path))
+    }
+
+    /// Edits that say of files which the user does not see that they are changed too, where the client shows that.
+    fn annotated(&self, edits: BTreeMap<Url, Vec<TextEdit>>) -> WorkspaceEdit {
+        let mut edit = self.workspace_edit(edits);
+        let Some(DocumentChanges::Edits(documents)) = &mut edit.document_changes else { return edit };
+        if !self.client.change_annotations {
+            return edit;
+        }
+        let mut annotations = HashMap::new();
+        for document in documents {
+            let path = self.path(&document.text_document.uri);
+            if self.documents.contains_key(&path) {
+                continue;
+            }
+            let outside = !self.is_ours(&path);
+            let (id, label) = match outside {
+                true => ("outside", "in files outside of the workspace"),
+                false => ("closed", "in files that are not open"),
+            };
+            let (annotation_id, label) = (id.to_owned(), label.to_owned());
+            let annotation = ChangeAnnotation { label, needs_confirmation: Some(outside), description: None };
+            annotations.insert(annotation_id.clone(), annotation);
+            for edit in &mut document.edits {
+                if let OneOf::Left(text_edit) = edit.clone() {
+                    let annotation_id = annotation_id.clone();
+                    *edit = OneOf::Right(AnnotatedTextEdit { text_edit, annotation_id });
+                }
+            }
+        }
+        edit.change_annotations = (!annotations.is_empty()).then_some(annotations);
+        edit
     }
 
     /// Edits with the versions they were made for, where the client takes that.

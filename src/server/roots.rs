@@ -186,7 +186,7 @@ impl Engine {
     /// The call that was picked, or else the root with its arguments, or else why there is none.
     fn context_text(&mut self, path: &std::path::Path, context: &Context, cancel: &CancelFlag) -> String {
         let Some(root) = &context.root else { return context.reason.text().to_owned() };
-        self.pinned_label(path, root, cancel).unwrap_or_else(|| label(root))
+        self.pinned_label(path, root, cancel).unwrap_or_else(|| root.label())
     }
 
     pub fn tree(&mut self, params: TreeParams, cancel: &CancelFlag) -> Result<Tree, Failure> {
@@ -233,11 +233,4 @@ impl Engine {
         let file = analyzed.expansion.files.get(place.file.0 as usize)?.source.id;
         self.location(crate::base::Span { file, range: place.range })
     }
-}
-
-/// A root for a status line: its file and what it is run with.
-fn label(root: &RootChoice) -> String {
-    let name = root.file.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let args = root.args.iter().map(|(name, value)| format!(" {name}:={value}"));
-    std::iter::once(name).chain(args).collect()
 }

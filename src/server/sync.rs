@@ -76,6 +76,7 @@ impl Engine {
             }
         }
         self.world.set_folders(folders);
+        self.ask_for_settings();
         self.schedule();
         self.refresh();
     }

@@ -370,7 +370,7 @@ fn a_call_gives_way_to_what_it_makes() {
     let mut client = Client::start();
     client.open(ROBOT);
     let found = actions(&mut client, ROBOT, "<xacro:un|it name=\"tilt\"", &[], &["refactor.inline"]);
-    let made = client.after(ROBOT, &titled(&found, "expand macro `unit` here")["edit"]);
+    let made = client.after(ROBOT, &titled(&found, "expand macro `unit` here, fully evaluated")["edit"]);
     let expected = "  <link name=\"tilt_body\">\n    <inertial>\n      <mass value=\"0.3\"/>\n";
     assert!(made.contains(expected), "{made}");
     assert!(

@@ -19,6 +19,8 @@ const PATIENCE: Duration = Duration::from_secs(60);
 pub struct Options {
     pub capabilities: Value,
     pub settings: Value,
+    /// Settings of single folders, by their names.
+    pub folder_settings: HashMap<String, Value>,
     /// Answer no request of the server.
     pub deaf: bool,
     /// No folder is open.
@@ -168,8 +170,8 @@ impl Client {
             (Some(method), Some(id)) => {
                 let result = match method {
                     "workspace/configuration" => {
-                        let count = message["params"]["items"].as_array().map_or(0, Vec::len);
-                        Value::Array(vec![self.options.settings.clone(); count])
+                        let items = message["params"]["items"].as_array().cloned().unwrap_or_default();
+                        items.iter().map(|item| self.settings_of(&item["scopeUri"])).collect()
                     }
                     _ => Value::Null,
                 };
@@ -191,6 +193,12 @@ impl Client {
                 self.replies.insert(id, message);
             }
         }
+    }
+
+    /// The settings of a folder: those of all, unless it has its own by its name.
+    fn settings_of(&self, scope: &Value) -> Value {
+        let name = scope.as_str().and_then(|uri| uri.rsplit('/').next()).unwrap_or("");
+        self.options.folder_settings.get(name).unwrap_or(&self.options.settings).clone()
     }
 
     /// Open a file of the workspace with the text it has on the disk.
@@ -312,6 +320,9 @@ impl Client {
     pub fn eventually(&mut self, mut holds: impl FnMut(&mut Self) -> bool) -> bool {
         let begin = Instant::now();
         while begin.elapsed() < PATIENCE {
+            while let Ok(message) = self.messages.try_recv() {
+                self.take(message);
+            }
             if holds(self) {
                 return true;
             }

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::client::{Client, Options};
-use super::workspace::{ROBOT, pan_tilt};
+use super::workspace::{ROBOT, fresh_folder, pan_tilt, write};
 
 #[test]
 fn initialize_says_who_and_what() {
@@ -130,4 +130,41 @@ fn progress_that_was_made_begins_and_ends() {
     let ended = |client: &mut Client| kinds(client).last().is_some_and(|last| last == "end").then_some(());
     client.wait(ended, || "no end of the progress".to_owned());
     assert_eq!(kinds(&client).first().map(String::as_str), Some("begin"));
+}
+
+#[test]
+fn each_folder_has_its_own_settings() {
+    let folder = fresh_folder();
+    let robot = "<robot name=\"🤖\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n<link name=\"a\"/><link name=\"${m}\"/></robot>\n";
+    for name in ["one/r.urdf.xacro", "two/r.urdf.xacro"] {
+        write(&folder, name, robot);
+    }
+    let off = json!({ "diagnostics": { "delay": 0, "rules": { "undefined-property": "off" } } });
+    let on = json!({ "diagnostics": { "delay": 0 } });
+    let folder_settings = [("one", off), ("two", on.clone())].map(|(name, value)| (name.to_owned(), value));
+    let mut client = Client::with(
+        folder,
+        Options { settings: on, folder_settings: folder_settings.into(), ..Options::default() },
+    );
+    let folders = ["one", "two"].map(|name| json!({ "uri": client.uri(name), "name": name }));
+    let whole = json!({ "uri": client.uri("").trim_end_matches('/'), "name": "ws" });
+    client.notify(
+        "workspace/didChangeWorkspaceFolders",
+        json!({ "event": { "added": folders, "removed": [whole] } }),
+    );
+    client.open("one/r.urdf.xacro");
+    client.open("two/r.urdf.xacro");
+    let has = |client: &mut Client, file: &str| {
+        client.findings(file).iter().any(|found| found.ends_with("undefined-property"))
+    };
+    assert!(client.eventually(|client| !has(client, "one/r.urdf.xacro")));
+    assert!(client.eventually(|client| has(client, "two/r.urdf.xacro")));
+    let scopes: Vec<String> = client
+        .asked
+        .iter()
+        .filter(|asked| asked["method"] == "workspace/configuration")
+        .flat_map(|asked| asked["params"]["items"].as_array().unwrap().clone())
+        .map(|item| item["scopeUri"].as_str().unwrap().to_owned())
+        .collect();
+    assert!(scopes.contains(&client.uri("one")) && scopes.contains(&client.uri("two")), "{scopes:?}");
 }

@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::client::Client;
-use super::workspace::{ROBOT, UNIT};
+use super::client::{Client, Options};
+use super::workspace::{ROBOT, UNIT, pan_tilt, write};
 
 /// `file:line name` of each target.
 #[track_caller]
@@ -173,4 +173,37 @@ fn declarations_types_and_implementations() {
     let shown: Vec<&str> = found.as_array().unwrap().iter().map(line).collect();
     assert_eq!(shown[0], "<link name=\"pan_body\">");
     assert!(shown[3].starts_with("<joint name=\"tilt\""), "{shown:?}");
+}
+
+#[test]
+fn uses_are_found_in_all_robots_and_in_values_of_yaml() {
+    let folder = pan_tilt();
+    let place = |name: &str| format!("src/pan_tilt/urdf/{name}");
+    let robot = |name: &str, link: &str| {
+        format!(
+            "<robot name=\"{name}\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n<xacro:include filename=\"tip.xacro\"/>\n\
+             <xacro:property name=\"c\" value=\"${{xacro.load_yaml('c.yaml')}}\"/>\n<link name=\"b${{len(c)}}{link}\"/>\n\
+             <gazebo reference=\"🤖_tip\"/><link name=\"${{size}}\"/></robot>\n"
+        )
+    };
+    let tip = "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><xacro:property name=\"size\" value=\"1\"/>\
+               <link name=\"🤖_tip\"/></robot>\n";
+    write(&folder, &place("tip.xacro"), tip);
+    write(&folder, &place("c.yaml"), "🤖_tip: 1\nlinks: [other, 🤖_tip]\n");
+    write(&folder, &place("one.urdf.xacro"), robot("one", ""));
+    write(&folder, &place("two.urdf.xacro"), robot("two", ""));
+    // a link of the same name that another text gives
+    let stranger = "<robot name=\"x\"><link name=\"🤖_tip\"/></robot>\n";
+    write(&folder, &place("three.urdf"), stranger);
+    let mut client = Client::with(folder, Options::default());
+    client.open(&place("tip.xacro"));
+    client.open(&place("one.urdf.xacro"));
+    client.edit(&place("tip.xacro"), "<link", "<!-- 🤖 --><link");
+    let found = references(&mut client, &place("one.urdf.xacro"), "reference=\"🤖_|tip");
+    let expected = ["tip.xacro:1 🤖_tip", "one.urdf.xacro:5 🤖_tip", "two.urdf.xacro:5 ", "c.yaml:2 "]
+        .map(str::to_owned);
+    assert_eq!(found, expected);
+    let found = references(&mut client, &place("tip.xacro"), "name=\"si|ze\"");
+    let expected = ["tip.xacro:1 size", "one.urdf.xacro:5 size", "two.urdf.xacro:5 "].map(str::to_owned);
+    assert_eq!(found, expected);
 }

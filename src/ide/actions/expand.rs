@@ -31,12 +31,12 @@ pub(super) fn call(cx: &Cx<'_>, offset: u32) -> Option<Action> {
     }
     let range = node.range().shift(base);
     let content = indented(document, range, &text)?;
-    let title = format!("expand macro `{name}` here");
+    let title = format!("expand macro `{name}` here, fully evaluated");
     Some(Action { title, kind: ActionKind::Inline, edits: vec![edit(cx.source, range, content)] })
 }
 
 /// The only expansion of the call whose tag stands at a range.
-fn only_frame(cx: &Cx<'_>, tag: TextRange) -> Option<FrameId> {
+pub(super) fn only_frame(cx: &Cx<'_>, tag: TextRange) -> Option<FrameId> {
     let is_macro = |id: &FrameId| {
         cx.expansion.frames.get(id.0 as usize).is_some_and(|frame| frame.kind == FrameKind::Macro)
     };
@@ -56,7 +56,7 @@ fn leaves_something(cx: &Cx<'_>, outer: FrameId) -> bool {
     })
 }
 
-fn source_node<'a>(cx: &Cx<'a>, origin: Origin) -> Option<Node<'a>> {
+pub(super) fn source_node<'a>(cx: &Cx<'a>, origin: Origin) -> Option<Node<'a>> {
     let item = &cx.expansion.sources.get(origin.src.0 as usize)?.item;
     let around = item.all_nodes().filter(|node| {
         node.kind() == NodeKind::Element

@@ -16,7 +16,7 @@ pub(super) fn from_geometry(cx: &Cx<'_>, offset: u32) -> Option<Action> {
     let document = &cx.source.document;
     let (base, node) = enclosing(document, offset, "link")?;
     let place = node.range().shift(base);
-    let links = cx.robot?.links.iter().filter(|link| is_at(cx, link.element, place));
+    let links = place_of_links(cx, place);
     let mut all = links.map(|link| Some((solid(link)?, link)));
     let (numbers, link) = all.next()??;
     if !all.all(|other| other.is_some_and(|(other, _)| other == numbers)) {
@@ -38,17 +38,24 @@ pub(super) fn from_geometry(cx: &Cx<'_>, offset: u32) -> Option<Action> {
     Some(Action { title, kind: ActionKind::Rewrite, edits })
 }
 
-fn is_at(cx: &Cx<'_>, element: XId, place: TextRange) -> bool {
+/// The links that the element at a place makes, one a call.
+pub(super) fn place_of_links<'a>(cx: &Cx<'a>, place: TextRange) -> impl Iterator<Item = &'a Link> {
+    let links = cx.robot.into_iter().flat_map(|robot| &robot.links);
+    let own = *cx;
+    links.filter(move |link| is_at(&own, link.element, place))
+}
+
+pub(super) fn is_at(cx: &Cx<'_>, element: XId, place: TextRange) -> bool {
     let span = cx.span(SourceRange::from(element_range(cx.expansion, element)));
     span == Some(Span { file: cx.source.id, range: place })
 }
 
-fn child<'a>(node: Node<'a>, name: &str) -> Option<Node<'a>> {
+pub(super) fn child<'a>(node: Node<'a>, name: &str) -> Option<Node<'a>> {
     node.child_elements().find(|child| child.name() == name)
 }
 
 /// The body whose shape counts: the only collision, else the only visual.
-fn body(link: &Link) -> Option<&Body> {
+pub(super) fn body(link: &Link) -> Option<&Body> {
     match (link.collisions.as_slice(), link.visuals.as_slice()) {
         ([one], _) | ([], [one]) => Some(one),
         _ => None,
@@ -122,7 +129,7 @@ fn centre(cx: &Cx<'_>, base: u32, inertial: Node<'_>, shape: Option<Node<'_>>) -
 }
 
 /// A number with six digits that count, and none that do not.
-fn shown(number: f64) -> String {
+pub(super) fn shown(number: f64) -> String {
     let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
     let plain = format!("{rounded}");
     if plain.len() <= 12 { plain } else { format!("{rounded:e}") }

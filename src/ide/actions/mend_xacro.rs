@@ -20,6 +20,15 @@ pub fn other_name(cx: &Cx<'_>, range: TextRange) -> Option<Action> {
     })
 }
 
+/// Replace the text of a finding by the one that its help suggests.
+pub fn suggested(source: &SourceFile, range: TextRange, help: &str) -> Option<Action> {
+    let (near, _) = help.split_once("did you mean `")?.1.split_once("`?")?;
+    let old = source.document.slice(range);
+    let plain = |text: &str| !text.is_empty() && !text.contains(['$', '<', '&', '"', '\'', ' ', '\n']);
+    let fits = plain(&old) && plain(near) && old != near;
+    fits.then(|| fix(format!("replace by `{near}`"), vec![edit(source, range, near)]))
+}
+
 /// Remove the attribute that a finding names.
 pub(super) fn without_attribute(source: &SourceFile, range: TextRange) -> Option<Action> {
     let (base, node) = element_at(&source.document, range.start)?;

@@ -9,18 +9,23 @@ mod extract;
 mod extract_macro;
 mod inertia;
 mod inline;
+mod inline_macro;
 mod joint;
 mod mend;
 mod mend_xacro;
+mod mesh_inertia;
 mod place;
 mod prefix;
+mod split;
 mod suppress;
 mod wrap;
 
 pub use create::{MacroFile, include_macro};
 pub use extract_macro::{NewFile, move_to_file};
 pub use inline::inlinable;
-pub use mend_xacro::{before_use, other_name};
+pub use inline_macro::inline_macro;
+pub use mend_xacro::{before_use, other_name, suggested};
+pub use mesh_inertia::{Refused, of_mesh};
 pub use suppress::ignored_in_config;
 
 use super::context::Cx;
@@ -79,6 +84,8 @@ pub fn refactorings(cx: &Cx<'_>, world: Surroundings<'_>, selection: TextRange) 
     found.extend(wrap::in_condition(cx.source, selection));
     found.extend(joint::additions(cx.source, selection.start));
     found.extend(joint::collision(cx.source, selection.start));
+    found.extend(of_mesh(cx, world, selection.start).unwrap_or_default());
+    found.extend(split::collision(cx, selection.start));
     found.extend(joint::inertial(cx.source, selection.start));
     found.extend(extract_macro::extract_macro(cx, selection));
     found.extend(prefix::names(cx.source, selection));

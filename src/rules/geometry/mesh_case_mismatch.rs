@@ -3,6 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
+use super::missing::shown;
 use super::resources::Target;
 use super::shapes::is_replaceable;
 
@@ -24,11 +25,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let message =
             format!("mesh `{}` of link `{}` is spelled otherwise on disk", mesh.name(), mesh.link.shown());
         let written = mesh.file.value.as_str();
-        let found = found.display().to_string();
-        let help = format!("the file is `{found}`; systems that tell letter cases apart do not find it");
+        let is = shown(cx, mesh.file, found);
+        let help = format!("the file is `{is}`; systems that tell letter cases apart do not find it");
         let report = out.report(mesh.file.origin, message).help(help);
         // the path ends as the file does, but for case
-        let tail = tail_of(written, &found);
+        let tail = tail_of(written, &found.to_string_lossy());
         match tail.filter(|tail| is_replaceable(mesh.file, tail)) {
             Some(spelled) => report.replace_with(Safety::Safe, "spell it as the file is", spelled).done(),
             None => report.done(),

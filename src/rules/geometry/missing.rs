@@ -32,7 +32,7 @@ pub(super) fn report(
         return report.help("correct the path, or add the file").done();
     };
     let uri = uri_of(cx, name, &found);
-    let shown = uri.clone().unwrap_or_else(|| found.display().to_string());
+    let shown = shown(cx, name, &found);
     let points_to = missing.display();
     if inside.zip(package).is_some_and(|(inside, package)| is_installed(cx, &found, inside, package)) {
         let help = format!(
@@ -72,6 +72,16 @@ fn is_installed(cx: &DocumentCx<'_>, found: &Path, inside: &Path, package: &Path
         let text = cx.world.vfs.text(&package.join(file));
         text.is_ok_and(|file| file.text.contains(&first))
     })
+}
+
+/// A file as messages call it where `name` stands: as that text would name it, else from its package, else whole.
+pub(super) fn shown(cx: &DocumentCx<'_>, name: &Text, file: &Path) -> String {
+    let in_package = || {
+        let package = cx.world.packages.containing(file)?;
+        let inside = file.strip_prefix(&package.folder).ok()?.to_str()?;
+        Some(format!("package://{}/{inside}", package.name))
+    };
+    uri_of(cx, name, file).or_else(in_package).unwrap_or_else(|| file.display().to_string())
 }
 
 /// How a file is named in place of `name`.

@@ -42,7 +42,7 @@ mod zero_mesh_scale;
 use super::registry::Rule;
 
 pub use bodies::link_bounds;
-pub use resources::{Target as FileTarget, resolve as resolve_file};
+pub use resources::{Target as FileTarget, factors, resolve as resolve_file};
 
 pub(super) use bodies::{Extent, extent, extent_of, volume};
 pub(super) use resources::Resources;

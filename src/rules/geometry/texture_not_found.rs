@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::missing::report;
+use super::missing::{report, shown};
 use super::resources::{Target, resolve};
 use super::shapes::materials;
 
@@ -30,7 +30,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             }
             Target::OtherCase(found) => {
                 let message = format!("texture of material `{name}` is spelled otherwise on disk");
-                out.report(file.origin, message).help(format!("the file is `{}`", found.display())).done();
+                out.report(file.origin, message)
+                    .help(format!("the file is `{}`", shown(cx, file, &found)))
+                    .done();
             }
             _ => {}
         }

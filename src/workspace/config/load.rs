@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use super::apply::Applier;
-use super::value::{Entry, ValueKind, from_settings, from_toml};
+use super::value::{Entry, Value, ValueKind, from_settings, from_toml};
 use super::{Config, ConfigWarning};
+use crate::base::TextRange;
 use crate::base::limits::CONFIG_CHAIN;
 use crate::vfs::{LoadError, Vfs};
 
@@ -60,6 +61,47 @@ impl Config {
         applier.config(self, &entries);
         applier.warnings
     }
+}
+
+/// The places in the text of a configuration file that give the argument `name` a value, in entries of `roots` whose
+/// `file` is admitted.
+pub fn argument_places(text: &str, name: &str, admits: impl Fn(&str) -> bool) -> Vec<TextRange> {
+    let (entries, _) = from_toml(text);
+    let mut found = Vec::new();
+    for root in tables(&entries, "roots") {
+        let is_file = |entry: &&Entry| entry.key == "file";
+        let file = root.iter().find(is_file).map(|entry| &entry.value.kind);
+        if matches!(file, Some(ValueKind::Text(file)) if admits(file)) {
+            let presets = root.iter().filter(|entry| entry.key == "presets");
+            let presets = presets.flat_map(|presets| fields(&presets.value)).map(|preset| &preset.value);
+            let args = root.iter().filter(|entry| entry.key == "args").map(|args| &args.value);
+            let given = args.chain(presets).flat_map(fields).filter(|entry| entry.key == name);
+            found.extend(given.map(|entry| bare(text, entry.key_range)));
+        }
+    }
+    found
+}
+
+fn fields(value: &Value) -> &[Entry] {
+    match &value.kind {
+        ValueKind::Table(fields) => fields,
+        _ => &[],
+    }
+}
+
+/// The tables of a list.
+fn tables<'a>(entries: &'a [Entry], key: &str) -> Vec<&'a [Entry]> {
+    let listed = entries.iter().filter(|entry| entry.key == key).flat_map(|entry| match &entry.value.kind {
+        ValueKind::List(items) => items.as_slice(),
+        _ => &[],
+    });
+    listed.map(fields).collect()
+}
+
+/// A key without its quotes.
+fn bare(text: &str, range: TextRange) -> TextRange {
+    let quoted = range.len() > 1 && range.slice(text).starts_with(['"', '\'']);
+    if quoted { TextRange::new(range.start + 1, range.end - 1) } else { range }
 }
 
 /// Settings that only editors have.

@@ -19,9 +19,9 @@ use std::fmt;
 use std::path::PathBuf;
 
 pub use effective::Setting;
-pub use load::{CONFIG_NAMES, Loaded, find_config, unknown_settings};
+pub use load::{CONFIG_NAMES, Loaded, argument_places, find_config, unknown_settings};
 pub use pattern::Pattern;
-pub use roots::{Args, Root, Variant};
+pub use roots::{Args, Root, Variant, files_named};
 pub use schema::schema;
 
 use super::packages::Target;

@@ -1,6 +1,6 @@
 //! Entry files and the arguments they are run with.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::Place;
 use super::pattern::{Pattern, is_pattern};
@@ -33,14 +33,19 @@ pub struct Variant {
     pub args: Args,
 }
 
+/// The files that exist of a path or glob that starts from a folder, sorted.
+pub fn files_named(name: &str, folder: &Path, vfs: &Vfs) -> Vec<PathBuf> {
+    if is_pattern(name) {
+        return Pattern::new(&format!("./{name}"), folder).files(vfs);
+    }
+    let file = folder.join(name);
+    if vfs.is_file(&file) { vec![file] } else { Vec::new() }
+}
+
 impl Root {
     /// The entry files that exist, sorted.
     pub fn files(&self, vfs: &Vfs) -> Vec<PathBuf> {
-        if is_pattern(&self.file) {
-            return Pattern::new(&format!("./{}", self.file), &self.folder).files(vfs);
-        }
-        let file = self.folder.join(&self.file);
-        if vfs.is_file(&file) { vec![file] } else { Vec::new() }
+        files_named(&self.file, &self.folder, vfs)
     }
 
     /// The runs: one with the plain arguments, unless there are none of these but presets; then one per

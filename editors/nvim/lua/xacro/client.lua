@@ -47,7 +47,8 @@ local function version(client)
   return info.version and ('%s %s'):format(info.name or 'xacro-lsp', info.version) or 'this server'
 end
 
---- Ask, and tell the user when there is no answer. `quiet` is for what the user did not ask for.
+--- Ask, and tell the user when there is no answer. `quiet` is for what the user did not ask for. Once the question is
+--- cancelled, `on_answer` is not called any more.
 ---@param bufnr integer
 ---@param method string
 ---@param params table
@@ -59,8 +60,12 @@ function M.ask(bufnr, method, params, on_answer, quiet)
   if not client then
     return
   end
+  local given_up = false
   local function done(err, answer)
-    if not err then
+    if given_up then
+      -- the answer may have been on its way already: what it says is about a place that nobody looks at
+      return
+    elseif not err then
       on_answer(answer, client)
     elseif not quiet and not CANCELLED[err.code] then
       if err.code == METHOD_NOT_FOUND then
@@ -78,6 +83,7 @@ function M.ask(bufnr, method, params, on_answer, quiet)
   end
   return sent
     and function()
+      given_up = true
       if new then
         client:cancel_request(id)
       else

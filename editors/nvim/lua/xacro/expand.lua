@@ -9,7 +9,7 @@ local M = {}
 ---@field bufnr integer the expanded text
 ---@field source integer the buffer whose robot is shown
 ---@field window integer where sources are shown
----@field root? { uri: string, args?: table<string, string> }
+---@field root? { uri: string, preset?: string, args?: table<string, string> }
 ---@field fresh boolean whether the text is that of the present sources
 ---@field shown boolean whether there is a text yet
 ---@field errors table[]
@@ -174,7 +174,12 @@ end
 ---@param otherwise? { textDocument: { uri: string }, position: lsp.Position } asked when the first made nothing
 local function ask_instances(bufnr, client, place, otherwise)
   assert(view)
-  view.cancel_cursor = talk.ask(bufnr, 'xacro/toExpanded', place, function(answer)
+  -- under the robot that is shown, whichever the file is shown under elsewhere
+  local shown = view.root
+  local args = shown.args and next(shown.args) and shown.args or vim.empty_dict()
+  local root = { uri = shown.uri, preset = shown.preset, args = args }
+  local params = vim.tbl_extend('error', place, { root = root })
+  view.cancel_cursor = talk.ask(bufnr, 'xacro/toExpanded', params, function(answer)
     if not view or not view.fresh then
       return
     end

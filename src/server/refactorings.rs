@@ -1,0 +1,189 @@
+//! Refactorings: what is offered at a place, and the edits of what was picked.
+//!
+//! A client that asks for edits when an action is picked gets none before. They are worked out for the text as it is
+//! then; when that is another one, the client is told to ask anew.
+
+use std::path::Path;
+
+use lsp_types::{
+    CodeAction, CodeActionDisabled, CreateFile, DocumentChangeOperation, DocumentChanges, OneOf,
+    OptionalVersionedTextDocumentIdentifier, Range, ResourceOp, TextDocumentEdit, TextDocumentPositionParams,
+    TextEdit, Url, WorkspaceEdit,
+};
+use serde::{Deserialize, Serialize};
+
+use super::actions::kind;
+use super::convert;
+use super::engine::Engine;
+use super::failure::Failure;
+use super::navigation::Asked;
+use crate::base::{CancelFlag, TextRange};
+use crate::facts::{MentionKind, facts};
+use crate::ide::{self, Action, ActionKind};
+use crate::vfs::SourceFile;
+use crate::xml::Document;
+
+/// Where an action was offered, so that its edits can be made later.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+struct Offered {
+    uri: Url,
+    range: Range,
+    /// The version of the text; none when the file was not open.
+    version: Option<i32>,
+}
+
+impl Engine {
+    /// The refactorings at a place, with their edits unless the client asks for these later.
+    pub fn refactor_actions(
+        &mut self,
+        uri: &Url,
+        range: Range,
+        cancel: &CancelFlag,
+    ) -> Result<Vec<CodeAction>, Failure> {
+        let later = self.client.resolves_actions;
+        let version = self.documents.get(&self.path(uri)).map(|open| open.version);
+        let data = serde_json::to_value(Offered { uri: uri.clone(), range, version }).ok();
+        let mut found = self.all_refactorings(uri, range, later, cancel)?;
+        for action in found.iter_mut().filter(|action| later && action.edit.is_some()) {
+            (action.edit, action.data) = (None, data.clone());
+        }
+        Ok(found)
+    }
+
+    /// Those that change text, those that make files, and those that cannot be made, with the reason.
+    fn all_refactorings(
+        &mut self,
+        uri: &Url,
+        range: Range,
+        later: bool,
+        cancel: &CancelFlag,
+    ) -> Result<Vec<CodeAction>, Failure> {
+        let (path, source) = self.source(uri)?;
+        let selection = convert::text_range(&source.document, range, self.encoding);
+        let document = lsp_types::TextDocumentIdentifier { uri: uri.clone() };
+        let asked = self.asked(&TextDocumentPositionParams::new(document, range.start), cancel)?;
+        let inlined = match ide::inline_macro(&asked.cx(), selection.start) {
+            Some(action) if !later => self.stays_the_same(&asked, &action, cancel)?.then_some(action),
+            other => other,
+        };
+        let actions = inlined.into_iter().chain(self.refactorings(&asked, selection, cancel)?);
+        let mut found: Vec<CodeAction> = actions.filter_map(|action| self.action(action, None)).collect();
+        found.extend(self.moved_to_file(&path, &source, selection));
+        found.extend(self.refused(&asked, selection));
+        Ok(found)
+    }
+
+    /// The same action with its edits.
+    pub fn resolve_action(&mut self, action: CodeAction, cancel: &CancelFlag) -> Result<CodeAction, Failure> {
+        let offered = action.data.clone().and_then(|data| serde_json::from_value::<Offered>(data).ok());
+        let Some(Offered { uri, range, version }) = offered.filter(|_| action.edit.is_none()) else {
+            return Ok(action);
+        };
+        if self.documents.get(&self.path(&uri)).map(|open| open.version) != version {
+            return Err(Failure::Outdated);
+        }
+        let all = self.all_refactorings(&uri, range, true, cancel)?;
+        let same = |known: &CodeAction| known.title == action.title && known.kind == action.kind;
+        let Some(edit) = all.into_iter().find(same).and_then(|known| known.edit) else {
+            return Err(Failure::Outdated);
+        };
+        let at = TextDocumentPositionParams::new(lsp_types::TextDocumentIdentifier { uri }, range.start);
+        let asked = self.asked(&at, cancel)?;
+        let inlined =
+            ide::inline_macro(&asked.cx(), asked.offset).filter(|known| known.title == action.title);
+        if let Some(inlined) = inlined
+            && !self.stays_the_same(&asked, &inlined, cancel)?
+        {
+            let message =
+                "the robot would not stay the same: what the call passes means something else there";
+            return Err(Failure::Refused(message.to_owned()));
+        }
+        Ok(CodeAction { edit: Some(edit), ..action })
+    }
+
+    /// Whether the robot is the same with the edits of an action, which are all in the file that was asked about.
+    fn stays_the_same(&self, asked: &Asked, action: &Action, cancel: &CancelFlag) -> Result<bool, Failure> {
+        let edits: Vec<(TextRange, String)> =
+            action.edits.iter().map(|edit| (edit.span.range, edit.content.clone())).collect();
+        let (known, path) = (&asked.analyzed, &asked.source.path);
+        self.world.stays_the_same(known, path, &edits, cancel).ok_or(Failure::Cancelled)
+    }
+
+    /// What cannot be made, for clients that show it.
+    fn refused(&self, asked: &Asked, selection: TextRange) -> Option<CodeAction> {
+        if !self.client.disabled_actions || !asked.source.document.errors().is_empty() {
+            return None;
+        }
+        let session = self.world.session();
+        let settings = session.settings(&asked.source.path);
+        let world = session.surroundings(&settings.config);
+        let ide::Refused { title, reason } = ide::of_mesh(&asked.cx(), world, selection.start).err()?;
+        Some(CodeAction {
+            title,
+            kind: Some(kind(ActionKind::Rewrite)),
+            disabled: Some(CodeActionDisabled { reason }),
+            ..CodeAction::default()
+        })
+    }
+
+    fn refactorings(
+        &mut self,
+        asked: &Asked,
+        selection: TextRange,
+        cancel: &CancelFlag,
+    ) -> Result<Vec<Action>, Failure> {
+        let session = self.world.session();
+        let settings = session.settings(&asked.source.path);
+        let world = session.surroundings(&settings.config);
+        let mut actions = ide::refactorings(&asked.cx(), world, selection);
+        if let Some((_, name)) = ide::inlinable(&asked.cx(), selection.start) {
+            // files of other robots may read the property
+            self.world.scan(|| cancel.is_cancelled());
+            if !self.world.is_scanned() {
+                return Err(Failure::Cancelled);
+            }
+            let others = self.world.known_files().into_iter().filter(|file| !asked.analyzed.includes(file));
+            let reads =
+                |file: &Path| self.world.document(file).is_some_and(|own| mentions(&own.document, &name));
+            if others.into_iter().any(|file| reads(&file)) {
+                actions.retain(|action| action.kind != ActionKind::Inline);
+            }
+        }
+        Ok(actions)
+    }
+
+    /// Elements moved to a file of their own, for clients that make files.
+    fn moved_to_file(&self, path: &Path, source: &SourceFile, selection: TextRange) -> Option<CodeAction> {
+        if !self.client.creates_files || !self.is_ours(path) {
+            return None;
+        }
+        let folder = path.parent()?;
+        let vfs = &self.world.session().vfs;
+        let (action, file) = ide::move_to_file(source, selection, |name| vfs.exists(&folder.join(name)))?;
+        let uri = Url::from_file_path(folder.join(&file.name)).ok()?;
+        let mut operations = vec![
+            DocumentChangeOperation::Op(ResourceOp::Create(CreateFile {
+                uri: uri.clone(),
+                options: None,
+                annotation_id: None,
+            })),
+            DocumentChangeOperation::Edit(TextDocumentEdit {
+                text_document: OptionalVersionedTextDocumentIdentifier { uri, version: None },
+                edits: vec![OneOf::Left(TextEdit::new(Range::default(), file.text))],
+            }),
+        ];
+        let made = self.action(action, None)?;
+        if let Some(DocumentChanges::Edits(edits)) = made.edit.as_ref()?.document_changes.clone() {
+            operations.extend(edits.into_iter().map(DocumentChangeOperation::Edit));
+        }
+        let changes = Some(DocumentChanges::Operations(operations));
+        let edit = WorkspaceEdit { document_changes: changes, ..WorkspaceEdit::default() };
+        Some(CodeAction { edit: Some(edit), ..made })
+    }
+}
+
+/// Whether an expression of a document reads a name.
+fn mentions(document: &Document, name: &str) -> bool {
+    let reads = |mention: &crate::facts::Mention| mention.kind == MentionKind::Name && mention.name == name;
+    facts(document).any(|(_, facts)| facts.sites.iter().flat_map(|site| &site.mentions).any(reads))
+}

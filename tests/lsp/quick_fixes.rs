@@ -1,0 +1,237 @@
+//! F24: each quick fix of the list, by an example.
+
+use super::actions::{FILE, fixes, robot, show, titled};
+use super::client::Client;
+use super::workspace::write;
+
+const MODEL: &str = "<link name=\"🤖\"/><link name=\"b\"/>";
+
+/// A revolute joint, its type and what stands in it.
+fn joint(kind: &str, rest: &str) -> String {
+    robot(&format!(
+        "{MODEL}<joint name=\"j\" type=\"{kind}\"><parent link=\"🤖\"/><child link=\"b\"/>{rest}</joint>"
+    ))
+}
+
+const AXIS: &str = "<axis xyz=\"0 0 1\"/>";
+const LIMIT: &str = "<limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/>";
+
+/// The text after the fix of this title for the only finding of a rule.
+#[track_caller]
+fn fixed(client: &mut Client, text: &str, rule: &str, title: &str) -> String {
+    show(client, text);
+    let found = fixes(client, FILE, rule);
+    let action = titled(&found, title);
+    assert_eq!(action["diagnostics"][0]["code"], rule, "{action}");
+    client.after(FILE, &action["edit"])
+}
+
+#[test]
+fn fixes_of_syntax_and_of_xacro() {
+    let mut client = Client::start();
+    let unbound =
+        "<robot name=\"🤖\">\n<xacro:property name=\"a\" value=\"1\"/><link name=\"l${a}\"/>\n</robot>\n";
+    let old = robot(MODEL).replace("http://www.ros.org/wiki/xacro", "http://ros.org/wiki/xacro");
+    let call = |call: &str| {
+        robot(&format!(
+            "<xacro:macro name=\"m\" params=\"size:=1 tool\"><link name=\"l${{size}}${{tool}}\"/></xacro:macro>{call}"
+        ))
+    };
+    let unused = |what: &str| robot(&format!("{MODEL}\n  {what}"));
+    for (text, rule, title, expected) in [
+        (
+            robot("<link name=\"🤖${m_0}\"/><xacro:property name=\"m0\" value=\"1\"/>").replace("m_0", "m1"),
+            "undefined-property",
+            "create property `m1`",
+            "name=\"m1\" value=\"0\"",
+        ),
+        (
+            unbound.to_owned(),
+            "missing-xacro-namespace",
+            "declare the prefix",
+            "xmlns:xacro=\"http://www.ros.org/wiki/xacro\"",
+        ),
+        (old, "nonstandard-xacro-namespace", "", "\"http://www.ros.org/wiki/xacro\""),
+        (
+            robot("<link name=\"🤖\"><visual></link>"),
+            "xml-syntax-error",
+            "close `visual`",
+            "</visual></link>",
+        ),
+        (robot("<link name=\"🤖\"></lnk>"), "xml-syntax-error", "close `link`", "</link>"),
+        (
+            robot("<link name=\"🤖\" name=\"b\"/>"),
+            "xml-syntax-error",
+            "remove the second `name`",
+            "<link name=\"🤖\"/>",
+        ),
+        (robot("<link name=\"🤖 & b\"/>"), "xml-syntax-error", "write `&amp;`", "🤖 &amp; b"),
+        (robot("<link name=\"🤖 < b\"/>"), "xml-syntax-error", "write `&lt;`", "🤖 &lt; b"),
+        (call("<xacro:m/>"), "missing-macro-param", "add the missing parameters", "<xacro:m tool=\"\"/>"),
+        (
+            call("<xacro:m tool=\"🤖\" sise=\"2\"/>"),
+            "unknown-macro-param",
+            "size",
+            "<xacro:m tool=\"🤖\" size=\"2\"/>",
+        ),
+        (
+            call("<xacro:m tool=\"🤖\" sise=\"2\"/>"),
+            "unknown-macro-param",
+            "remove `sise`",
+            "<xacro:m tool=\"🤖\"/>",
+        ),
+        (
+            robot("<link name=\"🤖$(arg side)\"/>"),
+            "undefined-arg",
+            "declare argument `side`",
+            "<xacro:arg name=\"side\" default=\"\"/>",
+        ),
+        (
+            robot("<xacro:lens prefix=\"🤖\"/>"),
+            "undefined-macro",
+            "include `$(find lens)/urdf/lens.xacro`",
+            "$(find lens)/urdf/lens.xacro\"/>",
+        ),
+        (
+            robot("<xacro:lensy prefix=\"🤖\"/>"),
+            "undefined-macro",
+            "create macro `lensy`",
+            "<xacro:macro name=\"lensy\" params=\"prefix\">",
+        ),
+        (
+            unused("<xacro:property name=\"spare\" value=\"🤖\"/>"),
+            "unused-property",
+            "remove it",
+            "<link name=\"b\"/>\n</robot>",
+        ),
+        (
+            unused("<xacro:macro name=\"spare\" params=\"a\"><link name=\"${a}\"/></xacro:macro>"),
+            "unused-macro",
+            "remove it",
+            "<link name=\"b\"/>\n</robot>",
+        ),
+        (
+            unused("<xacro:include filename=\"unit.xacro\"/>"),
+            "unused-include",
+            "remove it",
+            "<link name=\"b\"/>\n</robot>",
+        ),
+    ] {
+        let made = fixed(&mut client, &text, rule, title);
+        assert!(made.contains(expected), "{rule}: {made}");
+    }
+}
+
+#[test]
+fn fixes_of_the_robot() {
+    let mut client = Client::start();
+    write(&client.folder, "src/pan_tilt/meshes/Head.STL", cube(100.0));
+    write(&client.folder, "src/pan_tilt/meshes/parts/arm.stl", cube(0.1));
+    let mesh = |file: &str| {
+        let geometry = format!("<geometry><mesh filename=\"package://pan_tilt/meshes/{file}\"/></geometry>");
+        robot(&format!("<link name=\"🤖\"><visual>{geometry}</visual></link>"))
+    };
+    let limit = |lower: &str, upper: &str| {
+        joint("revolute", &format!("{AXIS}{}", LIMIT.replace("\"-1\"", lower).replace("upper=\"1\"", upper)))
+    };
+    for (text, rule, title, expected) in [
+        (joint("Fixed", ""), "unknown-joint-type", "", "type=\"fixed\""),
+        (joint("revolut", &format!("{AXIS}{LIMIT}")), "unknown-joint-type", "revolute", "type=\"revolute\""),
+        (
+            joint("revolute", AXIS),
+            "missing-joint-limit",
+            "add a `limit`",
+            "<limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>",
+        ),
+        (joint("revolute", LIMIT), "missing-axis", "", "<axis xyz=\"1 0 0\"/>"),
+        (
+            joint("revolute", &format!("<axis xyz=\"0 0 2\"/>{LIMIT}")),
+            "axis-not-normalized",
+            "",
+            "<axis xyz=\"0 0 1\"/>",
+        ),
+        (limit("\"1\"", "upper=\"-1\""), "joint-limit-inverted", "swap", "lower=\"-1\" upper=\"1\""),
+        (limit("\"-90\"", "upper=\"90\""), "joint-limit-degrees", "", "${radians("),
+        (
+            robot("<link name=\"🤖\"><inertial><mass/></inertial></link>"),
+            "missing-attribute",
+            "add `value`",
+            "<mass value=\"\"/>",
+        ),
+        (
+            robot(
+                "<link name=\"🤖\"/><joint name=\"j\" type=\"fixed\"><parent link=\"🤖\"/><child link=\"tip\"/></joint>",
+            ),
+            "undefined-link",
+            "create link `tip`",
+            "<link name=\"tip\"/>",
+        ),
+        (
+            robot(
+                "<link name=\"🤖\"><visual><geometry><sphere radius=\"1\"/></geometry><material name=\"red\"/></visual></link>",
+            ),
+            "undefined-material",
+            "create material `red`",
+            "<material name=\"red\"><color",
+        ),
+        (mesh("head.stl"), "mesh-case-mismatch", "spell it", "meshes/Head.STL\""),
+        (mesh("arm.stl"), "mesh-not-found", "parts/arm.stl", "meshes/parts/arm.stl\""),
+        (mesh("Head.STL"), "mesh-scale-suspicious", "millimetres", "scale=\"0.001 0.001 0.001\""),
+    ] {
+        let made = fixed(&mut client, &text, rule, title);
+        assert!(made.contains(expected), "{rule}: {made}");
+    }
+    // the message names the mesh as the file does, not from the root of the disk
+    show(&mut client, &mesh("head.stl"));
+    let found = client.diagnostics(FILE);
+    let found = found.iter().find(|found| found["code"] == "mesh-case-mismatch").unwrap();
+    let message = found["message"].as_str().unwrap();
+    assert!(message.contains("`package://pan_tilt/meshes/Head.STL`"), "{message}");
+    assert!(!message.contains(client.folder.to_str().unwrap()), "{message}");
+}
+
+/// A binary STL file of a cube; its edges in the unit of the file.
+pub fn cube(edge: f32) -> Vec<u8> {
+    let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let corner = |i: u32| [(i & 1) as f32 * edge, ((i >> 1) & 1) as f32 * edge, (i >> 2) as f32 * edge];
+    let mut bytes = vec![b' '; 80];
+    bytes.extend(12_u32.to_le_bytes());
+    for [a, b, c, d] in sides {
+        for triangle in [[a, b, c], [a, c, d]] {
+            bytes.extend([0_u8; 12]);
+            bytes.extend(triangle.into_iter().flat_map(corner).flat_map(f32::to_le_bytes));
+            bytes.extend([0_u8; 2]);
+        }
+    }
+    bytes
+}
+
+const MANIFEST: &str = "src/pan_tilt/package.xml";
+
+#[test]
+fn a_package_that_is_used_is_declared() {
+    let mut client = Client::start();
+    client.open(MANIFEST);
+    write(&client.folder, "src/lens/meshes/l.stl", cube(0.1));
+    let mesh = "<mesh filename=\"package://lens/meshes/l.stl\"/>";
+    for text in [
+        robot(
+            "<!-- 🤖 --><xacro:include filename=\"$(find lens)/urdf/lens.xacro\"/><xacro:lens prefix=\"a\"/>",
+        ),
+        robot(&format!("<link name=\"🤖\"><visual><geometry>{mesh}</geometry></visual></link>")),
+    ] {
+        show(&mut client, &text);
+        let found = fixes(&mut client, FILE, "missing-package-dependency");
+        let fix = titled(&found, "declare it in package.xml");
+        assert_eq!(fix["isPreferred"], true, "{fix}");
+        let made = client.after(MANIFEST, &fix["edit"]);
+        assert!(made.contains("<exec_depend>lens</exec_depend>"), "{made}");
+    }
+    // what the manifest says before it is saved counts
+    client.edit(MANIFEST, "<exec_depend>", "<!-- 🤖 --><depend>lens</depend><exec_depend>");
+    client.edit(FILE, "name=\"🤖\" ", "name=\"🤖é\" ");
+    let is_clean = |client: &mut Client| {
+        !client.findings(FILE).iter().any(|found| found.ends_with("missing-package-dependency"))
+    };
+    assert!(client.eventually(is_clean));
+}
