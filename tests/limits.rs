@@ -668,6 +668,23 @@ fn drawn_line() {
 }
 
 #[test]
+fn findings_of_a_rule() {
+    // one line, so that it is seen too that a long line is not taken apart for each of them
+    let folder = folder();
+    write(
+        &folder,
+        "r.urdf",
+        format!("<robot name=\"r\">{LINK}{}</robot>", "<a/>".repeat(FINDINGS_OF_A_RULE + 10)),
+    );
+    let said = run(&folder, &["check", "r.urdf"], &mut std::io::empty());
+    assert!(
+        said.contains(&format!("{FINDINGS_OF_A_RULE} warnings")),
+        "{}",
+        said.split_at(said.len() - 300).1
+    );
+}
+
+#[test]
 fn drawn_of_a_rule() {
     let links: String = (0..150).map(|n| format!("<link name=\"${{gone{n}}}\"/>\n")).collect();
     let said = check(&links, &[]);

@@ -131,7 +131,7 @@ impl Session {
         let mut walked = Vec::new();
         for path in options.paths.iter().map(absolute) {
             match self.vfs.is_dir(&path) {
-                true => walked.extend(walk::descriptions(&path, self)),
+                true => walked.extend(walk::descriptions(&path, self, &|| false).unwrap_or_default()),
                 false => named.push(path),
             }
         }

@@ -10,8 +10,12 @@ use super::session::Session;
 const BUILT: [&str; 4] = ["build", "install", "log", "devel"];
 
 /// The descriptions below `folder`, sorted by path. Left out are hidden files, what git ignores, the folders
-/// of build tools and what the configuration excludes.
-pub(super) fn descriptions(folder: &Path, session: &Session) -> Vec<PathBuf> {
+/// of build tools and what the configuration excludes. None when `stop` said so first.
+pub(super) fn descriptions(
+    folder: &Path,
+    session: &Session,
+    stop: &dyn Fn() -> bool,
+) -> Option<Vec<PathBuf>> {
     let top = folder.to_owned();
     let mut walk = WalkBuilder::new(folder);
     walk.require_git(false).filter_entry(move |entry| {
@@ -19,11 +23,12 @@ pub(super) fn descriptions(folder: &Path, session: &Session) -> Vec<PathBuf> {
         let built = entry.file_name().to_str().is_some_and(|name| BUILT.contains(&name));
         !(is_dir && built) || entry.path() == top
     });
-    let files = walk.build().flatten().filter(|entry| !entry.file_type().is_some_and(|kind| kind.is_dir()));
+    let entries = walk.build().take_while(|_| !stop());
+    let files = entries.flatten().filter(|entry| !entry.file_type().is_some_and(|kind| kind.is_dir()));
     let files = files.map(ignore::DirEntry::into_path).filter(|path| is_description(path));
     let mut found: Vec<PathBuf> = files.filter(|path| !session.settings(path).excludes(path)).collect();
     found.sort();
-    found
+    (!stop()).then_some(found)
 }
 
 /// Whether a file is a description, by its name: `.urdf` and `.xacro`, alone or in front of `.xml`.

@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
+use std::time::{Duration, Instant};
 
 use super::check::CheckOptions;
 use super::configs::Overrides;
@@ -239,12 +240,7 @@ impl World {
     /// Look at more files of the workspace, until `stop` says so; returns how many are done and how many there
     /// are. When all are done: none.
     pub fn scan(&mut self, stop: impl Fn() -> bool) -> Option<(usize, usize)> {
-        if !self.scanned {
-            self.scanned = true;
-            let found = self.folders.iter().flat_map(|folder| walk::descriptions(folder, &self.session));
-            self.unscanned = found.take(SCAN_FILES).collect();
-            self.unscanned.reverse();
-        }
+        self.list(&|| false);
         let total = self.unscanned.len();
         let mut done = 0;
         while let Some(path) = self.unscanned.pop() {
@@ -255,6 +251,25 @@ impl World {
             }
         }
         (!self.unscanned.is_empty()).then_some((done, total))
+    }
+
+    /// The same for at most so long; whether all are done.
+    pub fn scan_within(&mut self, patience: Duration) -> bool {
+        let end = Instant::now() + patience;
+        let is_over = || Instant::now() >= end;
+        self.list(&is_over) && self.scan(is_over).is_none()
+    }
+
+    /// List the files to look at. What was stopped is begun anew the next time.
+    fn list(&mut self, stop: &dyn Fn() -> bool) -> bool {
+        if !self.scanned {
+            let folders = self.folders.iter().map(|folder| walk::descriptions(folder, &self.session, stop));
+            let Some(found) = folders.collect::<Option<Vec<_>>>() else { return false };
+            self.unscanned = found.into_iter().flatten().take(SCAN_FILES).collect();
+            self.unscanned.reverse();
+            self.scanned = true;
+        }
+        true
     }
 
     /// The descriptions that were looked at.

@@ -161,6 +161,8 @@ limits! {
     "Findings and fixes" {
         /// How often findings are fixed and looked for anew.
         FIX_ROUNDS: usize = 50, "the rest is reported as usual";
+        /// Findings of one rule in one robot.
+        FINDINGS_OF_A_RULE: usize = 50_000, "further ones are left out";
         /// Bytes of one message; names can be as long as files.
         MESSAGE_LETTERS: usize = 1_000, "the message is cut";
         /// Bytes of a source line that is drawn on the terminal.

@@ -2,6 +2,7 @@
 
 use super::finding::{Edit, Finding, Fix, Related, Way};
 use super::registry::{Rule, Safety, Severity};
+use crate::base::limits::FINDINGS_OF_A_RULE;
 use crate::base::{FastMap, Span, TextRange};
 use crate::expand::{Expansion, FileIdx, Frame, FrameKind, Origin, Place, argument, is_partial};
 
@@ -12,6 +13,8 @@ pub struct Sink<'a> {
     rule: &'static Rule,
     drafts: Vec<Draft>,
     by_place: FastMap<(&'static str, Span), usize>,
+    /// How many there are of each rule.
+    counts: FastMap<&'static str, usize>,
 }
 
 /// A finding in the making.
@@ -30,7 +33,7 @@ pub struct Reported<'s, 'a> {
 
 impl<'a> Sink<'a> {
     pub(super) fn new(expansion: &'a Expansion, rule: &'static Rule) -> Self {
-        Self { expansion, rule, drafts: Vec::new(), by_place: FastMap::default() }
+        Self { expansion, rule, drafts: Vec::new(), by_place: FastMap::default(), counts: FastMap::default() }
     }
 
     /// From now on, findings are of this rule.
@@ -116,8 +119,12 @@ impl<'a> Sink<'a> {
                 }
             }
             None => {
-                self.by_place.insert(key, self.drafts.len());
-                self.drafts.push(draft);
+                let count = self.counts.entry(key.0).or_default();
+                *count += 1;
+                if *count <= FINDINGS_OF_A_RULE {
+                    self.by_place.insert(key, self.drafts.len());
+                    self.drafts.push(draft);
+                }
             }
         }
     }
