@@ -21,14 +21,16 @@ pub(super) fn strip(text: &str) -> &str {
 /// The parameters of a `params` text; `None` when it holds nothing but blanks, which the reference refuses.
 pub fn parse(text: &str) -> Option<Vec<Param>> {
     let mut params = Vec::new();
-    let (mut text, mut at) = (text, 0);
+    let (mut text, mut at, mut is_cut) = (text, 0, false);
     let mut closings = Closings::default();
     while at < text.len() {
         let (param, next) = match with_default(text, at, &mut closings) {
             Some((param, next)) => {
                 // the expression's last group ends with the line: what stands behind is lost
-                let line = text.get(next..).and_then(|rest| rest.find('\n'));
-                text = line.and_then(|end| text.get(..next + end)).unwrap_or(text);
+                if !std::mem::replace(&mut is_cut, true) {
+                    let line = text.get(next..).and_then(|rest| rest.find('\n'));
+                    text = line.and_then(|end| text.get(..next + end)).unwrap_or(text);
+                }
                 (param, next)
             }
             None => bare_word(text, at)?,
