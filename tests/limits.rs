@@ -462,6 +462,24 @@ fn expand_nodes() {
 }
 
 #[test]
+fn compared_names() {
+    let names = COMPARED_NAMES / 1000;
+    let properties: String =
+        (0..names).map(|n| format!("<xacro:property name=\"param{n}\" value=\"1\"/>")).collect();
+    // a name that is like another, behind so many that were compared before
+    let said = |others: usize| {
+        let wrong: String = (0..others).map(|n| format!("<link name=\"${{abc{n}}}\"/>")).collect();
+        let called = "<xacro:macro name=\"wheel\"><link name=\"a\"/></xacro:macro><xacro:wheeel/>";
+        let patient = [("xacro-lint.toml", "[limits]\nexpand-ms = 60000\n")];
+        check(&format!("{properties}{wrong}{called}"), &patient)
+    };
+    let suggested = "a macro with a similar name exists: `wheel`";
+    assert!(said(0).contains(suggested));
+    let said = said(1000);
+    assert!(said.contains("macro `wheeel` is not defined") && !said.contains(suggested), "{said}");
+}
+
+#[test]
 fn expand_ms() {
     let config = [("xacro-lint.toml", "[limits]\nexpand-ms = 1\n")];
     reached(MANY, &config, &["the expansion takes more than 1 ms", "raise `expand-ms` under `[limits]`"]);

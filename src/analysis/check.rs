@@ -131,7 +131,7 @@ impl Session {
         let mut walked = Vec::new();
         for path in options.paths.iter().map(absolute) {
             match self.vfs.is_dir(&path) {
-                true => walked.extend(walk::descriptions(&path, self, &|| false).unwrap_or_default()),
+                true => walked.extend(walk::descriptions(&path, self)),
                 false => named.push(path),
             }
         }

@@ -16,7 +16,7 @@ use super::placing;
 use super::report::Report;
 use super::roots::{Job, Reason};
 use super::session::{Session, Setup};
-use super::walk;
+use super::walk::{self, Listing};
 use crate::base::limits::SCAN_FILES;
 use crate::base::{CancelFlag, FastMap, TextRange};
 use crate::expand::{Expansion, Read, Written, write_mapped};
@@ -81,6 +81,8 @@ pub struct World {
     open: BTreeMap<PathBuf, u64>,
     edits: u64,
     pub(super) graph: Graph,
+    /// The search for the files below the folders, while it goes on.
+    listing: Option<Listing>,
     /// Files below the folders that were not looked at yet.
     unscanned: Vec<PathBuf>,
     scanned: bool,
@@ -112,6 +114,7 @@ impl World {
             open: BTreeMap::new(),
             edits: 0,
             graph: Graph::default(),
+            listing: None,
             unscanned: Vec::new(),
             scanned: false,
             picks: FastMap::default(),
@@ -145,7 +148,7 @@ impl World {
     /// Show other folders.
     pub fn set_folders(&mut self, folders: Vec<PathBuf>) {
         self.folders = folders;
-        self.scanned = false;
+        (self.scanned, self.listing) = (false, None);
         self.graph = Graph::default();
         self.reload();
     }
@@ -240,7 +243,9 @@ impl World {
     /// Look at more files of the workspace, until `stop` says so; returns how many are done and how many there
     /// are. When all are done: none.
     pub fn scan(&mut self, stop: impl Fn() -> bool) -> Option<(usize, usize)> {
-        self.list(&|| false);
+        if !self.list(&stop) {
+            return Some((0, 0));
+        }
         let total = self.unscanned.len();
         let mut done = 0;
         while let Some(path) = self.unscanned.pop() {
@@ -256,16 +261,18 @@ impl World {
     /// The same for at most so long; whether all are done.
     pub fn scan_within(&mut self, patience: Duration) -> bool {
         let end = Instant::now() + patience;
-        let is_over = || Instant::now() >= end;
-        self.list(&is_over) && self.scan(is_over).is_none()
+        self.scan(|| Instant::now() >= end).is_none()
     }
 
-    /// List the files to look at. What was stopped is begun anew the next time.
+    /// Search for the files to look at, until `stop` says so; whether all were found.
     fn list(&mut self, stop: &dyn Fn() -> bool) -> bool {
         if !self.scanned {
-            let folders = self.folders.iter().map(|folder| walk::descriptions(folder, &self.session, stop));
-            let Some(found) = folders.collect::<Option<Vec<_>>>() else { return false };
-            self.unscanned = found.into_iter().flatten().take(SCAN_FILES).collect();
+            let listing = self.listing.get_or_insert_with(|| Listing::of(&self.folders));
+            if !listing.go_on(&self.session, stop) {
+                return false;
+            }
+            let found = self.listing.take().map_or_else(Vec::new, Listing::done);
+            self.unscanned = found.into_iter().take(SCAN_FILES).collect();
             self.unscanned.reverse();
             self.scanned = true;
         }

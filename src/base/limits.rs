@@ -125,6 +125,8 @@ limits! {
         LAZY_DEPTH: usize = 500, "an error at the property";
         /// Values of expressions that are kept for hovers and hints.
         EVALUATIONS: usize = 500_000, "later ones are not shown";
+        /// Names that were compared with names that are not defined.
+        COMPARED_NAMES: usize = 10_000_000, "no similar name is suggested any more";
     }
     "Workspace and configuration" {
         /// Configuration files that extend each other.

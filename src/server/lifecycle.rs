@@ -145,6 +145,8 @@ impl Engine {
     pub fn scan(&mut self) {
         let pressure = self.pressure.clone();
         match self.world.scan(|| pressure.is_high()) {
+            // still searching for them
+            Some((_, 0)) => {}
             Some((done, total)) => {
                 let message = format!("{done} of {total} files");
                 self.report_progress(json!({ "kind": "report", "message": message }));
