@@ -1,5 +1,7 @@
 //! Which comment hides a finding, without a look at every comment for every finding.
 
+use std::collections::BTreeMap;
+
 use super::super::registry::{Rule, all};
 use super::suppression::{Directive, Selector, Suppression};
 use crate::base::{FastMap, TextRange};
@@ -7,7 +9,7 @@ use crate::base::{FastMap, TextRange};
 /// The suppressions of a file, by the words they name rules with.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Reach {
-    words: FastMap<String, OfWord>,
+    words: BTreeMap<String, OfWord>,
     /// For each word of an `enable`: the end of the first `disable` of a rule that both mean.
     begins: FastMap<String, Option<u32>>,
 }
