@@ -57,7 +57,8 @@ fn answer(line: &str, cwd: &Path) -> String {
 fn rerun(transcript: &str) -> String {
     let (head, _) = transcript.split_once('\n').unwrap();
     let cwd = match head.split_once(' ').unwrap() {
-        ("cd", name) => folder().join(name),
+        // a shell knows no `..` in the folder it is in
+        ("cd", name) => folder().join(name).canonicalize().unwrap(),
         (_, name) => copy(&folder().join(name)),
     };
     let mut new = format!("{head}\n");

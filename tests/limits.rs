@@ -462,6 +462,24 @@ fn expand_nodes() {
 }
 
 #[test]
+fn compared_names() {
+    let names = COMPARED_NAMES / 1000;
+    let properties: String =
+        (0..names).map(|n| format!("<xacro:property name=\"param{n}\" value=\"1\"/>")).collect();
+    // a name that is like another, behind so many that were compared before
+    let said = |others: usize| {
+        let wrong: String = (0..others).map(|n| format!("<link name=\"${{abc{n}}}\"/>")).collect();
+        let called = "<xacro:macro name=\"wheel\"><link name=\"a\"/></xacro:macro><xacro:wheeel/>";
+        let patient = [("xacro-lint.toml", "[limits]\nexpand-ms = 60000\n")];
+        check(&format!("{properties}{wrong}{called}"), &patient)
+    };
+    let suggested = "a macro with a similar name exists: `wheel`";
+    assert!(said(0).contains(suggested));
+    let said = said(1000);
+    assert!(said.contains("macro `wheeel` is not defined") && !said.contains(suggested), "{said}");
+}
+
+#[test]
 fn expand_ms() {
     let config = [("xacro-lint.toml", "[limits]\nexpand-ms = 1\n")];
     reached(MANY, &config, &["the expansion takes more than 1 ms", "raise `expand-ms` under `[limits]`"]);
@@ -665,6 +683,23 @@ fn drawn_line() {
     let said = check(&format!("{}<link/>", " ".repeat(DRAWN_LINE)), &[]);
     assert!(said.contains(&format!("r.urdf.xacro:2:{}", DRAWN_LINE + 1)), "{said}");
     assert!(said.len() < DRAWN_LINE, "{}", said.len());
+}
+
+#[test]
+fn findings_of_a_rule() {
+    // one line, so that it is seen too that a long line is not taken apart for each of them
+    let folder = folder();
+    write(
+        &folder,
+        "r.urdf",
+        format!("<robot name=\"r\">{LINK}{}</robot>", "<a/>".repeat(FINDINGS_OF_A_RULE + 10)),
+    );
+    let said = run(&folder, &["check", "r.urdf"], &mut std::io::empty());
+    assert!(
+        said.contains(&format!("{FINDINGS_OF_A_RULE} warnings")),
+        "{}",
+        said.split_at(said.len() - 300).1
+    );
 }
 
 #[test]

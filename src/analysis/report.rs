@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::base::limits::DRAWN_LINE;
 use crate::base::{Encoding, FileId, Span};
 use crate::rules::Finding;
 use crate::vfs::{LoadError, SourceFile};
@@ -58,10 +59,12 @@ impl Report {
         self.files.get(&file).or_else(|| self.beside.get(&file))
     }
 
-    /// The line that a span begins in; empty when its file could not be read.
+    /// The line that a span begins in; empty when its file could not be read, or when nobody would read the line.
     pub fn line(&self, span: Span) -> String {
         let Some(file) = self.source(span.file) else { return String::new() };
-        file.document.line_text(file.document.line_col(span.range.start, Encoding::Utf8).line)
+        file.document
+            .line_around(span.range.start, DRAWN_LINE as u32)
+            .map_or_else(String::new, |(line, _)| line)
     }
 
     /// Rows and columns of a span; the start of the file when it could not be read.

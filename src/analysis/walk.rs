@@ -12,6 +12,53 @@ const BUILT: [&str; 4] = ["build", "install", "log", "devel"];
 /// The descriptions below `folder`, sorted by path. Left out are hidden files, what git ignores, the folders
 /// of build tools and what the configuration excludes.
 pub(super) fn descriptions(folder: &Path, session: &Session) -> Vec<PathBuf> {
+    let mut found = Listing::of(&[folder.to_owned()]);
+    found.go_on(session, &|| false);
+    found.done()
+}
+
+/// A search for descriptions below some folders that may be interrupted: a folder can be as large as the disk.
+pub(super) struct Listing {
+    walks: Vec<ignore::Walk>,
+    /// What was found below the folders before, and below the present one.
+    done: Vec<PathBuf>,
+    found: Vec<PathBuf>,
+}
+
+impl Listing {
+    /// One that was not begun.
+    pub fn of(folders: &[PathBuf]) -> Self {
+        let walks = folders.iter().rev().map(|folder| walk(folder)).collect();
+        Self { walks, done: Vec::new(), found: Vec::new() }
+    }
+
+    /// Search on until `stop` says so; whether all was searched.
+    pub fn go_on(&mut self, session: &Session, stop: &dyn Fn() -> bool) -> bool {
+        while let Some(walk) = self.walks.last_mut() {
+            let Some(entry) = walk.next() else {
+                self.walks.pop();
+                self.found.sort();
+                self.done.append(&mut self.found);
+                continue;
+            };
+            let file = entry.ok().filter(|entry| !entry.file_type().is_some_and(|kind| kind.is_dir()));
+            let path = file.map(ignore::DirEntry::into_path).filter(|path| is_description(path));
+            self.found.extend(path.filter(|path| !session.settings(path).excludes(path)));
+            if stop() {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// The files, those of each folder sorted.
+    pub fn done(self) -> Vec<PathBuf> {
+        self.done
+    }
+}
+
+/// What lies below a folder, without what build tools made.
+fn walk(folder: &Path) -> ignore::Walk {
     let top = folder.to_owned();
     let mut walk = WalkBuilder::new(folder);
     walk.require_git(false).filter_entry(move |entry| {
@@ -19,11 +66,7 @@ pub(super) fn descriptions(folder: &Path, session: &Session) -> Vec<PathBuf> {
         let built = entry.file_name().to_str().is_some_and(|name| BUILT.contains(&name));
         !(is_dir && built) || entry.path() == top
     });
-    let files = walk.build().flatten().filter(|entry| !entry.file_type().is_some_and(|kind| kind.is_dir()));
-    let files = files.map(ignore::DirEntry::into_path).filter(|path| is_description(path));
-    let mut found: Vec<PathBuf> = files.filter(|path| !session.settings(path).excludes(path)).collect();
-    found.sort();
-    found
+    walk.build()
 }
 
 /// Whether a file is a description, by its name: `.urdf` and `.xacro`, alone or in front of `.xml`.

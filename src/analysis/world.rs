@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
+use std::time::{Duration, Instant};
 
 use super::check::CheckOptions;
 use super::configs::Overrides;
@@ -15,7 +16,7 @@ use super::placing;
 use super::report::Report;
 use super::roots::{Job, Reason};
 use super::session::{Session, Setup};
-use super::walk;
+use super::walk::{self, Listing};
 use crate::base::limits::SCAN_FILES;
 use crate::base::{CancelFlag, FastMap, TextRange};
 use crate::expand::{Expansion, Read, Written, write_mapped};
@@ -80,6 +81,8 @@ pub struct World {
     open: BTreeMap<PathBuf, u64>,
     edits: u64,
     pub(super) graph: Graph,
+    /// The search for the files below the folders, while it goes on.
+    listing: Option<Listing>,
     /// Files below the folders that were not looked at yet.
     unscanned: Vec<PathBuf>,
     scanned: bool,
@@ -113,6 +116,7 @@ impl World {
             open: BTreeMap::new(),
             edits: 0,
             graph: Graph::default(),
+            listing: None,
             unscanned: Vec::new(),
             scanned: false,
             picks: FastMap::default(),
@@ -145,7 +149,7 @@ impl World {
     /// Show other folders.
     pub fn set_folders(&mut self, folders: Vec<PathBuf>) {
         self.folders = folders;
-        self.scanned = false;
+        (self.scanned, self.listing) = (false, None);
         self.graph = Graph::default();
         self.reload();
     }
@@ -251,11 +255,8 @@ impl World {
     /// Look at more files of the workspace, until `stop` says so; returns how many are done and how many there
     /// are. When all are done: none.
     pub fn scan(&mut self, stop: impl Fn() -> bool) -> Option<(usize, usize)> {
-        if !self.scanned {
-            self.scanned = true;
-            let found = self.folders.iter().flat_map(|folder| walk::descriptions(folder, &self.session));
-            self.unscanned = found.take(SCAN_FILES).collect();
-            self.unscanned.reverse();
+        if !self.list(&stop) {
+            return Some((0, 0));
         }
         let total = self.unscanned.len();
         let mut done = 0;
@@ -267,6 +268,27 @@ impl World {
             }
         }
         (!self.unscanned.is_empty()).then_some((done, total))
+    }
+
+    /// The same for at most so long; whether all are done.
+    pub fn scan_within(&mut self, patience: Duration) -> bool {
+        let end = Instant::now() + patience;
+        self.scan(|| Instant::now() >= end).is_none()
+    }
+
+    /// Search for the files to look at, until `stop` says so; whether all were found.
+    fn list(&mut self, stop: &dyn Fn() -> bool) -> bool {
+        if !self.scanned {
+            let listing = self.listing.get_or_insert_with(|| Listing::of(&self.folders));
+            if !listing.go_on(&self.session, stop) {
+                return false;
+            }
+            let found = self.listing.take().map_or_else(Vec::new, Listing::done);
+            self.unscanned = found.into_iter().take(SCAN_FILES).collect();
+            self.unscanned.reverse();
+            self.scanned = true;
+        }
+        true
     }
 
     /// The descriptions that were looked at.

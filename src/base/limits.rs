@@ -125,6 +125,8 @@ limits! {
         LAZY_DEPTH: usize = 500, "an error at the property";
         /// Values of expressions that are kept for hovers and hints.
         EVALUATIONS: usize = 500_000, "later ones are not shown";
+        /// Names that were compared with names that are not defined.
+        COMPARED_NAMES: usize = 10_000_000, "no similar name is suggested any more";
     }
     "Workspace and configuration" {
         /// Configuration files that extend each other.
@@ -161,6 +163,8 @@ limits! {
     "Findings and fixes" {
         /// How often findings are fixed and looked for anew.
         FIX_ROUNDS: usize = 50, "the rest is reported as usual";
+        /// Findings of one rule in one robot.
+        FINDINGS_OF_A_RULE: usize = 50_000, "further ones are left out";
         /// Bytes of one message; names can be as long as files.
         MESSAGE_LETTERS: usize = 1_000, "the message is cut";
         /// Bytes of a source line that is drawn on the terminal.

@@ -89,7 +89,8 @@ pub fn render(report: &Report<'_>, color: bool) -> String {
 struct Piece {
     path: String,
     line: usize,
-    text: String,
+    /// The line; none when it is too long to be drawn.
+    text: Option<String>,
     span: std::ops::Range<usize>,
     label: String,
 }
@@ -106,27 +107,28 @@ impl Piece {
         let document = &mark.file.source.document;
         let start = document.line_col(mark.range.start, Encoding::Utf8);
         let end = document.line_col(mark.range.end, Encoding::Utf8);
-        let first = document.line_text(start.line);
+        let line = document.line_around(mark.range.start, DRAWN_LINE as u32).map(|(line, _)| line);
+        let length = line.as_ref().map_or(0, String::len);
         let col = start.col as usize;
         // of a range over several lines, the first says enough
-        let to = if end.line == start.line { end.col as usize } else { first.len() };
+        let to = if end.line == start.line { end.col as usize } else { length };
         Self {
             path: visible(&mark.file.path),
             line: start.line as usize + 1,
-            span: col..to.clamp(col, first.len().max(col)),
-            text: harmless(&first),
+            span: col..to.clamp(col, length.max(col)),
+            text: line.map(|line| harmless(&line)),
             label: visible(&mark.label),
         }
     }
 
     fn draw<'g>(&'g self, group: Group<'g>, kind: AnnotationKind) -> Group<'g> {
         let label = (!self.label.is_empty()).then_some(self.label.as_str());
-        if self.text.len() > DRAWN_LINE {
+        let Some(text) = &self.text else {
             let origin = Origin::path(self.path.as_str()).line(self.line).char_column(self.span.start + 1);
             let group = group.element(origin);
             return group.elements(label.map(|label| Level::NOTE.message(label)));
-        }
-        let snippet = Snippet::source(self.text.as_str()).line_start(self.line).path(self.path.as_str());
+        };
+        let snippet = Snippet::source(text.as_str()).line_start(self.line).path(self.path.as_str());
         group.element(snippet.annotation(kind.span(self.span.clone()).label(label)))
     }
 }

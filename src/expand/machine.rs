@@ -228,6 +228,8 @@ pub(super) struct Expander<'w> {
     pub attrs: Vec<XAttr>,
     /// An include is missing: undefined names are then no news.
     pub include_missing: bool,
+    /// Names that undefined ones were compared with.
+    pub compared: usize,
     /// The content of a condition or call is missing, because it could not be decided.
     pub content_lost: bool,
     /// Files that are not well-formed.
@@ -287,6 +289,7 @@ impl<'w> Expander<'w> {
             reads: Vec::new(),
             attrs: Vec::new(),
             include_missing: false,
+            compared: 0,
             content_lost: false,
             broken: FastSet::default(),
             undefined: Undefined::default(),

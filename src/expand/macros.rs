@@ -387,8 +387,9 @@ impl Expander<'_> {
 
     fn unknown_macro(&mut self, tag: Tag<'_>, name: &str, cx: Cx) {
         let at = self.tag_origin(tag, cx);
-        let names = self.macros.visible_names(cx.macros);
+        let names = if self.compares() { self.macros.visible_names(cx.macros) } else { Vec::new() };
         let near = nearest(name, names.iter().copied()).map(str::to_owned);
+        self.compared += names.len();
         if near.is_some() || !self.include_missing {
             let message = format!("macro `{name}` is not defined");
             let mut problem =

@@ -21,13 +21,16 @@ pub(super) fn strip(text: &str) -> &str {
 /// The parameters of a `params` text; `None` when it holds nothing but blanks, which the reference refuses.
 pub fn parse(text: &str) -> Option<Vec<Param>> {
     let mut params = Vec::new();
-    let (mut text, mut at) = (text, 0);
+    let (mut text, mut at, mut is_cut) = (text, 0, false);
+    let mut closings = Closings::default();
     while at < text.len() {
-        let (param, next) = match with_default(text, at) {
+        let (param, next) = match with_default(text, at, &mut closings) {
             Some((param, next)) => {
                 // the expression's last group ends with the line: what stands behind is lost
-                let line = text.get(next..).and_then(|rest| rest.find('\n'));
-                text = line.and_then(|end| text.get(..next + end)).unwrap_or(text);
+                if !std::mem::replace(&mut is_cut, true) {
+                    let line = text.get(next..).and_then(|rest| rest.find('\n'));
+                    text = line.and_then(|end| text.get(..next + end)).unwrap_or(text);
+                }
                 (param, next)
             }
             None => bare_word(text, at)?,
@@ -49,7 +52,7 @@ fn bare_word(text: &str, at: usize) -> Option<(Param, usize)> {
 }
 
 /// `NAME := [^|]DEFAULT` followed by a blank or the end.
-fn with_default(text: &str, at: usize) -> Option<(Param, usize)> {
+fn with_default(text: &str, at: usize, closings: &mut Closings) -> Option<(Param, usize)> {
     let start = skip_spaces(text, at);
     let end = run(text, start, |c| !is_space(c) && c != ':' && c != '=');
     let mut i = skip_spaces(text, end);
@@ -68,7 +71,7 @@ fn with_default(text: &str, at: usize) -> Option<(Param, usize)> {
     let mut from = value_start;
     loop {
         for forward in forward_marks(text, from) {
-            if let Some((value_end, next)) = default_value(text, from + forward) {
+            if let Some((value_end, next)) = default_value(text, from + forward, closings) {
                 let value = (value_end > from + forward).then_some((from + forward, value_end));
                 return Some((param(text, start, end, forward > 0, value), next));
             }
@@ -100,56 +103,73 @@ fn forward_marks(text: &str, at: usize) -> impl Iterator<Item = usize> {
 }
 
 /// The end of the default at `at`, and where the next parameter begins.
-fn default_value(text: &str, at: usize) -> Option<(usize, usize)> {
-    bracketed(text, at, "${", '}')
-        .or_else(|| bracketed(text, at, "$(", ')'))
-        .or_else(|| quoted_run(text, at))
-        .or_else(|| tail(text, at).map(|next| (at, next)))
+fn default_value(text: &str, at: usize, closings: &mut Closings) -> Option<(usize, usize)> {
+    let bracketed =
+        closings.curly.after(text, at, "${", '}').or_else(|| closings.round.after(text, at, "$(", ')'));
+    let end = bracketed.or_else(|| quoted_run(text, at)).unwrap_or(at);
+    tail(text, end).map(|next| (end, next))
 }
 
-/// `${...}`: to the first closing bracket that is followed by a blank or the end.
-fn bracketed(text: &str, at: usize, open: &str, close: char) -> Option<(usize, usize)> {
-    let rest = text.get(at..)?.strip_prefix(open)?;
-    let line = rest.split('\n').next().unwrap_or("");
-    line.match_indices(close).find_map(|(i, _)| {
-        let end = at + open.len() + i + 1;
-        tail(text, end).map(|next| (end, next))
-    })
+/// The closing brackets that were looked for last, so that a row of expressions that end nowhere is not searched
+/// again from each of them.
+#[derive(Default)]
+struct Closings {
+    curly: Closing,
+    round: Closing,
 }
 
-/// `'...'`, `"..."` and unquoted text in any order, followed by a blank or the end.
-fn quoted_run(text: &str, at: usize) -> Option<(usize, usize)> {
-    let mut failed = vec![false; text.len().saturating_sub(at) + 1];
+/// What was found from `from` to `to`: the end of a closing bracket, or none up to the end of the line.
+#[derive(Default)]
+struct Closing {
+    from: usize,
+    to: usize,
+    end: Option<usize>,
+}
+
+impl Closing {
+    /// The end of `${...}`: the first closing bracket that is followed by a blank or the end.
+    fn after(&mut self, text: &str, at: usize, open: &str, close: char) -> Option<usize> {
+        let rest = text.get(at..)?.strip_prefix(open)?;
+        let from = at + open.len();
+        if !(self.from <= from && from < self.to) {
+            let line = rest.split('\n').next().unwrap_or("");
+            let ends = line.match_indices(close).map(|(i, _)| from + i + 1);
+            let end = ends.into_iter().find(|&end| tail(text, end).is_some());
+            *self = Self { from, to: end.unwrap_or(from + line.len()), end };
+        }
+        self.end
+    }
+}
+
+/// `'...'`, `"..."` and unquoted text in any order, to the blank or the end behind them.
+///
+/// A quotation may end at any later quote of its kind in the line. They are tried depth first, the nearest one first;
+/// what follows depends on the position alone, so no quote is tried again once what is behind it did not fit.
+fn quoted_run(text: &str, at: usize) -> Option<usize> {
+    // of each kind the first quote whose later ones have all been tried
+    let mut tried = [text.len(); 2];
     // a place, and for an opening quote from where on its end is looked for
     let mut stack = vec![(at, None)];
-    // depth first, shortest pieces first, each position tried once: what follows depends on the position alone
     while let Some((i, from)) = stack.pop() {
-        if let (Some(from), Some(quote)) = (from, char_at(text, i)) {
-            let rest = text.get(from..)?;
-            if let Some(j) = rest.find([quote, '\n'])
-                && char_at(rest, j) == Some(quote)
-            {
-                let end = from + j + 1;
-                stack.extend([(i, Some(end)), (end, None)]);
+        let quote = char_at(text, i).filter(|c| matches!(c, '\'' | '"'));
+        if let (Some(from), Some(quote)) = (from, quote) {
+            let last = tried.get_mut(usize::from(quote == '"'))?;
+            let rest = text.get(from..text.len().min(*last + 1)).unwrap_or("");
+            match rest.find([quote, '\n']) {
+                Some(j) if char_at(rest, j) == Some(quote) => {
+                    stack.extend([(i, Some(from + j + 1)), (from + j + 1, None)]);
+                }
+                _ => *last = i.min(*last),
             }
-            continue;
-        }
-        if i > at
-            && let Some(next) = tail(text, i)
-        {
-            return Some((i, next));
-        }
-        match failed.get_mut(i - at) {
-            Some(seen) if !*seen => *seen = true,
-            _ => continue,
-        }
-        match char_at(text, i) {
-            Some('\'' | '"') => stack.push((i, Some(i + 1))),
-            Some(c) if !is_space(c) => {
-                let end = run(text, i, |c| !is_space(c) && c != '\'' && c != '"');
+        } else if i > at && tail(text, i).is_some() {
+            return Some(i);
+        } else if quote.is_some() {
+            stack.push((i, Some(i + 1)));
+        } else {
+            let end = run(text, i, |c| !is_space(c) && c != '\'' && c != '"');
+            if end > i {
                 stack.push((end, None));
             }
-            _ => {}
         }
     }
     None
@@ -223,9 +243,25 @@ mod tests {
             ("a:=1 b:=2\nc", "a=1 | b=2"),
             ("a:=1\nb c", "a=1 | b | c"),
             ("a\nb", "a | b"),
+            ("a:='b'x'c d' e", "a='b'x'c d' | e"),
+            ("a:='b\"c'd\"e' f\" g", "a='b\"c'd\"e' f\" | g"),
+            ("a:='b\"c'\"d\"'e'\" f", "a='b\"c'\"d\"'e'\" | f"),
+            ("a:=${x}y b:=${x}y c:=${x} d", "a=${x}y b:=${x}y c:=${x} | d"),
+            ("a:=${x}y\nb:=${x} c", "a=${x}y | b=${x} | c"),
         ];
         for (text, expected) in cases {
             assert_eq!(show(text), expected, "{text}");
         }
+    }
+
+    #[test]
+    fn long_rows_take_no_longer_than_they_are() {
+        let row = |piece: &str| parse(&piece.repeat(30_000)).map_or(0, |params| params.len());
+        assert_eq!(row("x:='"), 1);
+        assert_eq!(row("a:='x'\"y\""), 1);
+        assert_eq!(row("'x\"y:="), 1);
+        assert_eq!(row("a:=${b}c "), 30_000);
+        assert_eq!(row("a:=$(b)c "), 30_000);
+        assert_eq!(row("a:='b c'd "), 30_000);
     }
 }

@@ -9,7 +9,7 @@ use super::problem::Step;
 use super::scope::State;
 use super::symbols::{DefinitionId, UseKind};
 use crate::base::TextRange;
-use crate::base::limits::LAZY_DEPTH;
+use crate::base::limits::{COMPARED_NAMES, LAZY_DEPTH};
 use crate::expr::{ScopeId, Value, literal};
 use crate::workspace::nearest;
 
@@ -180,8 +180,9 @@ impl Expander<'_> {
         if !self.include_missing && self.is_repeated("XAC001", at, &message) {
             return;
         }
-        let names = self.scopes.visible_names(scope);
+        let names = if self.compares() { self.scopes.visible_names(scope) } else { Vec::new() };
         let near = nearest(name, names.iter().copied()).map(str::to_owned);
+        self.compared += names.len();
         // what a missing include would have defined is no news; a near name is a typing error all the same
         if self.include_missing && near.is_none() {
             self.result.complete = false;
@@ -202,14 +203,20 @@ impl Expander<'_> {
         self.push_undefined(NameKind::Property, name, problem);
     }
 
+    /// Whether undefined names are still compared with those there are.
+    pub fn compares(&self) -> bool {
+        self.compared < COMPARED_NAMES
+    }
+
     /// Report an argument that was neither declared nor given; `said` is how the reference shows its name.
     pub fn undefined_arg(&mut self, name: &str, at: Origin, said: String) {
         if self.include_missing {
             self.result.complete = false;
             return;
         }
-        let names: Vec<EcoString> = self.args.keys().cloned().collect();
-        let near = nearest(name, names.iter().map(EcoString::as_str)).map(str::to_owned);
+        let names = self.args.keys().map(EcoString::as_str).filter(|_| self.compares());
+        let near = nearest(name, names).map(str::to_owned);
+        self.compared += self.args.len();
         let mut problem = self.problem("XAC003", at, format!("argument `{name}` is not defined")).says(said);
         problem = match near {
             Some(near) => problem

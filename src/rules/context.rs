@@ -12,7 +12,7 @@ use crate::model::{Joint, Kinematics, Link, Meshes, Robot};
 use crate::vfs::{SourceFile, Vfs};
 use crate::workspace::Packages;
 use crate::workspace::config::Config;
-use crate::xml::{Attr, Node, NodeKind};
+use crate::xml::{Attr, Document, Node, NodeKind};
 
 /// What an expanded file is taken for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,15 +49,20 @@ impl FileCx<'_> {
 
     /// All elements but the root, each with the offset its ranges count from.
     pub fn elements(&self) -> impl Iterator<Item = (u32, Node<'_>)> {
-        let parts = self.source.document.parts().skip(1);
-        let nodes = parts.flat_map(|(base, item)| item.all_nodes().map(move |node| (base, node)));
-        nodes.filter(|(_, node)| node.kind() == NodeKind::Element)
+        elements(&self.source.document)
     }
 
     /// The attributes of the root element; their ranges are absolute.
     pub fn root_attrs(&self) -> impl Iterator<Item = Attr<'_>> {
         self.source.document.root().into_iter().flat_map(|root| root.attrs())
     }
+}
+
+/// The elements of a document but its root, with the offset their ranges count from.
+pub(super) fn elements(document: &Document) -> impl Iterator<Item = (u32, Node<'_>)> {
+    let parts = document.parts().skip(1);
+    let nodes = parts.flat_map(|(base, item)| item.all_nodes().map(move |node| (base, node)));
+    nodes.filter(|(_, node)| node.kind() == NodeKind::Element)
 }
 
 /// The expanded document of a root.

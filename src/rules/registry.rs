@@ -158,6 +158,12 @@ impl Rule {
         let letters = selector.len() >= 3 && selector.starts_with(|c: char| c.is_ascii_uppercase());
         self.name == selector || (letters && self.code.starts_with(selector))
     }
+
+    /// All that means this rule: `ALL` and what [`Rule::is_named`] accepts.
+    pub fn selectors(&self) -> impl Iterator<Item = &'static str> + use<> {
+        let (name, code) = (self.name, self.code);
+        ["ALL", name].into_iter().chain((3..=code.len()).filter_map(move |end| code.get(..end)))
+    }
 }
 
 fn page_url(repository: &str, version: &str, name: &str) -> Option<String> {

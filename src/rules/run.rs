@@ -5,13 +5,14 @@ use std::cell::OnceCell;
 
 use ecow::EcoString;
 
-use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings};
+use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings, elements};
 use super::finding::{Edit, Finding, Fix, Related};
 use super::mend;
 use super::package::is_news;
 use super::place;
 use super::registry::{Category, Check, Rule, Safety, Severity, all, by_code};
 use super::sink::{Sink, limit_calls, span};
+use super::vocabulary::outside_free_zones;
 use super::xacro::is_unprefixed;
 use crate::base::{CancelFlag, FastSet, FileId, Span, TextRange};
 use crate::expand::{Expansion, FileIdx, FileUse, Problem, Step};
@@ -183,8 +184,8 @@ impl Unprefixed {
         let mut found = Self::default();
         for file in &expansion.files {
             let document = &file.source.document;
-            let nodes = document.parts().skip(1).flat_map(|(_, item)| item.all_nodes());
-            for node in nodes.filter(|&node| is_unprefixed(document, node)) {
+            let elements = outside_free_zones(elements(document)).map(|(_, node)| node);
+            for node in elements.filter(|&node| is_unprefixed(document, node)) {
                 found.structure |= node.name() != "property" && node.name() != "arg";
                 found.names.extend(node.attr("name").map(|name| name.raw().to_owned()));
             }

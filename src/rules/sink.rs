@@ -1,8 +1,11 @@
 //! Where rules put what they find.
 
+use std::hash::{Hash, Hasher};
+
 use super::finding::{Edit, Finding, Fix, Related, Way};
 use super::registry::{Rule, Safety, Severity};
-use crate::base::{FastMap, Span, TextRange};
+use crate::base::limits::FINDINGS_OF_A_RULE;
+use crate::base::{FastMap, FastSet, Span, TextRange};
 use crate::expand::{Expansion, FileIdx, Frame, FrameKind, Origin, Place, argument, is_partial};
 
 /// Collects findings of one expansion. A place that several expansions of one source text lead to is
@@ -12,12 +15,14 @@ pub struct Sink<'a> {
     rule: &'static Rule,
     drafts: Vec<Draft>,
     by_place: FastMap<(&'static str, Span), usize>,
+    /// How many there are of each rule.
+    counts: FastMap<&'static str, usize>,
 }
 
 /// A finding in the making.
 pub(super) struct Draft {
     finding: Finding,
-    calls: Vec<Related>,
+    calls: Calls,
     /// The text in the body of a macro that is wrong, each time.
     instances: Vec<Origin>,
 }
@@ -30,7 +35,7 @@ pub struct Reported<'s, 'a> {
 
 impl<'a> Sink<'a> {
     pub(super) fn new(expansion: &'a Expansion, rule: &'static Rule) -> Self {
-        Self { expansion, rule, drafts: Vec::new(), by_place: FastMap::default() }
+        Self { expansion, rule, drafts: Vec::new(), by_place: FastMap::default(), counts: FastMap::default() }
     }
 
     /// From now on, findings are of this rule.
@@ -43,7 +48,7 @@ impl<'a> Sink<'a> {
         let finish = |draft: Draft| {
             let Draft { mut finding, calls, instances } = draft;
             finding.partial = is_partial(self.expansion, &instances);
-            limit_calls(&mut finding, calls);
+            calls.list_in(&mut finding);
             finding
         };
         self.drafts.into_iter().map(finish).collect()
@@ -81,7 +86,9 @@ impl<'a> Sink<'a> {
 
     fn draft(&mut self, span: Span, calls: Vec<Related>, message: String) -> Reported<'_, 'a> {
         let finding = Finding::new(self.rule, span, message);
-        Reported { draft: Draft { finding, calls, instances: Vec::new() }, sink: self }
+        let mut draft = Draft { finding, calls: Calls::default(), instances: Vec::new() };
+        draft.calls.add(calls);
+        Reported { draft, sink: self }
     }
 
     /// The call of the macro whose text stands at `origin`.
@@ -104,9 +111,7 @@ impl<'a> Sink<'a> {
         let key = (draft.finding.rule.code, draft.finding.span);
         match self.by_place.get(&key).and_then(|&i| self.drafts.get_mut(i)) {
             Some(old) => {
-                let new =
-                    draft.calls.into_iter().filter(|call| !old.calls.contains(call)).collect::<Vec<_>>();
-                old.calls.extend(new);
+                old.calls.join(draft.calls);
                 old.instances.extend(draft.instances);
                 for way in draft.finding.ways {
                     let room = old.finding.ways.len() < MOST_WAYS;
@@ -116,8 +121,12 @@ impl<'a> Sink<'a> {
                 }
             }
             None => {
-                self.by_place.insert(key, self.drafts.len());
-                self.drafts.push(draft);
+                let count = self.counts.entry(key.0).or_default();
+                *count += 1;
+                if *count <= FINDINGS_OF_A_RULE {
+                    self.by_place.insert(key, self.drafts.len());
+                    self.drafts.push(draft);
+                }
             }
         }
     }
@@ -156,8 +165,7 @@ impl Reported<'_, '_> {
         let Some(span) = self.sink.span_of(origin) else { return self };
         if span == self.draft.finding.span {
             let calls = self.sink.calls(origin);
-            let new: Vec<_> = calls.into_iter().filter(|call| !self.draft.calls.contains(call)).collect();
-            self.draft.calls.extend(new);
+            self.draft.calls.add(calls);
             self.draft.instances.push(origin);
         } else {
             let message = message.into();
@@ -252,11 +260,47 @@ const MOST_CALLS: usize = 10;
 /// Calls that an editor may show a finding at.
 const MOST_WAYS: usize = 1000;
 
-/// Put the calls behind the related places; of many, the first ones, and the message counts the others.
-pub(super) fn limit_calls(finding: &mut Finding, mut calls: Vec<Related>) {
-    let more = calls.len().saturating_sub(MOST_CALLS);
-    calls.truncate(MOST_CALLS);
-    finding.related.append(&mut calls);
+/// Different calls that lead to a place: the first ones, and all of them counted.
+#[derive(Default)]
+struct Calls {
+    first: Vec<Related>,
+    /// What tells them from each other; there may be as many as a robot has elements.
+    seen: FastSet<u64>,
+}
+
+impl Calls {
+    /// Add those that are not among them yet.
+    fn add(&mut self, calls: impl IntoIterator<Item = Related>) {
+        for call in calls {
+            let mut hasher = rustc_hash::FxHasher::default();
+            (call.span, &call.message).hash(&mut hasher);
+            if self.seen.insert(hasher.finish()) && self.first.len() < MOST_CALLS {
+                self.first.push(call);
+            }
+        }
+    }
+
+    /// Add those of another way to the same place.
+    fn join(&mut self, other: Self) {
+        self.add(other.first);
+        self.seen.extend(other.seen);
+    }
+
+    fn list_in(self, finding: &mut Finding) {
+        list_calls(finding, self.first, self.seen.len());
+    }
+}
+
+/// Put calls behind the related places; of many, the first ones, and the message counts the others.
+pub(super) fn limit_calls(finding: &mut Finding, calls: Vec<Related>) {
+    let count = calls.len();
+    list_calls(finding, calls, count);
+}
+
+fn list_calls(finding: &mut Finding, mut first: Vec<Related>, count: usize) {
+    first.truncate(MOST_CALLS);
+    let more = count.saturating_sub(first.len());
+    finding.related.append(&mut first);
     if more > 0 {
         finding.message.push_str(&format!(" (and {more} more calls lead here)"));
     }

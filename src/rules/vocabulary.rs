@@ -16,9 +16,20 @@ pub(super) fn is_free_zone(name: &str) -> bool {
     FREE_ZONES.contains(&name) || name.contains(':') && !name.starts_with("xacro:")
 }
 
-/// Whether an element of an item stands in a free zone, the element itself not counted.
-pub(super) fn in_free_zone(node: Node<'_>) -> bool {
-    std::iter::successors(node.parent(), |node| node.parent()).any(|node| is_free_zone(node.name()))
+/// Passes over the content of free zones, in a row of elements as they follow each other in a document; the elements that
+/// make the zones stay. Each is given with the offset of its item.
+pub(super) fn outside_free_zones<'a>(
+    elements: impl Iterator<Item = (u32, Node<'a>)>,
+) -> impl Iterator<Item = (u32, Node<'a>)> {
+    let mut end = 0;
+    elements.filter(move |(base, node)| {
+        let range = node.range().shift(*base);
+        let is_outside = range.start >= end;
+        if is_outside && is_free_zone(node.name()) {
+            end = range.end;
+        }
+        is_outside
+    })
 }
 
 #[cfg(test)]

@@ -165,6 +165,7 @@ impl Engine {
         cancel: &CancelFlag,
     ) -> Result<DocumentDiagnosticReportResult, Failure> {
         let (path, _) = self.source(&params.text_document.uri)?;
+        self.scan_first();
         let items = self.of_file(&path, cancel)?;
         let id = format!("{:x}", fingerprint(&items, None));
         let report = if params.previous_result_id.as_deref() == Some(&id) {

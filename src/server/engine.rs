@@ -79,6 +79,8 @@ impl Engine {
     const ON_ITS_WAY: Duration = Duration::from_millis(2);
     /// The pause after the last edit before a large robot is checked as a whole, of which a first look said the most.
     pub const SETTLED: Duration = Duration::from_millis(250);
+    /// How long an answer waits for a look at the workspace.
+    pub const SCAN_FIRST: Duration = Duration::from_millis(200);
     /// The pause after the last edit unless configured.
     const DELAY: Duration = Duration::from_millis(100);
 

@@ -114,7 +114,11 @@ fn is_there<'de, D: Deserializer<'de>>(field: D) -> Result<bool, D::Error> {
 
 /// The body, mended where it can be, and whether it is a reply; a note about it where it is no message.
 fn checked(body: &[u8]) -> (Cow<'_, [u8]>, bool) {
-    let mended = without_lone_surrogates(body);
+    // what is no UTF-8 would be refused later, without an answer
+    let mended = match String::from_utf8_lossy(body) {
+        Cow::Borrowed(text) => without_lone_surrogates(text.as_bytes()),
+        Cow::Owned(text) => Cow::Owned(without_lone_surrogates(text.as_bytes()).into_owned()),
+    };
     let written = |message: Value| (Cow::Owned(message.to_string().into_bytes()), false);
     let bad = |reason: String| {
         written(json!({ "jsonrpc": "2.0", "method": BAD_MESSAGE, "params": { "reason": reason } }))
@@ -218,6 +222,15 @@ mod tests {
             let passed = pumped(&format!("Content-Length: {}\r\n\r\n{body}", body.len()));
             assert!(passed.contains(BAD_MESSAGE), "{body}: {passed}");
         }
+    }
+
+    #[test]
+    fn what_is_no_utf_8_is_replaced() {
+        let (body, _) = checked(b"{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"x\",\"params\":[\"\xe4\"]}");
+        assert_eq!(
+            std::str::from_utf8(&body).unwrap(),
+            "{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"x\",\"params\":[\"\u{fffd}\"]}"
+        );
     }
 
     #[test]

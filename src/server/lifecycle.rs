@@ -176,20 +176,31 @@ impl Engine {
     /// Look at more files of the workspace, until a job comes in.
     pub fn scan(&mut self) {
         let pressure = self.pressure.clone();
-        let left = self.world.scan(|| pressure.is_high());
-        match left {
+        match self.world.scan(|| pressure.is_high()) {
+            // still searching for them
+            Some((_, 0)) => {}
             Some((done, total)) => {
                 let message = format!("{done} of {total} files");
                 self.report_progress(json!({ "kind": "report", "message": message }));
             }
-            None => {
-                self.end_progress();
-                // other roots may be known now
-                if !self.documents.is_empty() {
-                    self.schedule();
-                    self.refresh();
-                }
-            }
+            None => self.scanned(),
+        }
+    }
+
+    /// Look at the workspace before an answer that depends on it, when that takes a moment only: who asks for
+    /// diagnostics of a part as soon as it is open gets those of the robot around it.
+    pub fn scan_first(&mut self) {
+        if self.initialized && !self.world.is_scanned() && self.world.scan_within(Self::SCAN_FIRST) {
+            self.scanned();
+        }
+    }
+
+    /// Other roots may be known now.
+    fn scanned(&mut self) {
+        self.end_progress();
+        if !self.documents.is_empty() {
+            self.schedule();
+            self.refresh();
         }
     }
 

@@ -23,7 +23,7 @@ pub(crate) mod testing;
 #[cfg(test)]
 mod tests;
 
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, PoisonError, RwLock};
 
@@ -172,8 +172,8 @@ impl Vfs {
         self.max_file_bytes.store(limit, Ordering::Relaxed);
     }
 
-    /// The number of a file, which need not exist. The path is made absolute by its text alone:
-    /// `..` and links stay as they are, so two spellings of one file have two numbers.
+    /// The number of a file, which need not exist. Links stay as they are, so two spellings of one file may have two
+    /// numbers.
     pub fn file_id(&self, path: &Path) -> FileId {
         self.ids.id(self.absolute(path))
     }
@@ -183,9 +183,11 @@ impl Vfs {
         self.ids.path(id)
     }
 
-    /// `path` made absolute against the working directory, without `.` and doubled slashes.
+    /// `path` made absolute against the working directory, without `.` and doubled slashes; and without `folder/..`
+    /// where that is a folder and no link, so that a file included as `../parts/a.xacro` is the one that is open.
     pub fn absolute(&self, path: &Path) -> PathBuf {
-        self.cwd.join(path).components().collect()
+        let path: PathBuf = self.cwd.join(path).components().collect();
+        if path.components().any(|part| part == Component::ParentDir) { tidy(&path) } else { path }
     }
 
     /// `path` with links and `..` resolved; as given when it does not exist.
@@ -391,4 +393,21 @@ impl Vfs {
             None => State::Disk(stat.stamp),
         })
     }
+}
+
+/// A path without `folder/..`, where the system sees it so too: a link leads elsewhere, and nothing leads back from a
+/// folder that is not there.
+fn tidy(path: &Path) -> PathBuf {
+    let mut tidy = PathBuf::new();
+    for part in path.components() {
+        let leads_back = part == Component::ParentDir
+            && tidy.file_name().is_some()
+            && tidy.symlink_metadata().is_ok_and(|found| found.is_dir());
+        if leads_back {
+            tidy.pop();
+        } else {
+            tidy.push(part);
+        }
+    }
+    tidy
 }

@@ -54,6 +54,25 @@ fn buffers_cover_the_disk() {
 
 #[cfg(unix)]
 #[test]
+fn ways_back_are_left_out_where_the_system_goes_them_too() {
+    let tree = Tree::new();
+    tree.write("a/b/c.x", "");
+    std::os::unix::fs::symlink(tree.path("a/b"), tree.path("link")).unwrap();
+    let vfs = tree.vfs();
+    for (path, expected) in [
+        ("a/b/../d.x", "a/d.x"),
+        ("a/b/../../e.x", "e.x"),
+        ("a/./b/../b/../b/c.x", "a/b/c.x"),
+        ("link/../d.x", "link/../d.x"),
+        ("gone/../d.x", "gone/../d.x"),
+        ("a/b/c.x/../d.x", "a/b/c.x/../d.x"),
+    ] {
+        assert_eq!(vfs.absolute(&tree.path(path)), tree.path(expected), "{path}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
 fn buffers_are_found_through_links_and_parents() {
     let tree = Tree::new();
     tree.write("src/a.x", "disk");

@@ -10,7 +10,7 @@ use super::line_table::LineTable;
 use super::node::{Node, Siblings};
 use super::parse::{Footer, Header, Parser, RootState, Step};
 use crate::base::limits::XML_BYTES;
-use crate::base::{FastMap, TextRange};
+use crate::base::{FastMap, TextRange, last_line_start, line_end};
 
 /// A parsed file. Clones share their items; an edit re-parses the items it touches.
 #[derive(Clone)]
@@ -114,6 +114,20 @@ impl Document {
         let wide = TextRange::new(range.start.saturating_sub(most), range.end.saturating_add(most));
         let (start, end) = self.whole_characters(wide);
         (self.slice(TextRange::new(start, range.start)), self.slice(TextRange::new(range.end, end)))
+    }
+
+    /// The line around an offset, and the offset in it; none when it has more than `most` bytes.
+    pub fn line_around(&self, offset: u32, most: u32) -> Option<(String, usize)> {
+        let (mut line, behind) = self.beside(TextRange::empty(offset), most.saturating_add(1));
+        if line.ends_with('\r') && behind.starts_with('\n') {
+            return self.line_around(offset - 1, most).map(|(line, inside)| (line, inside + 1));
+        }
+        if let Some(start) = last_line_start(&line) {
+            line.drain(..start);
+        }
+        let inside = line.len();
+        line.push_str(behind.get(..line_end(&behind)).unwrap_or(""));
+        (line.len() <= most as usize).then_some((line, inside))
     }
 
     /// The prolog (declaration, comments, instructions, DOCTYPE) and, as last node, the root's start tag.

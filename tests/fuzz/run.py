@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
-"""Run the fuzz targets one after the other, and say how many inputs each tried and what it found.
+"""Run the fuzz targets, and say how many inputs each tried and what it found.
 
     tests/fuzz/run.py [--seconds 600] [--only xml,yaml] [--seeds FOLDER] [--jobs 1]
 
-Needs cargo-fuzz (`cargo install cargo-fuzz`) and works with a stable toolchain. The corpus grows in
-`target/fuzz/corpus`; inputs that fail are put into `target/fuzz/artifacts`. Files of `--seeds`, such as a folder
-with robots, are added to the seeds of the targets that read descriptions. `python` compares random expressions with
-a Python that has the reference xacro.
+Needs cargo-fuzz (`cargo install cargo-fuzz`) and works with a stable toolchain. `--jobs` targets run at once. A target
+that fails is started again for the rest of its time, up to ten times. The corpus grows in `target/fuzz/corpus`; inputs
+that fail are put into `target/fuzz/artifacts`. Files of `--seeds`, such as a folder with robots, are added to the seeds
+of the targets that read descriptions. `python` compares random expressions with a Python that has the reference xacro.
 """
 import argparse
+import concurrent.futures
 import os
 import re
 import shutil
@@ -44,17 +45,38 @@ def prepare(extra):
     return seeds
 
 
-def fuzz(target, seeds, seconds):
+def build():
+    """Build all targets: the folder with the programs."""
+    folder = os.path.join(WORK, 'build')
+    subprocess.run(['cargo', 'fuzz', 'build', '--fuzz-dir', HERE, '--sanitizer', 'none', '--target-dir', folder],
+                   cwd=REPOSITORY, env=dict(os.environ, RUSTC_BOOTSTRAP='1'), check=True)
+    host = re.search(r'host: (\S+)', subprocess.check_output(['rustc', '-vV'], text=True)).group(1)
+    return os.path.join(folder, host, 'release')
+
+
+def fuzz(target, programs, seeds, seconds):
     """Run a target: number of inputs, text of what was found."""
+    end, count, found = time.time() + seconds, 0, []
+    while len(found) < 10 and (left := int(end - time.time())) > 0:
+        tried, what = fuzz_once(target, programs, seeds, left)
+        count += tried
+        if not what:
+            break
+        found.append(what)
+    return count, '; '.join(found)
+
+
+def fuzz_once(target, programs, seeds, seconds):
+    """Run a target until the time is over or it fails."""
     corpus = os.path.join(WORK, 'corpus', target)
     artifacts = os.path.join(WORK, 'artifacts', target) + os.sep
     os.makedirs(corpus, exist_ok=True)
     os.makedirs(artifacts, exist_ok=True)
     done = subprocess.run(
-        ['cargo', 'fuzz', 'run', '--fuzz-dir', HERE, '--sanitizer', 'none', '--target-dir', os.path.join(WORK, 'build'),
-         target, corpus, os.path.join(seeds, target), '--', f'-max_total_time={seconds}', '-timeout=30', '-rss_limit_mb=2048',
-         '-max_len=16384', '-print_final_stats=1', f'-dict={seeds}/words.dict', f'-artifact_prefix={artifacts}'],
-        cwd=REPOSITORY, env=dict(os.environ, RUSTC_BOOTSTRAP='1'), stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        [os.path.join(programs, target), corpus, os.path.join(seeds, target), f'-max_total_time={seconds}', '-timeout=30',
+         '-rss_limit_mb=2048', '-max_len=16384', '-print_final_stats=1', f'-dict={seeds}/words.dict',
+         f'-artifact_prefix={artifacts}'],
+        cwd=WORK, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     text = done.stdout.decode('utf-8', 'replace')
     counts = re.findall(r'^#(\d+)\s', text, re.M)
     executed = re.search(r'number_of_executed_units:\s*(\d+)', text)
@@ -90,14 +112,19 @@ def main():
     parser.add_argument('--seconds', type=int, default=600)
     parser.add_argument('--only', default=','.join(TARGETS + ['python']))
     parser.add_argument('--seeds', help='a folder with more descriptions')
+    parser.add_argument('--jobs', type=int, default=1)
     options = parser.parse_args()
-    seeds = prepare(options.seeds)
-    failed = 0
-    for target in options.only.split(','):
+    seeds, programs, failed = prepare(options.seeds), build(), []
+
+    def run(target):
         begin = time.time()
-        count, found = python(options.seconds) if target == 'python' else fuzz(target, seeds, options.seconds)
-        failed += bool(found)
+        count, found = (python(options.seconds) if target == 'python'
+                        else fuzz(target, programs, seeds, options.seconds))
+        failed.extend([target] if found else [])
         print(f'{target}: {count} inputs in {time.time() - begin:.0f} s, {found or "nothing found"}', flush=True)
+
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        list(pool.map(run, options.only.split(',')))
     return 1 if failed else 0
 
 

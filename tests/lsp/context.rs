@@ -57,3 +57,18 @@ fn what_appears_on_the_disk_is_noticed() {
     let expanded = client.request("xacro/expand", client.of(ROBOT));
     assert_eq!(expanded["ok"], Value::Bool(true), "{expanded}");
 }
+
+#[test]
+fn the_first_answer_about_a_part_knows_its_robot() {
+    let folder = pan_tilt();
+    let part = "src/pan_tilt/parts/part.xacro";
+    write(&folder, part, "<robot><link name=\"a\"b=\"c\"/></robot>");
+    let robot = "<robot name=\"far\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><xacro:include filename=\"../parts/part.xacro\"/><link name=\"a\"/></robot>";
+    write(&folder, "src/pan_tilt/robots/far.urdf.xacro", robot);
+    let mut client = Client::with(folder, Options::default());
+    client.open(part);
+    let report = client.request("textDocument/diagnostic", client.of(part));
+    let related = &report["items"][0]["relatedInformation"][0];
+    assert_eq!(related["message"], "included here", "{report}");
+    assert!(related["location"]["uri"].as_str().unwrap().ends_with("robots/far.urdf.xacro"), "{report}");
+}

@@ -73,7 +73,7 @@ impl Parser<'_> {
     fn no_atom(&mut self) -> Expr {
         match self.kind() {
             Tok::Keyword | Tok::Async | Tok::Yield | Tok::Other => {
-                let found = self.token().range.slice(self.text).to_owned();
+                let found = self.shown_token();
                 let hole = self.token().range;
                 self.unexpected(format!("`{found}` is not possible in an expression"));
                 self.bump();

@@ -150,6 +150,15 @@ impl Parser<'_> {
         self.report.add_at_line(Stage::Grammar, range, message, reference, self.report.line(from));
     }
 
+    /// The text of the current token for a message; of a string over several lines, the first one.
+    pub(super) fn shown_token(&self) -> String {
+        let text = self.token().range.slice(self.text).trim();
+        match text.split_once(['\n', '\r']) {
+            Some((first, _)) => format!("{first}…"),
+            None => text.to_owned(),
+        }
+    }
+
     /// The next token is wrong.
     pub(super) fn unexpected(&mut self, message: impl Into<String>) {
         let token = self.token();

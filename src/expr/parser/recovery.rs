@@ -46,7 +46,7 @@ impl Parser<'_> {
     /// Neither a comma nor the end.
     fn between_items(&mut self, item_start: usize, before: Option<&Gap>) -> Option<Gap> {
         if !self.kind().starts_operand() {
-            let found = self.token().range.slice(self.text).to_owned();
+            let found = self.shown_token();
             self.unexpected(format!("`{found}` cannot stand here"));
             self.skip();
             return None;
@@ -143,12 +143,11 @@ impl Parser<'_> {
 
     /// Report the first token behind `first`; true if CPython reads on there.
     fn report_leftover(&mut self, first: &Expr) -> bool {
-        let wrong = self.token().range;
         if let Some(name) = self.old_print(first) {
             self.error(first.range, format!("`{name}` needs parentheses"), &print_reference(name));
             return false;
         }
-        let found = wrong.slice(self.text).trim();
+        let found = self.shown_token();
         let message = match self.kind() {
             Tok::Equal => "`=` assigns, which is not possible here; compare with `==`".to_owned(),
             Tok::Indent => "this line cannot continue the expression".to_owned(),

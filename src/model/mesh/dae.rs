@@ -34,7 +34,11 @@ fn parse(text: &str) -> Result<Document<'_>, Defect> {
         roxmltree::Error::NodesLimitReached => {
             Defect::too_large(format!("it has more than {MESH_NODES} nodes"))
         }
-        error => Defect::corrupt(format!("it is not well-formed XML: {error}")),
+        error => {
+            // it shows characters as they are
+            let error = error.to_string().replace('\n', "\\n").replace('\r', "\\r");
+            Defect::corrupt(format!("it is not well-formed XML: {error}"))
+        }
     })
 }
 

@@ -3,7 +3,7 @@
 use super::super::context::FileCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::super::vocabulary::in_free_zone;
+use super::super::vocabulary::outside_free_zones;
 use crate::base::TextRange;
 use crate::expand::{FrameKind, XId};
 use crate::xml::{Attr, Node, NodeKind};
@@ -51,12 +51,11 @@ fn prefix<'a>(node: Node<'a>) -> Option<&'a str> {
 
 /// The names of the links and joints in a macro.
 fn definitions(of: Node<'_>) -> Vec<Attr<'_>> {
-    let inside = of.item().all_nodes().filter(|node| of.range().contains_range(node.range()));
-    let defines = |node: &Node<'_>| {
-        let named = node.kind() == NodeKind::Element && matches!(node.name(), "link" | "joint");
-        named && !in_free_zone(*node)
-    };
-    inside.filter(defines).filter_map(|node| node.attr("name")).collect()
+    let elements = of.item().all_nodes().filter(|node| node.kind() == NodeKind::Element);
+    let elements = outside_free_zones(elements.map(|node| (0, node))).map(|(_, node)| node);
+    let defines =
+        |node: &Node<'_>| matches!(node.name(), "link" | "joint") && of.range().contains_range(node.range());
+    elements.filter(defines).filter_map(|node| node.attr("name")).collect()
 }
 
 /// Whether several links, or several joints, of the robot have a name.

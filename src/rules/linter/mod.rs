@@ -2,6 +2,7 @@
 
 mod invalid_config;
 mod malformed_suppression;
+mod reach;
 mod suppression;
 mod unknown_rule_in_suppression;
 mod unused_suppression;

@@ -1,6 +1,7 @@
 //! Comments that hide findings: `<!-- xacro-lint: disable-next-line RULE, RULE: reason -->`.
 
 use super::super::registry::Rule;
+use super::reach::Reach;
 use crate::base::{Encoding, TextRange};
 use crate::workspace::nearest;
 use crate::xml::{Document, Node, NodeKind};
@@ -64,6 +65,7 @@ pub struct Suppressions {
     pub list: Vec<Suppression>,
     /// Those that do not.
     pub malformed: Vec<Malformed>,
+    reach: Reach,
 }
 
 impl Selector {
@@ -111,6 +113,7 @@ impl Suppressions {
                 }
             }
         }
+        found.reach = Reach::of(&found.list);
         found
     }
 
@@ -125,8 +128,8 @@ impl Suppressions {
             Directive::Disable | Directive::Enable => TextRange::new(comment.end, end),
             Directive::DisableFile => TextRange::new(0, end),
         };
-        let is_late = document.line_col(comment.start, Encoding::Utf8).line >= HEAD_LINES;
-        if suppression.directive == Directive::DisableFile && is_late {
+        let is_late = || document.line_col(comment.start, Encoding::Utf8).line >= HEAD_LINES;
+        if suppression.directive == Directive::DisableFile && is_late() {
             return self.malformed.push(Malformed {
                 comment,
                 message: format!("`disable-file` holds only in the first {HEAD_LINES} lines of a file"),
@@ -138,36 +141,12 @@ impl Suppressions {
 
     /// The number of the suppression that hides a finding of `rule` at `offset`, the nearest one first.
     pub fn hiding(&self, rule: &Rule, offset: u32) -> Option<usize> {
-        let names = |suppression: &Suppression| suppression.rules.iter().any(|selector| selector.names(rule));
-        let mut ended = false;
-        for (number, suppression) in self.list.iter().enumerate().rev() {
-            let Suppression { directive, scope, .. } = suppression;
-            let holds = scope.start <= offset && (offset < scope.end || *directive == Directive::DisableFile);
-            if !holds || !names(suppression) {
-                continue;
-            }
-            match directive {
-                Directive::Enable => ended = true,
-                Directive::Disable if ended => {}
-                _ => return Some(number),
-            }
-        }
-        None
+        self.reach.hiding(rule, offset)
     }
 
-    /// The number of the suppression that an `enable` of `rule` at `offset` ends.
+    /// Whether an `enable` at `offset` ends what a `disable` before it began.
     pub fn ended_by(&self, selector: &Selector, offset: u32) -> bool {
-        let before = self.list.iter().filter(|other| other.comment.end <= offset);
-        let begun = before.filter(|other| other.directive == Directive::Disable);
-        begun.flat_map(|other| &other.rules).any(|begun| begun.overlaps(selector))
-    }
-}
-
-impl Selector {
-    /// Whether some rule is meant by both.
-    fn overlaps(&self, other: &Selector) -> bool {
-        self.text == other.text
-            || super::super::registry::all().any(|rule| self.names(rule) && other.names(rule))
+        self.reach.begins(&selector.text).is_some_and(|begin| begin <= offset)
     }
 }
 
@@ -258,7 +237,11 @@ mod tests {
             (format!("<robot>{next}<param>here</param></robot>"), true),
             (format!("<robot><link>{next}</link><link name='here'/></robot>"), true),
             (format!("{next}<robot name='here'/>"), true),
+            (format!("<robot>{next}{next}<link name='here'/></robot>"), true),
+            (format!("<robot>{next}<link/>{next}<link/><link name='here'/></robot>"), false),
             ("<robot><!-- xacro-lint: disable STR --><a/><a>here</a></robot>".to_owned(), true),
+            ("<robot><!-- xacro-lint: disable ALL --><!-- xacro-lint: enable STR --><a>here</a><!-- xacro-lint: disable STR0 --></robot>".to_owned(), false),
+            ("<robot><!-- xacro-lint: disable ALL --><!-- xacro-lint: enable STR --><!-- xacro-lint: disable orphan-link --><a>here</a></robot>".to_owned(), true),
             ("<robot><a>here</a><!-- xacro-lint: disable STR --></robot>".to_owned(), false),
             (
                 "<robot><!--xacro-lint: disable STR--><!-- xacro-lint: enable STR008 --><a>here</a></robot>"
@@ -274,6 +257,47 @@ mod tests {
         ] {
             assert_eq!(hides(&text, "STR008"), expected, "{text}");
         }
+    }
+
+    #[test]
+    fn what_an_enable_ends() {
+        let ended = |begin: &str, end: &str| {
+            let text =
+                format!("<robot><!-- xacro-lint: {begin} --><a/><!-- xacro-lint: enable {end} --></robot>");
+            let found = Suppressions::of(&Document::parse(&text));
+            let last = found.list.last().unwrap();
+            found.ended_by(&last.rules[0], last.comment.start)
+        };
+        for (begin, end, expected) in [
+            ("disable STR008", "STR008", true),
+            ("disable STR008", "STR007", false),
+            ("disable STR008", "STR", true),
+            ("disable STR", "STR008", true),
+            ("disable no-links", "ALL", true),
+            ("disable ALL", "no-links", true),
+            ("disable nothing-known", "nothing-known", true),
+            ("disable nothing-known", "ALL", false),
+            ("disable-next-line STR008", "STR008", false),
+        ] {
+            assert_eq!(ended(begin, end), expected, "{begin}, {end}");
+        }
+    }
+
+    #[test]
+    fn many_comments_take_no_longer_than_they_are() {
+        let one = |n: usize| {
+            format!(
+                "<!-- xacro-lint: disable x{n} --><!-- xacro-lint: enable ALL -->{}<a/>\n",
+                "<!-- xacro-lint: disable-next-line STR008 -->"
+            )
+        };
+        let text = format!("<robot>{}</robot>", (0..20_000).map(one).collect::<String>());
+        let found = Suppressions::of(&Document::parse(&text));
+        let rule = by_code("STR008").unwrap();
+        let hidden = text.match_indices("<a/>").filter(|(at, _)| found.hiding(rule, *at as u32).is_some());
+        assert_eq!(hidden.count(), 20_000);
+        let ends = found.list.iter().filter(|one| found.ended_by(&one.rules[0], one.comment.start));
+        assert_eq!(ends.count(), 0);
     }
 
     #[test]

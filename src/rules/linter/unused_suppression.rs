@@ -3,7 +3,7 @@
 use super::super::finding::{Edit, Finding, Fix};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::suppression::{Directive, Selector, Suppression};
-use crate::base::{FileId, Span, TextRange};
+use crate::base::{FastSet, FileId, Span, TextRange};
 use crate::xml::Document;
 
 pub(super) const RULE: Rule = Rule {
@@ -32,7 +32,9 @@ pub fn unused_suppression(
         _ => format!("the suppression of {names} hides nothing"),
     };
     let span = |range| Span { file, range };
-    let used: Vec<&Selector> = suppression.rules.iter().filter(|rule| !unused.contains(rule)).collect();
+    let starts: FastSet<u32> = unused.iter().map(|selector| selector.range.start).collect();
+    let is_used = |selector: &&Selector| !starts.contains(&selector.range.start);
+    let used: Vec<&Selector> = suppression.rules.iter().filter(is_used).collect();
     let (message_of_fix, edit) = match (used.is_empty(), suppression.rules.first(), suppression.rules.last())
     {
         (false, Some(first), Some(last)) => {

@@ -3,7 +3,7 @@
 use super::super::context::FileCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::super::vocabulary::in_free_zone;
+use super::super::vocabulary::outside_free_zones;
 use crate::base::TextRange;
 use crate::model::decimal;
 use crate::xml::Node;
@@ -22,7 +22,7 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     const PARENTS: [&str; 4] = ["joint", "visual", "collision", "inertial"];
-    for (base, node) in cx.elements().filter(|(_, node)| node.name() == "origin" && !in_free_zone(*node)) {
+    for (base, node) in outside_free_zones(cx.elements()).filter(|(_, node)| node.name() == "origin") {
         let counts = node.parent().is_some_and(|parent| PARENTS.contains(&parent.name()));
         if counts && is_identity(node) && node.child_elements().next().is_none() {
             let range = node.range().shift(base);

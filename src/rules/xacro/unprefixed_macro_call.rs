@@ -3,7 +3,7 @@
 use super::super::context::FileCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::super::vocabulary::{in_free_zone, is_urdf_element};
+use super::super::vocabulary::{is_urdf_element, outside_free_zones};
 use crate::base::TextRange;
 
 pub(super) const RULE: Rule = Rule {
@@ -19,9 +19,9 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
-    for (base, node) in cx.elements() {
+    for (base, node) in outside_free_zones(cx.elements()) {
         let name = node.name();
-        if !cx.macros.contains(name) || is_urdf_element(name) || in_free_zone(node) {
+        if !cx.macros.contains(name) || is_urdf_element(name) {
             continue;
         }
         let start = node.name_range().shift(base);

@@ -3,7 +3,7 @@
 use super::super::context::FileCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::super::vocabulary::in_free_zone;
+use super::super::vocabulary::outside_free_zones;
 use crate::base::TextRange;
 use crate::xml::{Document, Node};
 
@@ -21,14 +21,15 @@ pub(super) const RULE: Rule = Rule {
 
 const TAGS: [&str; 7] = ["arg", "if", "include", "insert_block", "macro", "property", "unless"];
 
-/// Whether an element is a tag of xacro without its prefix.
+/// Whether an element outside of free zones is a tag of xacro without its prefix.
 pub(in super::super) fn is_unprefixed(document: &Document, node: Node<'_>) -> bool {
     let declares = |root: Node<'_>| root.name() == "robot" && root.attr("xmlns:xacro").is_some();
-    TAGS.contains(&node.name()) && document.root().is_some_and(declares) && !in_free_zone(node)
+    TAGS.contains(&node.name()) && document.root().is_some_and(declares)
 }
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
-    for (base, node) in cx.elements().filter(|&(_, node)| is_unprefixed(&cx.source.document, node)) {
+    let elements = outside_free_zones(cx.elements());
+    for (base, node) in elements.filter(|&(_, node)| is_unprefixed(&cx.source.document, node)) {
         let name = node.name();
         let start = node.name_range().shift(base);
         let end = node.end_name_range().map(|range| range.shift(base));

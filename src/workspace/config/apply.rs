@@ -38,6 +38,8 @@ impl Applier {
 
     pub(super) fn warn(&mut self, range: TextRange, message: String, nearest: Option<&str>) {
         let (place, nearest) = (self.place(range), nearest.map(str::to_owned));
+        // keys may have line ends in them
+        let message = message.replace(['\n', '\r'], " ");
         self.warnings.push(ConfigWarning { place, message, nearest });
     }
 
