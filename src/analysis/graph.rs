@@ -1,11 +1,11 @@
 //! Which file may include which, over a whole workspace: what decides under which root a file is shown.
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::includes;
-use crate::base::FastSet;
+use crate::base::{FastMap, FastSet};
 use crate::facts::{FactKind, facts};
 use crate::vfs::{SourceFile, Vfs};
 use crate::workspace::Packages;
@@ -25,17 +25,45 @@ struct Node {
 #[derive(Debug, Default)]
 pub(super) struct Graph {
     nodes: BTreeMap<PathBuf, Node>,
+    /// Who includes a path that is written out.
+    literal: FastMap<PathBuf, BTreeSet<PathBuf>>,
+    /// The files whose includes are partly computed.
+    computed: BTreeSet<PathBuf>,
 }
 
 impl Graph {
     /// Look at a file, again only when it changed.
     pub fn update(&mut self, vfs: &Vfs, packages: &Packages, path: &Path) {
         let Ok(source) = vfs.document(path) else {
-            self.nodes.remove(path);
-            return;
+            return self.remove(path);
         };
         if self.nodes.get(path).is_none_or(|node| node.hash != source.hash) {
-            self.nodes.insert(path.to_path_buf(), node(&source, packages));
+            self.remove(path);
+            self.insert(path.to_path_buf(), node(&source, packages));
+        }
+    }
+
+    fn insert(&mut self, path: PathBuf, node: Node) {
+        for pattern in &node.includes {
+            match pattern.start() {
+                (target, true) => drop(self.literal.entry(target).or_default().insert(path.clone())),
+                _ => drop(self.computed.insert(path.clone())),
+            }
+        }
+        self.nodes.insert(path, node);
+    }
+
+    fn remove(&mut self, path: &Path) {
+        let Some(node) = self.nodes.remove(path) else { return };
+        self.computed.remove(path);
+        for pattern in &node.includes {
+            let (target, _) = pattern.start();
+            if let Some(from) = self.literal.get_mut(&target) {
+                from.remove(path);
+                if from.is_empty() {
+                    self.literal.remove(&target);
+                }
+            }
         }
     }
 
@@ -55,9 +83,14 @@ impl Graph {
     }
 
     /// The files that may include `path`.
-    fn includers<'a>(&'a self, path: &'a Path) -> impl Iterator<Item = &'a PathBuf> {
-        let includes = move |node: &Node| node.includes.iter().any(|pattern| pattern.matches(path));
-        self.nodes.iter().filter(move |(from, node)| *from != path && includes(node)).map(|(from, _)| from)
+    fn includers(&self, path: &Path) -> BTreeSet<&PathBuf> {
+        let written = path.ancestors().filter_map(|path| self.literal.get(path)).flatten();
+        let includes = |from: &&PathBuf| {
+            self.nodes
+                .get(*from)
+                .is_some_and(|node| node.includes.iter().any(|pattern| pattern.matches(path)))
+        };
+        written.chain(self.computed.iter().filter(includes)).filter(|from| **from != path).collect()
     }
 
     /// The robots that reach `path` through includes, with the number of includes between; the nearest first,
