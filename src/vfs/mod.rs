@@ -186,6 +186,9 @@ impl Vfs {
     /// `path` made absolute against the working directory, without `.` and doubled slashes; and without `folder/..`
     /// where that is a folder and no link, so that a file included as `../parts/a.xacro` is the one that is open.
     pub fn absolute(&self, path: &Path) -> PathBuf {
+        if is_tidy(path) {
+            return path.to_owned();
+        }
         let path: PathBuf = self.cwd.join(path).components().collect();
         if path.components().any(|part| part == Component::ParentDir) { tidy(&path) } else { path }
     }
@@ -393,6 +396,13 @@ impl Vfs {
             None => State::Disk(stat.stamp),
         })
     }
+}
+
+/// Whether a look at the letters alone tells that a path is absolute and has nothing in it to be tidied up.
+fn is_tidy(path: &Path) -> bool {
+    let text = path.as_os_str().as_encoded_bytes();
+    let is_odd = |pair: &[u8]| matches!(pair, b"//" | b"/.");
+    cfg!(unix) && text.starts_with(b"/") && !text.ends_with(b"/") && !text.windows(2).any(is_odd)
 }
 
 /// A path without `folder/..`, where the system sees it so too: a link leads elsewhere, and nothing leads back from a
