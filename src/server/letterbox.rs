@@ -54,6 +54,12 @@ impl Pressure {
         self.announced.fetch_add(1, Ordering::AcqRel);
     }
 
+    /// An edit that was announced is here.
+    pub fn edit_arrived(&self) {
+        let one_less = |announced: usize| Some(announced.saturating_sub(1));
+        let _ = self.announced.fetch_update(Ordering::AcqRel, Ordering::Acquire, one_less);
+    }
+
     /// Whether an edit is on its way.
     pub fn is_edit_announced(&self) -> bool {
         self.announced.load(Ordering::Acquire) > 0
@@ -88,9 +94,11 @@ impl Letterbox {
 
     /// Post an edit.
     pub fn tell_edit<P: Send + 'static>(&self, params: P, work: fn(&mut Engine, P)) {
-        self.tell(params, work);
-        let one_less = |announced: usize| Some(announced.saturating_sub(1));
-        let _ = self.pressure.announced.fetch_update(Ordering::AcqRel, Ordering::Acquire, one_less);
+        self.post(Box::new(move |engine| {
+            // said by who works it off: said by who posts it, it could come too late, and would be waited for
+            engine.pressure.edit_arrived();
+            work(engine, params);
+        }));
     }
 
     /// Post a notification.
