@@ -5,11 +5,12 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
+use super::analyzed::Analyzed;
 use super::context::RootChoice;
 use super::job::{self, Outcome};
 use super::report::Report;
 use super::roots::{Job, Reason};
-use super::world::{Analyzed, World};
+use super::world::World;
 use crate::base::{CancelFlag, Span, TextRange};
 use crate::expand::Focus;
 use crate::facts::Definitions;

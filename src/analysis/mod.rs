@@ -2,6 +2,7 @@
 //!
 //! What the command line and the language server share.
 
+mod analyzed;
 mod baseline;
 mod change;
 mod check;
@@ -25,6 +26,7 @@ mod trial;
 mod walk;
 mod world;
 
+pub use analyzed::Analyzed;
 pub use baseline::{Baseline, fingerprint};
 pub use check::CheckOptions;
 pub use configs::{Overrides, Settings};
@@ -34,4 +36,4 @@ pub use fix::{Fixed, FixedFile, Plan, apply, choose};
 pub use progress::Progress;
 pub use report::{Position, Report, Unreadable};
 pub use session::{Session, Setup};
-pub use world::{Analyzed, World};
+pub use world::World;

@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
+use super::analyzed::Analyzed;
 use super::check::CheckOptions;
 use super::job;
-use super::world::{Analyzed, World};
+use super::world::World;
 use crate::base::{CancelFlag, TextRange};
 use crate::expand::{Expansion, write_mapped};
 
@@ -49,7 +50,7 @@ impl World {
             vfs.edit_buffer(path, *range, new);
         }
         let options = CheckOptions { cancel: cancel.clone(), ..CheckOptions::default() };
-        let expansion = job::expansion(self.session(), &options, &super::world::job_of(&known.root));
+        let expansion = job::expansion(self.session(), &options, &super::analyzed::job_of(&known.root));
         for (range, old) in back.iter().rev() {
             vfs.edit_buffer(path, *range, old);
         }

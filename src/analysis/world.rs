@@ -3,9 +3,10 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use super::analyzed::{Analyzed, job_of};
 use super::check::CheckOptions;
 use super::configs::Overrides;
 use super::context::RootChoice;
@@ -14,63 +15,14 @@ use super::graph::Graph;
 use super::job::{self, Outcome};
 use super::placing;
 use super::report::Report;
-use super::roots::{Job, Reason};
 use super::session::{Session, Setup};
 use super::walk::{self, Listing};
 use crate::base::limits::SCAN_FILES;
 use crate::base::{CancelFlag, FastMap, TextRange};
-use crate::expand::{Expansion, Read, Written, write_mapped};
-use crate::model::{Kinematics, Robot};
-use crate::rules::{RootKind, check_recovered};
+use crate::expand::Read;
+use crate::rules::check_recovered;
 use crate::vfs::{Environment, SourceFile, Vfs};
 use crate::workspace::config::{self, Config};
-
-/// A root expanded.
-pub struct Analyzed {
-    /// What was expanded.
-    pub root: RootChoice,
-    /// The result.
-    pub expansion: Expansion,
-    /// The robot in it.
-    pub robot: Option<Robot>,
-    /// How its links hang together.
-    pub kinematics: Option<Kinematics>,
-    /// What the rules say, once somebody has asked: most questions of an editor are about the robot alone.
-    outcome: OnceLock<Outcome>,
-    written: OnceLock<Written>,
-    epoch: u64,
-}
-
-impl Analyzed {
-    /// The expanded document as text, with its map.
-    pub fn written(&self) -> &Written {
-        let name = self.expansion.files.first().map_or("", |file| file.name.as_str());
-        self.written.get_or_init(|| write_mapped(&self.expansion.tree, name))
-    }
-
-    /// What the rules say. `None` when cancelled.
-    fn outcome(&self, session: &Session, cancel: &CancelFlag) -> Option<&Outcome> {
-        if self.outcome.get().is_none() {
-            let (job, robot) = (job_of(&self.root), self.robot.as_ref());
-            let outcome = job::judge(session, cancel, job, &self.expansion, robot);
-            if cancel.is_cancelled() {
-                return None;
-            }
-            let _ = self.outcome.set(outcome);
-        }
-        self.outcome.get()
-    }
-
-    /// Whether the root is a robot on its own.
-    pub(super) fn is_robot(&self) -> bool {
-        job::kind(&self.expansion, self.robot.as_ref(), &job_of(&self.root)) == RootKind::Robot
-    }
-
-    /// Whether a file took part.
-    pub fn includes(&self, path: &Path) -> bool {
-        self.expansion.files.iter().any(|file| *file.source.path == *path)
-    }
-}
 
 /// The state of a language server.
 pub struct World {
@@ -386,19 +338,14 @@ impl World {
         if cancel.is_cancelled() {
             return None;
         }
-        let robot = Robot::of(&expansion);
-        let kinematics = robot.as_ref().map(Kinematics::of);
-        let (root, epoch) = (root.clone(), self.epoch);
-        let (outcome, written) = (OnceLock::new(), OnceLock::new());
-        let made = Analyzed { root: root.clone(), expansion, robot, kinematics, outcome, written, epoch };
-        let made = Arc::new(made);
+        let made = Arc::new(Analyzed::new(root.clone(), expansion, self.epoch));
         if self.cache.len() >= Self::MOST_CACHED {
             self.cache.clear();
         }
         if made.expansion.complete && !made.expansion.has_errors() {
             self.good.insert(root.clone(), made.clone());
         }
-        self.cache.insert(root, made.clone());
+        self.cache.insert(root.clone(), made.clone());
         Some(made)
     }
 
@@ -503,12 +450,6 @@ impl World {
     pub(super) fn last(&self, root: &RootChoice) -> Option<&Arc<Analyzed>> {
         self.cache.get(root)
     }
-}
-
-/// The expansion of a root.
-pub(super) fn job_of(root: &RootChoice) -> Job {
-    let RootChoice { file, args, preset } = root.clone();
-    Job { file, reason: Reason::Named, args, preset }
 }
 
 fn session(

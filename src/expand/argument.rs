@@ -1,6 +1,6 @@
 //! Whose fault a text in the body of a macro is: its own, or that of a call.
 
-use super::machine::Expansion;
+use super::expansion::Expansion;
 use super::origin::{FrameId, FrameKind, Origin};
 use super::resolve::BindingKind;
 use super::symbols::SourceRange;

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::element::Tag;
-use super::machine::{Cx, Expander, FileUse, OpenFile, raise};
+use super::expansion::FileUse;
+use super::machine::{Cx, Expander, OpenFile, raise};
 use super::origin::{FileIdx, FrameKind, Origin, Source, SrcId};
 use super::record::Read;
 use super::resolve::{BindingInfo, BindingKind};

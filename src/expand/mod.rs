@@ -11,6 +11,7 @@ mod compact;
 mod control;
 mod element;
 mod evaluations;
+mod expansion;
 mod focus;
 mod functions;
 mod include;
@@ -36,8 +37,9 @@ mod yaml_value;
 
 pub use argument::{argument, is_partial};
 pub use evaluations::{Evaluation, Evaluations};
+pub use expansion::{Expansion, FileUse};
 pub use focus::Focus;
-pub use machine::{Expansion, FileUse, Limits, Request, World, expand};
+pub use machine::{Limits, Request, World, expand};
 pub use origin::{FileIdx, Frame, FrameId, FrameKind, Origin, Source, SrcId};
 pub use params::parse as parse_params;
 pub use probe::Probe;

@@ -1,0 +1,75 @@
+//! A root expanded, with what was read off it: kept until something it rests on has changed.
+
+use std::path::Path;
+use std::sync::OnceLock;
+
+use super::context::RootChoice;
+use super::job::{self, Outcome};
+use super::roots::{Job, Reason};
+use super::session::Session;
+use crate::base::CancelFlag;
+use crate::expand::{Expansion, Written, write_mapped};
+use crate::model::{Kinematics, Robot};
+use crate::rules::RootKind;
+
+/// A root expanded.
+pub struct Analyzed {
+    /// What was expanded.
+    pub root: RootChoice,
+    /// The result.
+    pub expansion: Expansion,
+    /// The robot in it.
+    pub robot: Option<Robot>,
+    /// How its links hang together.
+    pub kinematics: Option<Kinematics>,
+    /// What the rules say, once somebody has asked: most questions of an editor are about the robot alone.
+    outcome: OnceLock<Outcome>,
+    written: OnceLock<Written>,
+    /// When it was made, as the world counts.
+    pub(super) epoch: u64,
+}
+
+impl Analyzed {
+    /// What an expansion is worth to an editor.
+    pub(super) fn new(root: RootChoice, expansion: Expansion, epoch: u64) -> Self {
+        let robot = Robot::of(&expansion);
+        let kinematics = robot.as_ref().map(Kinematics::of);
+        let (outcome, written) = (OnceLock::new(), OnceLock::new());
+        Self { root, expansion, robot, kinematics, outcome, written, epoch }
+    }
+
+    /// The expanded document as text, with its map.
+    pub fn written(&self) -> &Written {
+        let name = self.expansion.files.first().map_or("", |file| file.name.as_str());
+        self.written.get_or_init(|| write_mapped(&self.expansion.tree, name))
+    }
+
+    /// What the rules say. `None` when cancelled.
+    pub(super) fn outcome(&self, session: &Session, cancel: &CancelFlag) -> Option<&Outcome> {
+        if self.outcome.get().is_none() {
+            let (job, robot) = (job_of(&self.root), self.robot.as_ref());
+            let outcome = job::judge(session, cancel, job, &self.expansion, robot);
+            if cancel.is_cancelled() {
+                return None;
+            }
+            let _ = self.outcome.set(outcome);
+        }
+        self.outcome.get()
+    }
+
+    /// Whether the root is a robot on its own.
+    pub(super) fn is_robot(&self) -> bool {
+        job::kind(&self.expansion, self.robot.as_ref(), &job_of(&self.root)) == RootKind::Robot
+    }
+
+    /// Whether a file took part.
+    pub fn includes(&self, path: &Path) -> bool {
+        self.expansion.files.iter().any(|file| *file.source.path == *path)
+    }
+}
+
+/// The expansion of a root.
+pub(super) fn job_of(root: &RootChoice) -> Job {
+    let RootChoice { file, args, preset } = root.clone();
+    Job { file, reason: Reason::Named, args, preset }
+}

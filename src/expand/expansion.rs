@@ -1,0 +1,89 @@
+//! The result of an expansion.
+
+use std::sync::Arc;
+
+use ecow::EcoString;
+
+use super::evaluations::Evaluations;
+use super::origin::{Frame, Source, SrcId};
+use super::probe::Probe;
+use super::problem::Problem;
+use super::record::Record;
+use super::resolve::BindingInfo;
+use super::symbols::Symbols;
+use super::tree::XTree;
+use crate::base::TextRange;
+use crate::vfs::{LoadError, SourceFile};
+
+/// A file that took part.
+#[derive(Clone, Debug)]
+pub struct FileUse {
+    /// Its name as the reference would print it.
+    pub name: String,
+    /// The file.
+    pub source: Arc<SourceFile>,
+    /// Source of its header; its items and its footer follow in order.
+    pub first_source: SrcId,
+    /// How many items it has, or how many of them take part.
+    pub items: u32,
+}
+
+/// The result: the document, and where everything in it came from.
+#[derive(Debug, Default)]
+pub struct Expansion {
+    /// The expanded document.
+    pub tree: XTree,
+    /// The files in the order of first use; the root file is the first.
+    pub files: Vec<FileUse>,
+    /// Items that origins refer to.
+    pub sources: Vec<Source>,
+    /// Steps that origins refer to.
+    pub frames: Vec<Frame>,
+    /// Properties, parameters and arguments that pieces refer to.
+    pub bindings: Vec<BindingInfo>,
+    /// What was read, in the order in which it was wanted: see [`Self::read_in`].
+    pub(super) reads: Vec<u32>,
+    /// What each expression gave, each time.
+    pub evaluations: Evaluations,
+    /// Which definition each name of the source refers to.
+    pub symbols: Symbols,
+    /// All problems in the order they were met.
+    pub problems: Vec<Problem>,
+    /// What the recovered trees of files that are not well-formed seem to say.
+    pub doubtful: Vec<Problem>,
+    /// Lines for the user, in order: what `xacro.message` and its kin print.
+    pub messages: Vec<String>,
+    /// What the result depends on.
+    pub record: Record,
+    /// Names of included and loaded files, as `--deps` lists them.
+    pub includes: Vec<String>,
+    /// False when something could not be resolved: rules about the whole robot then stay silent.
+    pub complete: bool,
+    /// False when parts of the document may be missing: an include, macro or condition could not be resolved.
+    /// Unlike [`complete`](Self::complete), a value that could not be computed leaves this as it is.
+    pub whole: bool,
+    /// What macros give that nothing calls, with parameters whose values are unknown; beside the document.
+    pub probes: Vec<Probe>,
+    /// All arguments with their values, sorted by name; those whose values are unknown are left out.
+    pub arguments: Vec<(EcoString, EcoString)>,
+    /// Why the root file could not be read; there is no document then.
+    pub root_error: Option<LoadError>,
+}
+
+impl Expansion {
+    /// Give back the room for more of everything: a language server keeps expansions for long.
+    pub(super) fn shrink(&mut self) {
+        self.tree.shrink();
+        self.frames.shrink_to_fit();
+        self.bindings.shrink_to_fit();
+        self.sources.shrink_to_fit();
+        self.symbols.shrink();
+        self.evaluations.shrink();
+        self.reads.shrink_to_fit();
+    }
+
+    /// Properties, parameters and arguments that were read for something: indices of [`Self::bindings`].
+    pub fn read_in(&self, part: TextRange) -> &[u32] {
+        self.reads.get(part.start as usize..part.end as usize).unwrap_or(&[])
+    }
+}
