@@ -59,7 +59,7 @@ impl Session {
     }
 
     fn first_look(&self, path: &Path) -> Option<Vec<String>> {
-        Some(self.world.first_look(path)?.findings.iter().map(line).collect())
+        Some(self.world.first_look(path, &CancelFlag::default())?.findings.iter().map(line).collect())
     }
 }
 
@@ -235,7 +235,7 @@ fn words_in_a_comment_need_no_check() {
     let (_, path, mut session) = large_robot("comment");
     session.findings();
     session.replace(&path, "how heavy", "how heavy it is");
-    let look = session.world.first_look(&path).unwrap();
+    let look = session.world.first_look(&path, &CancelFlag::default()).unwrap();
     assert!(look.is_complete);
     assert_eq!(look.findings.len(), 1);
     let said = look.findings[0].span.range.slice(&session.texts[&path]);
@@ -243,5 +243,5 @@ fn words_in_a_comment_need_no_check() {
     assert_eq!(said, "nobody");
     // a word that the linter looks for makes it a change
     session.replace(&path, "how heavy it is", "xacro-lint: disable-file undefined-link: later");
-    assert!(!session.world.first_look(&path).unwrap().is_complete);
+    assert!(!session.world.first_look(&path, &CancelFlag::default()).unwrap().is_complete);
 }

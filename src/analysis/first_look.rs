@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use super::analyzed::Analyzed;
 use super::context::RootChoice;
+use super::edits::Edits;
 use super::job::{self, Outcome};
 use super::report::Report;
 use super::roots::{Job, Reason};
@@ -27,8 +28,7 @@ pub(super) struct Settled {
     definitions: Definitions,
     /// Whether some comment says what the linter is to hide.
     has_suppressions: bool,
-    /// Replaced bytes and the length of what replaced them, in the order of the edits.
-    edits: Vec<(TextRange, u32)>,
+    edits: Edits,
     /// All edits were in comments that mean nothing to anybody but people.
     only_comments: bool,
 }
@@ -44,7 +44,7 @@ pub struct FirstLook {
 impl Settled {
     /// Bytes of the file, which was `before` until now, are replaced.
     pub fn note_edit(&mut self, before: Option<&SourceFile>, range: TextRange, text: &str) {
-        self.edits.push((range, text.len() as u32));
+        self.edits.note(range, text.len() as u32);
         self.only_comments &= before.is_some_and(|source| is_idle_talk(&source.document, range, text));
     }
 
@@ -53,22 +53,11 @@ impl Settled {
         self.findings.iter().filter_map(|finding| self.carried(finding)).collect()
     }
 
-    /// Where text stands now; none when an edit touched it.
-    fn moved(&self, range: TextRange) -> Option<TextRange> {
-        self.edits.iter().try_fold(range, |range, &(old, new_len)| {
-            if range.end < old.start {
-                return Some(range);
-            }
-            let shift = |offset: u32| offset - old.len() + new_len;
-            (range.start > old.end).then(|| TextRange::new(shift(range.start), shift(range.end)))
-        })
-    }
-
     fn moved_span(&self, span: Span) -> Option<Span> {
         if span.file != self.source.id {
             return Some(span);
         }
-        Some(Span { range: self.moved(span.range)?, ..span })
+        Some(Span { range: self.edits.moved(span.range)?, ..span })
     }
 
     /// A finding where it stands now; none when its place was edited.
@@ -105,14 +94,14 @@ impl World {
         let is_large = self.last(&root).is_some_and(|last| last.expansion.tree.len() >= Self::LARGE);
         let definitions = if is_large { Definitions::of(&source.document) } else { Definitions::default() };
         let has_suppressions = !Suppressions::of(&source.document).list.is_empty();
-        let (edits, only_comments) = (Vec::new(), true);
+        let (edits, only_comments) = (Edits::default(), true);
         let settled = Settled { root, source, findings, definitions, has_suppressions, edits, only_comments };
         self.settled.insert(path.to_path_buf(), settled);
     }
 
     /// What can be said at once of an open file that was edited since its last check; none when the robot is
-    /// small, or when the edit is too large.
-    pub fn first_look(&self, path: &Path) -> Option<FirstLook> {
+    /// small, when the edit is too large, or when it was cancelled.
+    pub fn first_look(&self, path: &Path, cancel: &CancelFlag) -> Option<FirstLook> {
         let settled = self.settled.get(path).filter(|settled| !settled.edits.is_empty())?;
         let is_sound = |source: &SourceFile| source.document.errors().is_empty();
         if settled.only_comments && is_sound(&settled.source) && is_sound(&*self.document(path)?) {
@@ -124,7 +113,7 @@ impl World {
         if items.len() > MOST_ITEMS || stretch(&source.document, &items).len() > MOST_BYTES {
             return None;
         }
-        let mut findings = self.look_at(settled, last, path, &items)?;
+        let mut findings = self.look_at(settled, last, path, &items, cancel)?;
         // of a file that is not well-formed, only that is said
         let carried = if is_sound(&source) { settled.all_carried() } else { Vec::new() };
         for carried in carried {
@@ -154,6 +143,7 @@ impl World {
         last: &Analyzed,
         path: &Path,
         items: &Range<usize>,
+        cancel: &CancelFlag,
     ) -> Option<Vec<Finding>> {
         let session = self.session();
         let RootChoice { file, args, preset } = settled.root.clone();
@@ -161,7 +151,10 @@ impl World {
         let edited = self.document(path)?;
         let needed = settled.definitions.needed(&edited.document, items.clone());
         let focus = Focus { path: path.to_path_buf(), items: items.clone(), needed };
-        let expansion = job::part(session, &CancelFlag::default(), &job, Some(focus));
+        let expansion = job::part(session, cancel, &job, Some(focus));
+        if cancel.is_cancelled() {
+            return None;
+        }
         let source = &expansion.files.iter().find(|file| *file.source.path == *path)?.source;
         let settings = session.settings(&job.file);
         let mut findings = check_part(&expansion, session.surroundings(&settings.config));

@@ -10,6 +10,7 @@ mod configs;
 mod context;
 mod contexts;
 mod coverage;
+mod edits;
 mod first_look;
 mod fix;
 mod graph;

@@ -4,18 +4,19 @@ use std::collections::BTreeMap;
 use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
 
+use lsp_types::notification::{Notification, PublishDiagnostics};
 use lsp_types::{
     CodeDescription, Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag,
     DocumentDiagnosticParams, DocumentDiagnosticReport, DocumentDiagnosticReportResult,
-    FullDocumentDiagnosticReport, NumberOrString, RelatedFullDocumentDiagnosticReport,
-    RelatedUnchangedDocumentDiagnosticReport, UnchangedDocumentDiagnosticReport, Url,
-    WorkspaceDiagnosticParams, WorkspaceDiagnosticReport, WorkspaceDiagnosticReportResult,
-    WorkspaceDocumentDiagnosticReport, WorkspaceFullDocumentDiagnosticReport,
+    FullDocumentDiagnosticReport, NumberOrString, PublishDiagnosticsParams,
+    RelatedFullDocumentDiagnosticReport, RelatedUnchangedDocumentDiagnosticReport,
+    UnchangedDocumentDiagnosticReport, Url, WorkspaceDiagnosticParams, WorkspaceDiagnosticReport,
+    WorkspaceDiagnosticReportResult, WorkspaceDocumentDiagnosticReport,
+    WorkspaceFullDocumentDiagnosticReport,
 };
 
 use super::engine::Engine;
 use super::failure::Failure;
-use super::outbox::Message;
 use crate::analysis::Report;
 use crate::base::CancelFlag;
 use crate::base::limits::{DIAGNOSTICS, RELATED};
@@ -41,8 +42,14 @@ impl Engine {
 
     fn push_diagnostics(&mut self) {
         let touched = std::mem::take(&mut self.touched);
-        let looks: Vec<Option<bool>> = touched.into_iter().map(|path| self.first_look(path)).collect();
+        let cancel = self.pressure.background();
+        let looks: Vec<Option<bool>> = touched.iter().map(|path| self.first_look(path, &cancel)).collect();
         let was_edited = !looks.is_empty();
+        if was_edited && cancel.is_cancelled() {
+            // what came in is worked off first, and then one look is enough for all of it
+            self.touched.extend(touched);
+            return;
+        }
         if was_edited && looks.iter().all(|look| *look == Some(true)) && !self.wants_check {
             self.due = None;
             return;
@@ -53,7 +60,6 @@ impl Engine {
             self.due = Some(self.edited + self.delay.max(Self::SETTLED));
             return;
         }
-        let cancel = self.pressure.background();
         if let Some(found) = self.found(&cancel) {
             (self.due, self.wants_check) = (None, false);
             self.publish(found);
@@ -61,12 +67,15 @@ impl Engine {
         self.tell_contexts(&cancel);
     }
 
-    /// Say at once what can be said of an edit; whether that is all. None: that needs a whole check.
-    fn first_look(&mut self, path: PathBuf) -> Option<bool> {
-        let look = self.world.first_look(&path).filter(|_| !self.with_calls.contains(&path))?;
+    /// Say at once what can be said of an edit; whether that is all. None: that needs a whole check, or more came in.
+    fn first_look(&mut self, path: &Path, cancel: &CancelFlag) -> Option<bool> {
+        let look = self.world.first_look(path, cancel).filter(|_| !self.with_calls.contains(path))?;
         let found =
             look.findings.iter().take(DIAGNOSTICS).filter_map(|finding| self.diagnostic(finding)).collect();
-        self.publish_one(path, found);
+        if cancel.is_cancelled() {
+            return None;
+        }
+        self.publish_one(path.to_path_buf(), found);
         Some(look.is_complete)
     }
 
@@ -147,16 +156,19 @@ impl Engine {
 
     fn publish_one(&mut self, path: PathBuf, diagnostics: Vec<Diagnostic>) {
         let version = self.documents.get(&path).map(|open| open.version);
-        let hash = fingerprint(&diagnostics, version);
+        let Some(uri) = self.uri(&path) else { return };
+        let is_cleared = diagnostics.is_empty() && version.is_none();
+        let params = PublishDiagnosticsParams::new(uri, diagnostics, version);
+        let params = serde_json::to_vec(&params).unwrap_or_default();
+        let hash = fingerprint(&params);
         if self.published.get(&path) == Some(&hash) {
             return;
         }
-        let Some(uri) = self.uri(&path) else { return };
-        match diagnostics.is_empty() && version.is_none() {
+        match is_cleared {
             true => self.published.remove(&path),
             false => self.published.insert(path, hash),
         };
-        self.outbox.send(Message::Diagnostics(uri, diagnostics, version));
+        self.outbox.tell_encoded(PublishDiagnostics::METHOD, &params);
     }
 
     pub fn pull_diagnostics(
@@ -167,7 +179,7 @@ impl Engine {
         let (path, _) = self.source(&params.text_document.uri)?;
         self.scan_first();
         let items = self.of_file(&path, cancel)?;
-        let id = format!("{:x}", fingerprint(&items, None));
+        let id = format!("{:x}", fingerprint(&serde_json::to_vec(&items).unwrap_or_default()));
         let report = if params.previous_result_id.as_deref() == Some(&id) {
             let unchanged = UnchangedDocumentDiagnosticReport { result_id: id };
             DocumentDiagnosticReport::Unchanged(RelatedUnchangedDocumentDiagnosticReport {
@@ -285,9 +297,8 @@ fn page(rule: &str) -> Option<Url> {
     Url::parse(&format!("{base}{rule}.md")).ok()
 }
 
-fn fingerprint(diagnostics: &[Diagnostic], version: Option<i32>) -> u64 {
+fn fingerprint(json: &[u8]) -> u64 {
     let mut state = rustc_hash::FxHasher::default();
-    version.hash(&mut state);
-    serde_json::to_string(diagnostics).unwrap_or_default().hash(&mut state);
+    json.hash(&mut state);
     state.finish()
 }

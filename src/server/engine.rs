@@ -13,7 +13,7 @@ use super::client::ClientFacts;
 use super::convert;
 use super::failure::Failure;
 use super::letterbox::{Job, Pressure};
-use super::outbox::{Message, Outbox};
+use super::outbox::Outbox;
 use crate::analysis::World;
 use crate::base::Encoding;
 use crate::vfs::{Environment, SourceFile};
@@ -165,9 +165,9 @@ impl Engine {
         let text = panic.downcast_ref::<String>().map(String::as_str);
         let text = text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("unknown fault");
         let message = format!("internal fault: {text}; please report it with the file that caused it");
-        self.outbox.send(Message::Log(MessageType::ERROR, message.clone()));
+        self.outbox.log_as(MessageType::ERROR, message.clone());
         if !std::mem::replace(&mut self.fault_shown, true) {
-            self.outbox.send(Message::Show(MessageType::ERROR, message));
+            self.outbox.show(MessageType::ERROR, message);
         }
     }
 

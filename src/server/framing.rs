@@ -23,12 +23,8 @@ pub(super) enum Incoming {
     Response(Response),
 }
 
-impl Incoming {
-    /// Whether it changes the text of a document.
-    pub fn is_edit(&self) -> bool {
-        matches!(self, Self::Request(request) if request.method() == "textDocument/didChange")
-    }
-}
+/// What changes the text of a document.
+pub(super) const EDIT: &str = "textDocument/didChange";
 
 /// Hand on messages until the input ends, or until `take` wants no more.
 pub(super) fn read(input: impl BufRead, mut take: impl FnMut(Incoming) -> bool) {

@@ -14,7 +14,7 @@ use super::client::ClientFacts;
 use super::engine::Engine;
 use super::exit::{Shutdown, watch_process};
 use super::failure::Failure;
-use super::outbox::Message;
+use super::outbox::Question;
 use crate::base::{CancelFlag, Encoding};
 use crate::workspace::config::unknown_settings;
 
@@ -58,11 +58,11 @@ impl Engine {
                 .push(registration("workspace/didChangeConfiguration", json!({ "section": "xacro" })));
         }
         if !registrations.is_empty() {
-            self.outbox.send(Message::Register(registrations));
+            self.outbox.ask(Question::Register(registrations));
         }
         self.ask_for_settings();
         if self.client.progress && !self.world.folders().is_empty() {
-            self.outbox.send(Message::CreateProgress("xacro/scan".to_owned()));
+            self.outbox.ask(Question::CreateProgress("xacro/scan".to_owned()));
         }
     }
 
@@ -74,7 +74,7 @@ impl Engine {
             if scopes.is_empty() {
                 scopes.push(None);
             }
-            self.outbox.send(Message::Configuration(scopes));
+            self.outbox.ask(Question::Configuration(scopes));
         }
     }
 
@@ -157,7 +157,7 @@ impl Engine {
     /// Tell the user something about settings, once as long as the server lives.
     fn warn_once(&mut self, message: String) {
         if self.warned.insert(message.clone()) {
-            self.outbox.send(Message::Show(MessageType::WARNING, message));
+            self.outbox.show(MessageType::WARNING, message);
         }
     }
 
@@ -211,7 +211,7 @@ impl Engine {
 
     fn report_progress(&self, value: Value) {
         if let Some(token) = &self.progress {
-            self.outbox.send(Message::Custom("$/progress", json!({ "token": token, "value": value })));
+            self.outbox.tell("$/progress", &json!({ "token": token, "value": value }));
         }
     }
 }

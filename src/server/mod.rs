@@ -1,7 +1,7 @@
 //! The language server: the protocol around the analysis.
 //!
 //! Nothing outside of this folder names the protocol's types. Handlers only post jobs (`letterbox`); one thread
-//! owns all state and works them off (`engine`); what goes out unasked leaves through one task (`outbox`).
+//! owns all state and works them off (`engine`); what goes out unasked leaves through the `outbox`.
 
 mod actions;
 mod calls;
@@ -50,6 +50,7 @@ use engine::Engine;
 use exit::{Shutdown, Watched};
 use handlers::Handlers;
 use outbox::Outbox;
+use transport::Outgoing;
 
 /// Serve one client on standard input and output until it is gone; the exit code.
 pub fn run(env: Environment) -> u8 {
@@ -70,7 +71,7 @@ pub fn reframe(input: &[u8]) -> Vec<u8> {
 async fn serve(env: Environment) -> u8 {
     let shutdown = Shutdown::default();
     let (letterbox, jobs, pressure) = letterbox::letterbox();
-    let (outbox, messages) = Outbox::new();
+    let (outbox, notifications, questions) = Outbox::new();
     let announced = pressure.clone();
     let mut engine = Engine::new(env, outbox, pressure);
     engine.letterbox = Some(letterbox.clone());
@@ -79,7 +80,7 @@ async fn serve(env: Environment) -> u8 {
     }
     let (post, exit) = (letterbox.clone(), shutdown.clone());
     let service = LspService::build(move |client| {
-        tokio::spawn(outbox::deliver(client, post.clone(), messages));
+        tokio::spawn(outbox::ask_all(client, post.clone(), questions));
         Handlers { letterbox: post, shutdown: exit }
     })
     .custom_method("xacro/expand", Handlers::expand)
@@ -101,6 +102,7 @@ async fn serve(env: Environment) -> u8 {
     let service = service.custom_method("xacro/debug/fail", Handlers::fail);
     let (service, socket) = service.finish();
     let service = Watched { inner: service, shutdown: shutdown.clone() };
-    transport::serve(service, socket, shutdown.clone(), move || announced.announce_edit()).await;
+    let outgoing = Outgoing { notifications, socket };
+    transport::serve(service, outgoing, &shutdown, move || announced.announce_edit()).await;
     shutdown.code()
 }

@@ -1,24 +1,24 @@
-//! What goes out to the client without being asked for: one task, in order.
+//! What goes out to the client without being asked for.
+//!
+//! Notifications are written as they are: made into bytes once, by who sends them. Requests go through tower-lsp, which
+//! knows whose the replies are.
 
 use std::time::Duration;
 
-use lsp_types::notification::Notification;
-use lsp_types::{Diagnostic, MessageType, Range, Registration, ShowDocumentParams, Url};
-use serde_json::Value;
+use lsp_types::notification::{LogMessage, Notification, ShowMessage};
+use lsp_types::{
+    LogMessageParams, MessageType, Range, Registration, ShowDocumentParams, ShowMessageParams, Url,
+};
+use serde::Serialize;
 use tokio::sync::mpsc::{UnboundedReceiver, UnboundedSender, unbounded_channel};
 use tower_lsp::Client;
 
 use super::engine::Engine;
+use super::framing::framed;
 use super::letterbox::Letterbox;
 
-/// A message to the client.
-pub(super) enum Message {
-    /// The findings in a file, for the version they were computed for.
-    Diagnostics(Url, Vec<Diagnostic>, Option<i32>),
-    /// A line for the log.
-    Log(MessageType, String),
-    /// A line for the user.
-    Show(MessageType, String),
+/// A request to the client.
+pub(super) enum Question {
     /// Capabilities to be registered.
     Register(Vec<Registration>),
     /// Ask for the settings of each folder (none: of the whole workspace).
@@ -29,8 +29,6 @@ pub(super) enum Message {
     CreateProgress(String),
     /// A document to be shown to the user.
     ShowDocument(Url, Range),
-    /// A notification of our own.
-    Custom(&'static str, Value),
 }
 
 /// What a client can be told to ask for again.
@@ -42,69 +40,85 @@ pub(super) enum Refresh {
     CodeLens,
 }
 
-/// Where messages to the client are put.
+/// Where messages to the client are put. The other ends are gone only when the process ends.
 #[derive(Clone)]
-pub(super) struct Outbox(UnboundedSender<Message>);
+pub(super) struct Outbox {
+    notifications: UnboundedSender<Vec<u8>>,
+    questions: UnboundedSender<Question>,
+}
 
 /// Requests to the client wait no longer than this for an answer.
 const PATIENCE: Duration = Duration::from_secs(10);
 
 impl Outbox {
-    /// An outbox, and what is to be sent.
-    pub fn new() -> (Self, UnboundedReceiver<Message>) {
-        let (sender, receiver) = unbounded_channel();
-        (Self(sender), receiver)
+    /// An outbox, the notifications to be written, and the requests to be made.
+    pub fn new() -> (Self, UnboundedReceiver<Vec<u8>>, UnboundedReceiver<Question>) {
+        let (notifications, written) = unbounded_channel();
+        let (questions, asked) = unbounded_channel();
+        (Self { notifications, questions }, written, asked)
     }
 
-    /// Send a message.
-    pub fn send(&self, message: Message) {
-        // the other end is gone only when the process ends
-        let _ = self.0.send(message);
+    /// Send a notification.
+    pub fn tell(&self, method: &str, params: &impl Serialize) {
+        self.tell_encoded(method, &serde_json::to_vec(params).unwrap_or_default());
+    }
+
+    /// Send a notification whose parameters are JSON already.
+    pub fn tell_encoded(&self, method: &str, params: &[u8]) {
+        let head = format!(r#"{{"jsonrpc":"2.0","method":"{method}","params":"#);
+        let _ = self.notifications.send(framed(&[head.as_bytes(), params, b"}"].concat()));
+    }
+
+    /// Send a request.
+    pub fn ask(&self, question: Question) {
+        let _ = self.questions.send(question);
     }
 
     /// Write a line to the client's log.
-    pub fn log(&self, text: impl Into<String>) {
-        self.send(Message::Log(MessageType::LOG, text.into()));
+    pub fn log(&self, message: impl Into<String>) {
+        self.log_as(MessageType::LOG, message);
+    }
+
+    /// Write a line of some weight to the client's log.
+    pub fn log_as(&self, typ: MessageType, message: impl Into<String>) {
+        self.tell(LogMessage::METHOD, &LogMessageParams { typ, message: message.into() });
+    }
+
+    /// Show the user a line.
+    pub fn show(&self, typ: MessageType, message: impl Into<String>) {
+        self.tell(ShowMessage::METHOD, &ShowMessageParams { typ, message: message.into() });
     }
 }
 
-/// Send messages until the process ends.
-pub(super) async fn deliver(client: Client, letterbox: Letterbox, mut messages: UnboundedReceiver<Message>) {
-    while let Some(message) = messages.recv().await {
-        match message {
-            Message::Diagnostics(uri, diagnostics, version) => {
-                client.publish_diagnostics(uri, diagnostics, version).await;
-            }
-            Message::Log(kind, text) => client.log_message(kind, text).await,
-            Message::Show(kind, text) => client.show_message(kind, text).await,
-            Message::Custom(method, params) => custom(&client, method, params).await,
-            // what waits for an answer must not hold up what follows
-            request => drop(tokio::spawn(ask(client.clone(), letterbox.clone(), request))),
-        }
+/// Send requests until the process ends. What waits for an answer does not hold up what follows.
+pub(super) async fn ask_all(
+    client: Client,
+    letterbox: Letterbox,
+    mut questions: UnboundedReceiver<Question>,
+) {
+    while let Some(question) = questions.recv().await {
+        let asked = ask(client.clone(), letterbox.clone(), question);
+        drop(tokio::spawn(tokio::time::timeout(PATIENCE, asked)));
     }
 }
 
-async fn ask(client: Client, letterbox: Letterbox, message: Message) {
-    let asked = async {
-        match message {
-            Message::Register(registrations) => drop(client.register_capability(registrations).await),
-            Message::Configuration(scopes) => configuration(&client, &letterbox, scopes).await,
-            Message::Refresh(what) => refresh(&client, what).await,
-            Message::ShowDocument(uri, range) => {
-                let selection = Some(range);
-                let params = ShowDocumentParams { uri, external: None, take_focus: Some(true), selection };
-                let _ = client.show_document(params).await;
-            }
-            Message::CreateProgress(token) => {
-                let token = lsp_types::NumberOrString::String(token);
-                let params = lsp_types::WorkDoneProgressCreateParams { token };
-                let created = client.send_request::<lsp_types::request::WorkDoneProgressCreate>(params).await;
-                letterbox.tell(created.is_ok(), Engine::progress_created);
-            }
-            _ => {}
+async fn ask(client: Client, letterbox: Letterbox, question: Question) {
+    match question {
+        Question::Register(registrations) => drop(client.register_capability(registrations).await),
+        Question::Configuration(scopes) => configuration(&client, &letterbox, scopes).await,
+        Question::Refresh(what) => refresh(&client, what).await,
+        Question::ShowDocument(uri, range) => {
+            let selection = Some(range);
+            let params = ShowDocumentParams { uri, external: None, take_focus: Some(true), selection };
+            let _ = client.show_document(params).await;
         }
-    };
-    let _ = tokio::time::timeout(PATIENCE, asked).await;
+        Question::CreateProgress(token) => {
+            let token = lsp_types::NumberOrString::String(token);
+            let params = lsp_types::WorkDoneProgressCreateParams { token };
+            let created = client.send_request::<lsp_types::request::WorkDoneProgressCreate>(params).await;
+            letterbox.tell(created.is_ok(), Engine::progress_created);
+        }
+    }
 }
 
 async fn configuration(client: &Client, letterbox: &Letterbox, scopes: Vec<Option<Url>>) {
@@ -126,30 +140,4 @@ async fn refresh(client: &Client, what: &[Refresh]) {
             Refresh::CodeLens => client.code_lens_refresh().await,
         };
     }
-}
-
-/// Notifications whose names are known at run time only, as types.
-macro_rules! customs {
-    ($($name:ident $method:literal,)*) => {
-        $(
-            enum $name {}
-            impl Notification for $name {
-                type Params = Value;
-                const METHOD: &'static str = $method;
-            }
-        )*
-        async fn custom(client: &Client, method: &str, params: Value) {
-            match method {
-                $($method => client.send_notification::<$name>(params).await,)*
-                _ => {}
-            }
-        }
-    };
-}
-
-customs! {
-    ContextChanged "xacro/contextChanged",
-    PreviewModel "xacro/preview/model",
-    PreviewSelect "xacro/preview/select",
-    Progress "$/progress",
 }

@@ -15,7 +15,6 @@ use super::convert;
 use super::engine::Engine;
 use super::expansion::Root;
 use super::failure::Failure;
-use super::outbox::Message;
 use crate::analysis::RootChoice;
 use crate::base::limits::VIEWS;
 use crate::base::{CancelFlag, Encoding};
@@ -162,7 +161,7 @@ impl Engine {
         }
         if self.previews.subscribed.contains(&selection.id) {
             let params = serde_json::to_value(selection).unwrap_or_default();
-            self.outbox.send(Message::Custom("xacro/preview/select", params));
+            self.outbox.tell("xacro/preview/select", &params);
         }
     }
 
@@ -194,7 +193,7 @@ impl Engine {
         }
         if self.previews.subscribed.contains(&message.id) {
             let params = serde_json::to_value(message).unwrap_or_default();
-            self.outbox.send(Message::Custom("xacro/preview/model", params));
+            self.outbox.tell("xacro/preview/model", &params);
         }
     }
 
@@ -263,7 +262,8 @@ mod pages {
 
     use std::sync::Arc;
 
-    use super::{Engine, Failure, Location, Message, Root, ShowParams, Url, convert};
+    use super::super::outbox::Question;
+    use super::{Engine, Failure, Location, Root, ShowParams, Url, convert};
     use crate::base::CancelFlag;
     use crate::preview::{FromViewer, Hub, Received, RootName};
 
@@ -324,7 +324,7 @@ mod pages {
             let (Some(location), Some(uri)) = (location, uri) else { return };
             if self.client.shows_documents && self.may_read(&convert::path(&uri)) {
                 let range = lsp_types::Range::new(point(location.range.start), point(location.range.end));
-                self.outbox.send(Message::ShowDocument(uri, range));
+                self.outbox.ask(Question::ShowDocument(uri, range));
             }
         }
     }

@@ -9,7 +9,6 @@ use serde_json::{Value, json};
 use super::engine::Engine;
 use super::expansion::{ExpandError, Root};
 use super::failure::Failure;
-use super::outbox::Message;
 use crate::analysis::{Analyzed, Context, RootChoice};
 use crate::base::CancelFlag;
 use crate::expand::Origin;
@@ -180,7 +179,7 @@ impl Engine {
         if self.told.insert(path.to_path_buf(), params.clone()).as_ref() == Some(&params) {
             return;
         }
-        self.outbox.send(Message::Custom("xacro/contextChanged", params));
+        self.outbox.tell("xacro/contextChanged", &params);
     }
 
     /// The call that was picked, or else the root with its arguments, or else why there is none.

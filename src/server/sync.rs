@@ -1,13 +1,15 @@
 //! Text of open documents.
 
+use lsp_types::notification::{Notification, PublishDiagnostics};
 use lsp_types::{
     DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidChangeWorkspaceFoldersParams,
     DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams,
+    PublishDiagnosticsParams,
 };
 
 use super::convert;
 use super::engine::{Engine, OpenDocument};
-use super::outbox::{Message, Refresh};
+use super::outbox::{Question, Refresh};
 
 impl Engine {
     pub fn opened(&mut self, params: DidOpenTextDocumentParams) {
@@ -52,7 +54,8 @@ impl Engine {
         if let Some(open) = self.documents.remove(&path) {
             self.world.close(&path);
             if self.published.remove(&path).is_some() {
-                self.outbox.send(Message::Diagnostics(open.uri, Vec::new(), None));
+                let none = PublishDiagnosticsParams::new(open.uri, Vec::new(), None);
+                self.outbox.tell(PublishDiagnostics::METHOD, &none);
             }
         }
         self.schedule();
@@ -104,7 +107,7 @@ impl Engine {
 
     fn refresh_when(&self, supported: bool, what: &'static [Refresh]) {
         if supported && self.initialized {
-            self.outbox.send(Message::Refresh(what));
+            self.outbox.ask(Question::Refresh(what));
         }
     }
 }

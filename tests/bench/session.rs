@@ -101,7 +101,7 @@ fn first_look_in_the_macro(bencher: Bencher<'_, '_>, calls: usize) {
     let mut session = Session::open(calls);
     bencher.bench_local(move || {
         session.toggle("${base_mass");
-        session.world.first_look(&session.path).map(|look| look.findings.len())
+        session.world.first_look(&session.path, &CancelFlag::default()).map(|look| look.findings.len())
     });
 }
 
@@ -110,7 +110,7 @@ fn first_look_in_a_call(bencher: Bencher<'_, '_>, calls: usize) {
     let mut session = Session::open(calls);
     bencher.bench_local(move || {
         session.toggle("name=\"s7");
-        session.world.first_look(&session.path).map(|look| look.findings.len())
+        session.world.first_look(&session.path, &CancelFlag::default()).map(|look| look.findings.len())
     });
 }
 
