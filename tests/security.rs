@@ -85,6 +85,83 @@ fn external_entities_are_not_read() {
     }
 }
 
+/// What files with secrets look like; and names under which they may lie.
+const SECRETS: [&str; 9] = [
+    "S3CRET",
+    "root:S3CRET:0:0:root:/root:/bin/bash\ndaemon:x:1:1",
+    "-----BEGIN PRIVATE KEY-----\nS3CRET\n-----END PRIVATE KEY-----\n",
+    "TOKEN=S3CRET\nKEY='S3CRET'\n",
+    "machine github.com\n  login a\n  password S3CRET\n",
+    "!S3CRET x",
+    "*S3CRET",
+    "[S3CRET]\ntoken = \"S3CRET\"\n",
+    "PATH=/bin\0TOKEN=S3CRET\0",
+];
+const SECRET_NAMES: [&str; 4] = ["key", "key.txt", "key.yaml", "key.xml"];
+
+#[test]
+fn keys_that_lie_outside_are_not_repeated() {
+    let folder = folder();
+    let robot_folder = folder.join("ws/arm/urdf");
+    fs::create_dir_all(&robot_folder).unwrap();
+    fs::write(folder.join("ws/arm/package.xml"), "<package><name>arm</name></package>").unwrap();
+    for (name, secret) in SECRET_NAMES.iter().flat_map(|name| SECRETS.iter().map(move |text| (name, text))) {
+        fs::write(folder.join(name), secret).unwrap();
+        let outside = folder.join(name).display().to_string();
+        let mut ways = vec![outside, format!("../../../{name}")];
+        #[cfg(unix)]
+        {
+            // a repository can hold links
+            let _ = fs::remove_file(robot_folder.join("link.yaml"));
+            std::os::unix::fs::symlink(folder.join(name), robot_folder.join("link.yaml")).unwrap();
+            ways.push("link.yaml".to_owned());
+        }
+        for way in ways {
+            let load = format!("<link name=\"a${{xacro.load_yaml('{way}')}}\"/>");
+            let include = format!("<xacro:include filename=\"{way}\"/><link name=\"a\"/>");
+            for body in [load, include] {
+                fs::write(robot_folder.join("r.urdf.xacro"), robot(&body)).unwrap();
+                for format in FORMATS {
+                    let said = run(&robot_folder, &["check", "--output-format", format, "r.urdf.xacro"]);
+                    assert!(!said.contains("S3CRET"), "{secret:?} by {body}, {format}: {said}");
+                    assert!(said.contains("[exit 1]"), "{secret:?} by {body}, {format}: {said}");
+                }
+                let said = run(&robot_folder, &["expand", "r.urdf.xacro"]);
+                assert!(
+                    !said.contains("S3CRET") && said.contains("[exit 2]"),
+                    "{secret:?} by {body}: {said}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_bare_text_outside_is_refused_and_parameters_are_not() {
+    let folder = folder();
+    let (urdf, parameters) = (folder.join("ws/arm/urdf"), folder.join("etc/robot.yaml"));
+    fs::create_dir_all(&urdf).unwrap();
+    fs::create_dir_all(folder.join("etc")).unwrap();
+    let body = format!("<link name=\"a${{xacro.load_yaml('{}')}}\"/>", parameters.display());
+    fs::write(urdf.join("r.urdf.xacro"), robot(&body)).unwrap();
+    for (text, shown) in [("wheels: 4\n", "a{'wheels': 4}"), ("[1, 2]", "a[1, 2]"), ("7", "a7")] {
+        fs::write(&parameters, text).unwrap();
+        let said = run(&urdf, &["expand", "r.urdf.xacro"]);
+        assert!(said.contains(shown) && said.contains("[exit 0]"), "{text}: {said}");
+    }
+    fs::write(&parameters, "four").unwrap();
+    let said = run(&urdf, &["check", "r.urdf.xacro"]);
+    for words in ["r.urdf.xacro:2:", "etc/robot.yaml` is one bare text", "Move it into the package"] {
+        assert!(said.contains(words), "no `{words}` in {said}");
+    }
+    // beside the robot it is the robot's own
+    fs::write(folder.join("ws/arm/word.yaml"), "four").unwrap();
+    let body = "<link name=\"${xacro.load_yaml('../word.yaml')}\"/>";
+    fs::write(urdf.join("r.urdf.xacro"), robot(body)).unwrap();
+    let said = run(&urdf, &["expand", "r.urdf.xacro"]);
+    assert!(said.contains("<link name=\"four\"/>") && said.contains("[exit 0]"), "{said}");
+}
+
 #[test]
 fn python_has_no_way_out() {
     let folder = folder();

@@ -205,7 +205,7 @@ impl Run<'_> {
             Format::Junit => io.out(&services::junit(report, cwd, hints, least(self.args))),
             Format::Text | Format::Concise if self.args.statistics => text::statistics(report, io),
             Format::Concise => text::concise(report, cwd, hints, io),
-            Format::Text => text::full(report, cwd, hints, io),
+            Format::Text => text::full(report, &self.session.packages, cwd, hints, io),
         }
     }
 }

@@ -8,7 +8,7 @@ use annotate_snippets::Level;
 use super::io::{Io, all_of};
 use super::options::{self, ExpandOptions, UsageError};
 use super::render::{Mark, Report, ShownFile, render, shown_path, visible};
-use super::text::is_source;
+use super::text::is_shown;
 use crate::base::Encoding;
 use crate::base::limits::DRAWN_OF_A_RULE;
 use crate::expand::{
@@ -92,7 +92,7 @@ fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
         io.line(&format!("error: {}", unreadable(error, &request)));
         return 2;
     }
-    report(&expansion, options, env, io);
+    report(&expansion, options, &packages, &env.cwd, io);
     if expansion.has_errors() {
         let xml = expansion.problems.iter().any(|p| p.code.starts_with("XML"));
         // above verbosity 1 the reference ends in a stack trace
@@ -150,11 +150,14 @@ fn unreadable(error: &LoadError, request: &Request) -> String {
 }
 
 /// Print the problems of an expansion under the headlines of the reference.
-fn report(expansion: &Expansion, options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) {
-    let files: Vec<ShownFile<'_>> = expansion
-        .files
-        .iter()
-        .map(|f| ShownFile { source: &f.source, path: shown_path(&f.source.path, &env.cwd) })
+fn report(expansion: &Expansion, options: &ExpandOptions, packages: &Packages, cwd: &Path, io: &mut Io<'_>) {
+    let around = packages.around(expansion.files.first().map(|root| &*root.source.path));
+    let files: Vec<(ShownFile<'_>, bool)> = (expansion.files.iter().enumerate())
+        .map(|(index, FileUse { source, .. })| {
+            // the root file may have any name
+            let is_drawn = is_shown(&source.path, &around) || index == 0 && around.hold(&source.path);
+            (ShownFile { source, path: shown_path(&source.path, cwd) }, is_drawn)
+        })
         .collect();
     let (mut errors, mut drawn) = (0, 0);
     for problem in &expansion.problems {
@@ -170,20 +173,29 @@ fn report(expansion: &Expansion, options: &ExpandOptions, env: &Environment, io:
         if drawn > DRAWN_OF_A_RULE {
             continue;
         }
-        if let Some(report) = as_report(problem, &files) {
-            io.line(&render(&report, io.color));
-            io.line("");
+        match as_report(problem, &files) {
+            Some(report) => io.line(&render(&report, io.color)),
+            None => io.line(&visible(&format!("error: {}", located(problem, &files)))),
         }
+        io.line("");
     }
     if errors > 1 {
         io.line(&format!("error: {errors} errors, nothing was written"));
     }
 }
 
-fn as_report<'a>(problem: &Problem, files: &'a [ShownFile<'a>]) -> Option<Report<'a>> {
-    let mark = |place: Place, label: String| {
-        Some(Mark { file: files.get(place.file.0 as usize)?, range: place.range, label })
+/// A message in front of which its file stands.
+fn located(problem: &Problem, files: &[(ShownFile<'_>, bool)]) -> String {
+    let path = files.get(problem.place.file.0 as usize).map_or("", |(file, _)| &file.path);
+    format!("{path}: {}", problem.message)
+}
+
+/// A problem as it is drawn; none when nothing of the text that led to it may be shown.
+fn as_report<'a>(problem: &Problem, files: &'a [(ShownFile<'a>, bool)]) -> Option<Report<'a>> {
+    let shown = |place: &Place| {
+        files.get(place.file.0 as usize).filter(|(_, is_drawn)| *is_drawn).map(|(file, _)| file)
     };
+    let mark = |place: Place, label: String| Some(Mark { file: shown(&place)?, range: place.range, label });
     let level = match problem.severity {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
@@ -191,14 +203,12 @@ fn as_report<'a>(problem: &Problem, files: &'a [ShownFile<'a>]) -> Option<Report
     // the first line is what people search for; the others repeat what the snippet shows
     let title = problem.reference.lines().next().unwrap_or(&problem.message);
     let trace = problem.trace.iter().chain(&problem.more_calls);
-    // what is no description by its name may be anything: its text is not for a log
-    let file = files.get(problem.place.file.0 as usize)?;
-    let is_shown =
-        |place: &Place| files.get(place.file.0 as usize).is_some_and(|file| is_source(&file.source.path));
-    let caller = problem.trace.iter().find(|step| is_shown(&step.place));
-    let (place, message) = match caller.filter(|_| !is_shown(&problem.place)) {
-        Some(step) => (step.place, format!("{}: {}", file.path, problem.message)),
-        None => (problem.place, problem.message.clone()),
+    let (place, message) = match shown(&problem.place) {
+        Some(_) => (problem.place, problem.message.clone()),
+        None => {
+            let caller = problem.trace.iter().find(|step| shown(&step.place).is_some())?;
+            (caller.place, located(problem, files))
+        }
     };
     Some(Report {
         level,

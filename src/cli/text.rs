@@ -1,7 +1,6 @@
 //! Findings as text: drawn, one line each, counted.
 
-use std::path::Path;
-use std::sync::Arc;
+use std::path::{Path, PathBuf};
 
 use annotate_snippets::Level;
 use indexmap::IndexMap;
@@ -12,11 +11,11 @@ use crate::analysis::{Position, Report};
 use crate::base::limits::DRAWN_OF_A_RULE;
 use crate::base::{FastMap, FastSet, FileId, Span};
 use crate::rules::{Finding, Severity};
-use crate::vfs::SourceFile;
+use crate::workspace::{Packages, Vicinity};
 
 /// With the source text and a summary.
-pub(super) fn full(report: &Report, cwd: &Path, hints: bool, io: &mut Io<'_>) {
-    let files = shown_files(report, cwd);
+pub(super) fn full(report: &Report, packages: &Packages, cwd: &Path, hints: bool, io: &mut Io<'_>) {
+    let files = shown_files(report, packages, cwd);
     let draw = |finding: &Finding, io: &mut Io<'_>| {
         io.out(&format!("{}\n\n", drawing(finding, &files, report, cwd, io.color_out)));
     };
@@ -72,14 +71,23 @@ fn listed(report: &Report, hints: bool, mut print: impl FnMut(&Finding, &mut Io<
 }
 
 /// All findings with their source text.
-pub(super) fn drawings(report: &Report, cwd: &Path, color: bool) -> Vec<String> {
-    let files = shown_files(report, cwd);
+pub(super) fn drawings(report: &Report, packages: &Packages, cwd: &Path, color: bool) -> Vec<String> {
+    let files = shown_files(report, packages, cwd);
     report.findings.iter().map(|finding| drawing(finding, &files, report, cwd, color)).collect()
 }
 
-fn shown_files<'a>(report: &'a Report, cwd: &Path) -> FastMap<FileId, ShownFile<'a>> {
-    let shown = |source: &'a Arc<SourceFile>| ShownFile { source, path: shown_path(&source.path, cwd) };
-    report.files.iter().chain(&report.beside).map(|(id, source)| (*id, shown(source))).collect()
+/// The files whose text may be shown.
+fn shown_files<'a>(report: &'a Report, packages: &Packages, cwd: &Path) -> FastMap<FileId, ShownFile<'a>> {
+    let around = packages.around(report.roots.iter().map(PathBuf::as_path));
+    let places = |finding: &Finding| {
+        let related = finding.related.iter().map(|related| related.span.file);
+        related.chain([finding.span.file]).collect::<Vec<_>>()
+    };
+    let named: FastSet<FileId> = report.findings.iter().flat_map(places).collect();
+    let sources = report.files.iter().chain(&report.beside);
+    let shown = sources.filter(|(id, source)| named.contains(id) && is_shown(&source.path, &around));
+    let shown = shown.map(|(id, source)| (*id, ShownFile { source, path: shown_path(&source.path, cwd) }));
+    shown.collect()
 }
 
 /// A finding with its source text.
@@ -90,23 +98,21 @@ fn drawing(
     cwd: &Path,
     color: bool,
 ) -> String {
-    // what is no description by its name may be anything: its text is not for a log
-    let is_shown = |span: &Span| is_source(report.path(span.file));
     let mark = |span: Span, label: &str| {
-        is_shown(&span).then_some(())?;
         Some(Mark { file: files.get(&span.file)?, range: span.range, label: label.to_owned() })
     };
     let Some(primary) = mark(finding.span, "") else {
         let path = shown_path(report.path(finding.span.file), cwd);
         let Finding { severity, rule, message, .. } = finding;
-        let from = finding.related.iter().find(|related| is_shown(&related.span)).map(|related| {
-            let (row, column) = report.position(related.span).start;
-            format!(
-                " ({} {}:{row}:{column})",
-                related.message,
-                shown_path(report.path(related.span.file), cwd)
-            )
-        });
+        let from =
+            finding.related.iter().find(|related| files.contains_key(&related.span.file)).map(|related| {
+                let (row, column) = report.position(related.span).start;
+                format!(
+                    " ({} {}:{row}:{column})",
+                    related.message,
+                    shown_path(report.path(related.span.file), cwd)
+                )
+            });
         let from = from.unwrap_or_default();
         return visible(&format!("{severity}[{}]: {path}: {message}{from}", rule.name));
     };
@@ -122,10 +128,12 @@ fn drawing(
     render(&drawing, color)
 }
 
-/// Whether the text of a file may be shown.
-pub(super) fn is_source(path: &Path) -> bool {
+/// Whether the text of a file may be shown. What is no description by its name, or belongs to no robot, may be anything:
+/// a key, say. Its text is not for a log.
+pub(super) fn is_shown(path: &Path, around: &Vicinity<'_>) -> bool {
     const ENDINGS: [&str; 9] = ["xacro", "urdf", "xml", "srdf", "sdf", "yaml", "yml", "toml", "txt"];
-    path.extension().and_then(|ending| ending.to_str()).is_some_and(|ending| ENDINGS.contains(&ending))
+    let ending = path.extension().and_then(|ending| ending.to_str());
+    ending.is_some_and(|ending| ENDINGS.contains(&ending)) && around.hold(path)
 }
 
 fn level(severity: Severity) -> Level<'static> {

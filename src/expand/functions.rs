@@ -1,6 +1,6 @@
 //! What expressions can reach: names, and the functions of `xacro.`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use ecow::EcoString;
 
@@ -11,7 +11,8 @@ use super::text::CodeSite;
 use super::yaml_value::file_value;
 use crate::base::TextRange;
 use crate::expr::{ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display, literal};
-use crate::vfs::LoadError;
+use crate::vfs::{LoadError, YamlFile};
+use crate::yaml::{Kind, Node, YamlError};
 
 /// The host of one expression.
 pub(super) struct ExprHost<'m, 'w, 't> {
@@ -167,12 +168,20 @@ impl ExprHost<'_, '_, '_> {
         self.machine.result.record.add(Read::File(path, loaded.file.hash));
         self.machine.open_files.push(OpenFile { name: name.clone(), file: None, conditions: u32::MAX });
         let value = match &loaded.value {
+            value if is_telling(value) && self.is_foreign(&loaded.file.path) => Err(refused(&name, &loaded)),
             Ok(node) => file_value(node, &mut self.machine.budget),
             Err(error) => Err(EvalError::new(ErrorKind::Value, error.message.clone()).at(range)),
         };
         self.machine.open_files.pop();
         self.machine.result.includes.push(name);
         value
+    }
+
+    /// Whether a file does not belong to the robot.
+    fn is_foreign(&self, path: &Path) -> bool {
+        let Expander { world, request, .. } = &self.machine;
+        let root = self.machine.file_path(&request.file);
+        !world.packages.around([&*root]).hold(path)
     }
 
     fn unreadable(&mut self, name: &str, error: &LoadError) -> Result<Value, EvalError> {
@@ -184,6 +193,33 @@ impl ExprHost<'_, '_, '_> {
         let LoadError { errno, strerror, .. } = error;
         Err(EvalError::new(ErrorKind::Io, format!("[Errno {errno}] {strerror}: '{name}'")))
     }
+}
+
+/// Whether a loaded file is one bare text, as any key, token or table of passwords reads as YAML; or none that can be
+/// loaded, where the error may quote it.
+fn is_telling(value: &Result<Node, YamlError>) -> bool {
+    !matches!(value, Ok(node) if !matches!(node.kind, Kind::Str(_)))
+}
+
+/// Why such a file is not loaded from outside of the robot. Its text is not quoted: the message may stand in a public log.
+fn refused(name: &str, loaded: &YamlFile) -> EvalError {
+    const OUTSIDE: &str = "outside of packages and of the folders around the robot";
+    let text = loaded.file.text.as_bytes();
+    let message = match &loaded.value {
+        Ok(_) => format!(
+            "`{name}` is one bare text, as a key or a password is, and lies {OUTSIDE}: it is not loaded. \
+             Move it into the package, or make it a mapping or a list"
+        ),
+        Err(error) => {
+            let before = text.get(..error.range.start as usize).unwrap_or(text);
+            let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+            format!(
+                "`{name}` cannot be read as YAML, from line {line} on. It lies {OUTSIDE}, so its text is not \
+                 shown. Move it into the package to see what is wrong"
+            )
+        }
+    };
+    EvalError::new(ErrorKind::Xacro, message)
 }
 
 /// The only argument of a function, as text.

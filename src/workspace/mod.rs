@@ -1,5 +1,6 @@
 //! What surrounds a file: the packages it can name, the workspace it lies in, its configuration.
 
+mod belonging;
 pub mod config;
 mod manifest;
 mod memo;
@@ -14,6 +15,7 @@ mod uri;
 #[cfg(test)]
 mod tests;
 
+pub use belonging::Vicinity;
 pub use packages::{Entry, Found, NotFound, Package, PackageOptions, Packages, Target};
 pub use root::workspace_root;
 pub use similar::{edit_distance, nearest};
