@@ -17,7 +17,7 @@ use super::placing;
 use super::report::Report;
 use super::session::{Session, Setup};
 use super::walk::{self, Listing};
-use crate::base::limits::SCAN_FILES;
+use crate::base::limits::{GLOB_ENTRIES, SCAN_FILES};
 use crate::base::{CancelFlag, FastMap, TextRange};
 use crate::expand::Read;
 use crate::rules::check_recovered;
@@ -399,11 +399,14 @@ impl World {
     /// The same without a look at one file.
     fn is_current_beside(&self, known: &Analyzed, except: &Path) -> bool {
         let vfs = &self.session.vfs;
+        let mut left = GLOB_ENTRIES;
         known.expansion.record.iter().all(|read| match read {
             Read::File(path, _) if path == except => true,
             Read::File(path, hash) => vfs.document_hash(path) == Some(*hash),
             Read::Missing(path) => !vfs.is_file(path),
-            Read::Glob(pattern, found) => vfs.glob(pattern, &self.env.cwd) == *found,
+            Read::Glob(pattern, found) => {
+                vfs.glob(pattern, &self.env.cwd, &mut left).is_ok_and(|now| now == *found)
+            }
             Read::Package(..) | Read::Env(..) | Read::Arg(..) => true,
         })
     }

@@ -117,6 +117,10 @@ limits! {
         MACRO_DEPTH: u32 = 1_000, "an error at the call", "macro-depth";
         /// Files included from each other.
         INCLUDE_DEPTH: u32 = 500, "an error at the include", "include-depth";
+        /// Files that one include with stars may name.
+        GLOB_FILES: usize = 1_000, "an error at the include";
+        /// Entries of folders that are looked at for all includes with stars of one robot.
+        GLOB_ENTRIES: usize = 200_000, "an error at the include";
         /// Elements inside elements.
         ELEMENT_DEPTH: u32 = 5_000, "`limit-reached` at the element";
         /// Blocks inserted inside blocks.

@@ -15,8 +15,9 @@ use super::scope::State;
 use super::symbols::SymbolKind;
 use super::tree::XId;
 use crate::base::TextRange;
+use crate::base::limits::{GLOB_ENTRIES, GLOB_FILES};
 use crate::expr::{Value, display, literal};
-use crate::vfs::{LoadError, LoadErrorKind, SourceFile};
+use crate::vfs::{LoadError, LoadErrorKind, SourceFile, TooMany};
 use crate::xml::{NodeKind, SyntaxError, SyntaxErrorKind};
 
 /// What every tag of an include knows.
@@ -162,7 +163,13 @@ impl Expander<'_> {
         if !name.contains(['*', '?', '[']) {
             return vec![name];
         }
-        let found = self.world.vfs.glob(&name, &self.world.env.cwd);
+        let found = match self.world.vfs.glob(&name, &self.world.env.cwd, &mut self.glob_entries) {
+            Ok(found) => found,
+            Err(why) => {
+                self.matches_too_much(&name, why, at);
+                return Vec::new();
+            }
+        };
         self.result.record.add(Read::Glob(name.clone(), found.clone()));
         if found.is_empty() {
             let message = format!("no file matches `{name}`");
@@ -170,6 +177,25 @@ impl Expander<'_> {
             self.warn("XAC035", at, message, reference);
         }
         found.into_iter().map(|path| path.to_string_lossy().into_owned()).collect()
+    }
+
+    /// None of the files is included. What matches is not part of the record either: to ask again whether it still is too
+    /// much would cost as much as it did now.
+    fn matches_too_much(&mut self, name: &str, why: TooMany, at: Origin) {
+        self.include_missing = true;
+        self.result.complete = false;
+        let message = match why {
+            TooMany::Files => {
+                format!("`{name}` matches more than {GLOB_FILES} files, the limit for one include")
+            }
+            TooMany::Entries => format!(
+                "to find what `{name}` matches, more than {GLOB_ENTRIES} entries of folders would have to be looked \
+                 at, the limit for the includes of one robot"
+            ),
+        };
+        let help = "none of them is included: name the folder that they lie in, and as much of their names as they share";
+        let problem = self.problem("XAC034", at, message).help(help);
+        self.push(problem);
     }
 
     /// Load a file for the include (or the request) at `at`; reports why it cannot be.

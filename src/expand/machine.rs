@@ -145,6 +145,8 @@ pub(super) struct Expander<'w> {
     pub marker: XId,
     pub budget: Budget,
     pub deadline: Instant,
+    /// How many entries of folders may still be looked at for includes with stars.
+    pub glob_entries: usize,
     /// Lazy properties being evaluated, outermost first.
     pub lazy_uses: Vec<LazyUse>,
     /// Bindings read since the mark of whoever is interested.
@@ -210,6 +212,7 @@ impl<'w> Expander<'w> {
             marker,
             budget: Budget::new(limits.eval_steps, limits.output_bytes, EVAL_DEPTH),
             deadline: Instant::now() + limits.expand_time,
+            glob_entries: limits::GLOB_ENTRIES,
             lazy_uses: Vec::new(),
             reads: Vec::new(),
             attrs: Vec::new(),

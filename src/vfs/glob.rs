@@ -3,15 +3,33 @@
 use std::path::{Path, PathBuf};
 
 use super::Vfs;
+use crate::base::limits::GLOB_FILES;
 
-/// The sorted matches of `pattern`; a relative one starts at `base`.
-pub(super) fn glob(vfs: &Vfs, pattern: &str, base: &Path) -> Vec<PathBuf> {
+/// Why nobody knows all files of a pattern.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TooMany {
+    /// It matches more than [`GLOB_FILES`].
+    Files,
+    /// More has to be looked at than the caller allows.
+    Entries,
+}
+
+/// The sorted matches of `pattern`; a relative one starts at `base`. What is looked at is taken off `left`.
+pub(super) fn glob(vfs: &Vfs, pattern: &str, base: &Path, left: &mut usize) -> Result<Vec<PathBuf>, TooMany> {
     if pattern.is_empty() {
-        return Vec::new();
+        return Ok(Vec::new());
     }
-    let mut found = expand(vfs, pattern, base, false);
+    let (start, names) = stages(pattern);
+    let mut found = vec![start.to_owned()];
+    for (index, name) in names.iter().enumerate().rev() {
+        found = Stage { vfs, base, name, is_last: index == 0 }.run(&found, left)?;
+    }
+    if !has_magic(pattern) {
+        // such a path is given back as it is spelled
+        found = found.iter().map(|_| pattern.to_owned()).collect();
+    }
     found.sort();
-    found.into_iter().map(PathBuf::from).collect()
+    Ok(found.into_iter().map(PathBuf::from).collect())
 }
 
 /// Whether a text has any of the characters that make it a pattern.
@@ -19,28 +37,70 @@ pub fn has_magic(text: &str) -> bool {
     text.contains(['*', '?', '['])
 }
 
-fn expand(vfs: &Vfs, pattern: &str, base: &Path, only_dirs: bool) -> Vec<String> {
-    let (folder, name) = split(pattern);
-    if !has_magic(pattern) {
-        let path = base.join(pattern);
-        let there = if name.is_empty() { vfs.is_dir(&base.join(folder)) } else { exists(&path) };
-        return if there { vec![pattern.to_owned()] } else { Vec::new() };
+/// The folder that a pattern starts from, and the names below it, the last one first.
+fn stages(pattern: &str) -> (&str, Vec<&str>) {
+    let magic = pattern.find(['*', '?', '[']).unwrap_or(pattern.len());
+    let (mut rest, mut names) = (pattern, Vec::new());
+    loop {
+        let (folder, name) = split(rest);
+        names.push(name);
+        if folder.len() <= magic || folder == rest {
+            return (folder, names);
+        }
+        rest = folder;
     }
-    let folders = if !folder.is_empty() && folder != pattern && has_magic(folder) {
-        expand(vfs, folder, base, true)
-    } else {
-        vec![folder.to_owned()]
-    };
-    let mut found = Vec::new();
-    for folder in folders {
-        let names = if has_magic(name) {
-            matching_names(vfs, &base.join(&folder), name, only_dirs)
-        } else {
-            literal_name(vfs, &base.join(&folder), name)
-        };
-        found.extend(names.iter().map(|name| join(&folder, name)));
+}
+
+/// One name of a pattern, looked for in all folders that match what stands before it.
+struct Stage<'a> {
+    vfs: &'a Vfs,
+    base: &'a Path,
+    name: &'a str,
+    is_last: bool,
+}
+
+impl Stage<'_> {
+    fn run(&self, folders: &[String], left: &mut usize) -> Result<Vec<String>, TooMany> {
+        let mut found = Vec::new();
+        let wildcard = has_magic(self.name).then(|| Wildcard::new(self.name));
+        for folder in folders {
+            let path = self.base.join(folder);
+            match &wildcard {
+                Some(wildcard) => {
+                    for name in self.matching(&path, wildcard, left)? {
+                        found.push(join(folder, &name));
+                    }
+                }
+                None => {
+                    *left = left.checked_sub(1).ok_or(TooMany::Entries)?;
+                    if self.is_there(&path) {
+                        found.push(join(folder, self.name));
+                    }
+                }
+            }
+            if self.is_last && found.len() > GLOB_FILES {
+                return Err(TooMany::Files);
+            }
+        }
+        Ok(found)
     }
-    found
+
+    /// Whether a folder has this very name.
+    fn is_there(&self, folder: &Path) -> bool {
+        if self.name.is_empty() { self.vfs.is_dir(folder) } else { exists(&folder.join(self.name)) }
+    }
+
+    fn matching(&self, folder: &Path, wildcard: &Wildcard, left: &mut usize) -> Result<Vec<String>, TooMany> {
+        let mut names = Vec::new();
+        for entry in self.vfs.entries(folder) {
+            *left = left.checked_sub(1).ok_or(TooMany::Entries)?;
+            let is_hidden = entry.name.starts_with('.') && !self.name.starts_with('.');
+            if !is_hidden && (entry.is_dir || self.is_last) && wildcard.matches(&entry.name) {
+                names.push(entry.name);
+            }
+        }
+        Ok(names)
+    }
 }
 
 /// Folder and last component, as `os.path.split` cuts them.
@@ -62,22 +122,6 @@ fn join(folder: &str, name: &str) -> String {
 /// Also true for a link that leads nowhere.
 fn exists(path: &Path) -> bool {
     path.symlink_metadata().is_ok()
-}
-
-fn literal_name(vfs: &Vfs, folder: &Path, name: &str) -> Vec<String> {
-    let there = if name.is_empty() { vfs.is_dir(folder) } else { exists(&folder.join(name)) };
-    if there { vec![name.to_owned()] } else { Vec::new() }
-}
-
-fn matching_names(vfs: &Vfs, folder: &Path, pattern: &str, only_dirs: bool) -> Vec<String> {
-    let wildcard = Wildcard::new(pattern);
-    vfs.list_dir(folder)
-        .into_iter()
-        .filter(|entry| entry.is_dir || !only_dirs)
-        .map(|entry| entry.name)
-        .filter(|name| pattern.starts_with('.') || !name.starts_with('.'))
-        .filter(|name| wildcard.matches(name))
-        .collect()
 }
 
 /// A pattern for one name: `*`, `?`, `[abc]`, `[!abc]`, as Python's `fnmatch` reads them.
@@ -119,12 +163,17 @@ fn compile(pattern: &str) -> Vec<Token> {
     let chars: Vec<char> = pattern.chars().collect();
     let mut tokens = Vec::new();
     let mut rest = chars.as_slice();
+    // without one, no class ends: that is not to be looked for at each `[`
+    let last_close = chars.iter().rposition(|&c| c == ']').unwrap_or(0);
     while let Some((&first, behind)) = rest.split_first() {
+        let may_close = chars.len() - rest.len() < last_close;
         rest = behind;
         tokens.push(match first {
+            // several in a row are one
+            '*' if matches!(tokens.last(), Some(Token::Many)) => continue,
             '*' => Token::Many,
             '?' => Token::Any,
-            '[' => match class(behind) {
+            '[' => match may_close.then(|| class(behind)).flatten() {
                 Some((token, behind)) => {
                     rest = behind;
                     token
@@ -288,7 +337,7 @@ mod tests {
         let mut wrong = Vec::new();
         for case in oracle["cases"].as_array().unwrap() {
             let pattern = case[0].as_str().unwrap();
-            let found = tree.vfs().glob(pattern, &tree.path(root));
+            let found = tree.vfs().glob(pattern, &tree.path(root), &mut 10_000).unwrap();
             let found: Vec<&str> = found.iter().filter_map(|path| path.to_str()).collect();
             let expected: Vec<&str> =
                 case[1].as_array().unwrap().iter().filter_map(|path| path.as_str()).collect();
@@ -298,7 +347,7 @@ mod tests {
         }
         assert!(wrong.is_empty(), "{}", wrong.join("\n"));
         let absolute = tree.path(root).join("s*/c.x");
-        let found = tree.vfs().glob(absolute.to_str().unwrap(), tree.root());
-        assert_eq!(found, [tree.path(root).join("sub/c.x")]);
+        let found = tree.vfs().glob(absolute.to_str().unwrap(), tree.root(), &mut 10_000);
+        assert_eq!(found.unwrap(), [tree.path(root).join("sub/c.x")]);
     }
 }

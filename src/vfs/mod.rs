@@ -30,7 +30,7 @@ use std::sync::{Arc, PoisonError, RwLock};
 pub use derived::{FileCache, text_of};
 pub use environment::Environment;
 pub use error::{LoadError, LoadErrorKind};
-pub use glob::{Wildcard, covers, has_magic};
+pub use glob::{TooMany, Wildcard, covers, has_magic};
 pub use held::Held;
 pub use output::write_atomically;
 pub use process::{is_process_alive, unbuffered_stdout};
@@ -355,23 +355,29 @@ impl Vfs {
     /// The names in a folder, sorted; none when it cannot be read. Names that are not UTF-8 are left
     /// out: no description can name them.
     pub fn list_dir(&self, path: &Path) -> Vec<DirEntry> {
-        let Ok(entries) = std::fs::read_dir(self.absolute(path)) else { return Vec::new() };
-        let mut names: Vec<DirEntry> = entries
-            .flatten()
-            .filter_map(|entry| {
-                let kind = entry.file_type().ok()?;
-                let is_dir = kind.is_dir() || kind.is_symlink() && entry.path().is_dir();
-                Some(DirEntry { name: entry.file_name().into_string().ok()?, is_dir })
-            })
-            .collect();
+        let mut names: Vec<DirEntry> = self.entries(path).collect();
         names.sort();
         names
     }
 
+    /// The same in the order of the disk, each looked at when it is asked for.
+    fn entries(&self, path: &Path) -> impl Iterator<Item = DirEntry> + use<> {
+        let entries = std::fs::read_dir(self.absolute(path)).into_iter().flatten().flatten();
+        entries.filter_map(|entry| {
+            let kind = entry.file_type().ok()?;
+            let is_dir = kind.is_dir() || kind.is_symlink() && entry.path().is_dir();
+            Some(DirEntry { name: entry.file_name().into_string().ok()?, is_dir })
+        })
+    }
+
     /// The paths a pattern matches, sorted: what `sorted(glob.glob(pattern))` of Python 3.11 gives with
-    /// `base` as working directory. The paths are spelled as the pattern spells its folders.
-    pub fn glob(&self, pattern: &str, base: &Path) -> Vec<PathBuf> {
-        glob::glob(self, pattern, &self.absolute(base))
+    /// `base` as working directory. The paths are spelled as the pattern spells its folders. At most `left` entries
+    /// of folders are looked at; afterwards it says how many are left.
+    ///
+    /// # Errors
+    /// When it matches too much, or more would have to be looked at.
+    pub fn glob(&self, pattern: &str, base: &Path, left: &mut usize) -> Result<Vec<PathBuf>, TooMany> {
+        glob::glob(self, pattern, &self.absolute(base), left)
     }
 
     fn has_buffer(&self, path: &Path) -> bool {
