@@ -11,8 +11,9 @@ use super::origin::{FrameKind, Origin};
 use super::params;
 use super::property::literal_of;
 use super::resolve::{BindingInfo, BindingKind};
-use super::scope::{Block, MacroDef, MacrosId, Param, Place, SrcRef, State};
+use super::scope::{Block, MacroDef, MacrosId, Open, Param, Params, Place, SrcRef, State};
 use super::symbols::{DefinitionId, SymbolKind, UseKind};
+use super::text::TextSite;
 use super::tree::{XId, XKind};
 use crate::base::TextRange;
 use crate::expr::{ScopeId, Value, display};
@@ -56,8 +57,9 @@ impl Expander<'_> {
         self.defined(NameKind::Macro, &name, place.origin);
         let definition = self.define(SymbolKind::Macro, &name, place.origin);
         let params = params.and_then(|(list, place)| Some((list?, place)));
-        let params =
-            params.map_or(Vec::new(), |(list, place)| self.define_params(tag, list, place, definition, cx));
+        let params = params.map_or(Params::default(), |(list, place)| {
+            Params::new(self.define_params(tag, list, place, definition, cx))
+        });
         let body = SrcRef { src: tag.src, node: tag.node.id() };
         let def = MacroDef { name, body, origin: place.origin, definition, params };
         let def = self.macros.define(cx.macros, def);
@@ -76,11 +78,18 @@ impl Expander<'_> {
         cx: Cx,
     ) -> Vec<Param> {
         let Some((text, _)) = self.attr(tag, "params", cx) else { return params };
+        // all places at once: to find one takes as long as the list is
+        let mut origin_of = self.origins_in(TextSite { text: &text, place });
+        let mut places = Vec::with_capacity(params.len());
         for param in &mut params {
             let name = param.name.trim_start_matches('*');
+            places.push(origin_of(TextRange::new(param.range.end - name.len() as u32, param.range.end)));
+            param.default_at = param.default.as_ref().map(|(_, range)| origin_of(*range));
+        }
+        drop(origin_of);
+        for (param, at) in params.iter_mut().zip(places) {
+            let name = param.name.trim_start_matches('*');
             let kind = if param.is_block() { SymbolKind::BlockParameter } else { SymbolKind::Parameter };
-            let start = param.range.end - name.len() as u32;
-            let at = self.part_of(&text, place, TextRange::new(start, param.range.end));
             param.definition = Some((at, self.define_part(kind, &name.into(), at, Some(of))));
         }
         params
@@ -121,8 +130,7 @@ impl Expander<'_> {
         let frame = self.push_frame(FrameKind::Macro, def.name.clone(), at, Some(def.origin));
         let body_cx =
             Cx { scope: self.scopes.push(scope, false), macros: self.macros.push(Some(macros)), frame };
-        let mut open: Vec<&Param> = def.params.iter().collect();
-        self.bind_attributes(tag, &def, &mut open, cx, body_cx);
+        let mut open = self.bind_attributes(tag, &def, cx, body_cx);
         let content = self.container(at);
         self.eval_children(tag.node, tag.src, content, cx);
         self.bind_blocks(tag, content, &def, &mut open, cx, body_cx);
@@ -164,15 +172,16 @@ impl Expander<'_> {
         self.result.tree.add(XKind::Container, EcoString::new(), origin)
     }
 
-    /// Attributes of the call, evaluated where the call stands.
-    fn bind_attributes(&mut self, tag: Tag<'_>, def: &MacroDef, open: &mut Vec<&Param>, cx: Cx, body: Cx) {
+    /// Attributes of the call, evaluated where the call stands. Gives the parameters that are left.
+    fn bind_attributes<'d>(&mut self, tag: Tag<'_>, def: &'d MacroDef, cx: Cx, body: Cx) -> Vec<&'d Param> {
+        let mut open = Open::new(&def.params);
         for attr in tag.attrs() {
             let at = Origin { src: tag.src, range: attr.name_range(), frame: cx.frame };
-            let given = open.iter().position(|p| p.name == attr.name());
-            let Some(i) = given.or_else(|| self.misspelt_param(tag, def, open, attr.name(), at)) else {
+            let given = open.take(attr.name());
+            let Some(param) = given.or_else(|| self.misspelt_param(tag, def, &mut open, attr.name(), at))
+            else {
                 continue;
             };
-            let param = open.remove(i);
             if param.name == attr.name() {
                 self.note_use(at, param.definition.map(|(_, definition)| definition), UseKind::Given);
             }
@@ -180,6 +189,7 @@ impl Expander<'_> {
             let text = attr.value(self.entities(tag.src)).into_owned();
             self.bind_param(param, &text, Place { origin, is_attr: true }, cx, body);
         }
+        open.left()
     }
 
     /// Evaluate a text in the caller's scope and bind it in the body's.
@@ -240,10 +250,7 @@ impl Expander<'_> {
     fn bind_defaults(&mut self, def: &MacroDef, open: &mut Vec<&Param>, at: Origin, cx: Cx, body: Cx) {
         let mut left = Vec::new();
         for param in std::mem::take(open) {
-            // of parameters with one name, the last default counts
-            let spec =
-                def.params.iter().rev().find(|p| p.name == param.name && (p.forward || p.default.is_some()));
-            let Some(spec) = spec else {
+            let Some(spec) = def.params.fallback(&param.name) else {
                 left.push(param);
                 continue;
             };
@@ -251,9 +258,9 @@ impl Expander<'_> {
                 continue;
             }
             match &spec.default {
-                Some((text, range)) => {
-                    let place = self.default_place(def, *range, body);
-                    self.bind_param(param, text, place, cx, body);
+                Some((text, _)) => {
+                    let origin = Origin { frame: body.frame, ..spec.default_at.unwrap_or(def.origin) };
+                    self.bind_param(param, text, Place { origin, is_attr: true }, cx, body);
                 }
                 None => self.nothing_to_forward(def, param, at, body),
             }
@@ -321,23 +328,25 @@ impl Expander<'_> {
 
     /// Report an attribute that is no parameter. If it looks like one that is not given otherwise, it is
     /// taken for that one: a typing error is one finding, not two.
-    fn misspelt_param(
+    fn misspelt_param<'d>(
         &mut self,
         tag: Tag<'_>,
         def: &MacroDef,
-        open: &[&Param],
+        open: &mut Open<'d>,
         name: &str,
         at: Origin,
-    ) -> Option<usize> {
+    ) -> Option<&'d Param> {
         let message = format!("macro `{}` has no parameter `{name}`", def.name);
         let mut problem = self.problem("XAC006", at, message).says(format!("Invalid parameter \"{name}\""));
-        let near = nearest(name, def.params.iter().map(|p| p.name.as_str())).map(str::to_owned);
+        let names = def.params.iter().map(|p| p.name.as_str()).filter(|_| self.compares());
+        let near = nearest(name, names).map(str::to_owned);
+        self.compared += def.params.iter().len();
         if let Some(near) = &near {
             problem = problem.help(format!("rename it to `{near}`")).replace_with(near.as_str());
         }
         self.push_with_definition(problem, def);
-        let near = near.filter(|near| tag.attr(near).is_none())?;
-        open.iter().position(|p| p.name == near && !p.is_block())
+        let near = near.filter(|near| tag.attr(near).is_none() && !near.starts_with('*'))?;
+        open.take(&near)
     }
 
     fn push_with_definition(&mut self, mut problem: super::Problem, def: &MacroDef) {
@@ -345,18 +354,6 @@ impl Expander<'_> {
         let place = self.result.place(def.origin);
         problem.trace.extend(place.map(|place| super::Step { place, message }));
         self.push(problem);
-    }
-
-    /// Where the default of a parameter stands.
-    fn default_place(&self, def: &MacroDef, range: TextRange, cx: Cx) -> Place {
-        let src = def.body.src;
-        let fallback = Place { origin: def.origin, is_attr: true };
-        let Some(item) = self.item(src) else { return fallback };
-        let Some(attr) = item.node(def.body.node).attr("params") else { return fallback };
-        let origin = Origin { src, range: attr.value_range(), frame: cx.frame };
-        let text = attr.value(self.entities(src));
-        let site = super::text::TextSite { text: &text, place: Place { origin, is_attr: true } };
-        Place { origin: self.origin_in(site, range), is_attr: true }
     }
 
     /// The macro called `name`: as a whole, else through its namespaces.

@@ -92,6 +92,7 @@ fn param(text: &str, start: usize, end: usize, forward: bool, default: Option<(u
         definition: None,
         forward,
         default: default.map(|(start, end)| (slice(start, end), range(start, end))),
+        default_at: None,
     }
 }
 

@@ -66,7 +66,7 @@ impl Expander<'_> {
         let at = Origin { frame: cx.frame, ..def.origin };
         let (scope, macros) = (self.scopes.push(cx.scope, false), self.macros.push(Some(cx.macros)));
         let body_cx = Cx { scope, macros, frame: cx.frame };
-        for param in &def.params {
+        for param in def.params.iter() {
             self.bind_unknown(param, at, body_cx);
         }
         let content = self.container(at);

@@ -229,7 +229,7 @@ pub(super) struct MacroDef {
     /// Where it stands: range of its `name` value.
     pub origin: Origin,
     pub definition: DefinitionId,
-    pub params: Vec<Param>,
+    pub params: Params,
 }
 
 /// A parameter specification.
@@ -243,14 +243,75 @@ pub struct Param {
     pub definition: Option<(Origin, DefinitionId)>,
     /// `^`: take the caller's property of the same name.
     pub forward: bool,
-    /// The default, where there is one.
+    /// The default, where there is one, and where it stands in that text.
     pub default: Option<(EcoString, TextRange)>,
+    /// Where the default stands in the source.
+    pub default_at: Option<Origin>,
 }
 
 impl Param {
     /// Whether a call gives it as a child element.
     pub fn is_block(&self) -> bool {
         self.name.starts_with('*')
+    }
+}
+
+/// The parameters of a macro.
+#[derive(Debug, Default)]
+pub(super) struct Params {
+    list: Vec<Param>,
+    /// Of each name, the first one.
+    first: FastMap<EcoString, usize>,
+    /// Of each name, the last one that says which value it has when a call gives none.
+    fallback: FastMap<EcoString, usize>,
+}
+
+impl Params {
+    pub fn new(list: Vec<Param>) -> Self {
+        let (mut first, mut fallback) = (FastMap::default(), FastMap::default());
+        for (index, param) in list.iter().enumerate() {
+            first.entry(param.name.clone()).or_insert(index);
+            if param.forward || param.default.is_some() {
+                fallback.insert(param.name.clone(), index);
+            }
+        }
+        Self { list, first, fallback }
+    }
+
+    pub fn iter(&self) -> std::slice::Iter<'_, Param> {
+        self.list.iter()
+    }
+
+    /// What a parameter is when a call does not give it.
+    pub fn fallback(&self, name: &str) -> Option<&Param> {
+        self.list.get(*self.fallback.get(name)?)
+    }
+}
+
+/// The parameters that a call has not given yet.
+pub(super) struct Open<'p> {
+    params: &'p Params,
+    given: Vec<bool>,
+}
+
+impl<'p> Open<'p> {
+    pub fn new(params: &'p Params) -> Self {
+        Self { params, given: vec![false; params.list.len()] }
+    }
+
+    /// Give the first one of that name.
+    pub fn take(&mut self, name: &str) -> Option<&'p Param> {
+        let first = *self.params.first.get(name)?;
+        let mut from = self.params.list.iter().zip(&mut self.given).skip(first);
+        let (param, given) = from.find(|(param, given)| !**given && param.name == name)?;
+        *given = true;
+        Some(param)
+    }
+
+    /// Those that are left, in order.
+    pub fn left(self) -> Vec<&'p Param> {
+        let left = self.params.iter().zip(self.given).filter(|(_, given)| !given);
+        left.map(|(param, _)| param).collect()
     }
 }
 

@@ -4,7 +4,6 @@ use ecow::EcoString;
 
 use super::machine::Expander;
 use super::origin::{Origin, SrcId};
-use super::text::TextSite;
 use crate::base::{FastMap, FastSet, TextRange};
 
 /// A definition: index of [`Symbols::definitions`].
@@ -182,10 +181,5 @@ impl Expander<'_> {
         }
         let definition = self.result.bindings.get(binding as usize).and_then(|info| info.definition);
         self.note_use(at, definition, kind);
-    }
-
-    /// Where a part of an attribute's decoded text stands.
-    pub fn part_of(&self, text: &str, place: super::scope::Place, range: TextRange) -> Origin {
-        self.origin_in(TextSite { text, place }, range)
     }
 }

@@ -273,17 +273,28 @@ impl Expander<'_> {
 
     /// The origin of a range of decoded text.
     pub fn origin_in(&self, site: TextSite<'_>, range: TextRange) -> Origin {
+        self.origins_in(site)(range)
+    }
+
+    /// The same for many ranges of one text: one pass, as long as each is behind the one before.
+    pub fn origins_in(&self, site: TextSite<'_>) -> impl FnMut(TextRange) -> Origin {
         let Place { origin, is_attr } = site.place;
-        let Some(source) = self.result.sources.get(origin.src.0 as usize) else { return origin };
-        let raw = origin.range.slice(source.item.text());
-        if raw.len() == site.text.len() && raw == site.text {
-            return Origin { range: range.shift(origin.range.start), ..origin };
+        let source = self.result.sources.get(origin.src.0 as usize);
+        let raw = source.map(|source| origin.range.slice(source.item.text()));
+        let is_same = raw == Some(site.text);
+        let file = source.and_then(|source| self.result.files.get(source.file.0 as usize));
+        let mut offsets = raw
+            .zip(file)
+            .filter(|_| !is_same)
+            .map(|(raw, file)| xml::source_offsets(raw, file.source.document.entities(), is_attr));
+        move |range| {
+            let mapped = match &mut offsets {
+                _ if is_same => range,
+                Some(map) => TextRange::new(map(range.start as usize) as u32, map(range.end as usize) as u32),
+                None => return origin,
+            };
+            Origin { range: mapped.shift(origin.range.start), ..origin }
         }
-        let Some(file) = self.result.files.get(source.file.0 as usize) else { return origin };
-        let entities = file.source.document.entities();
-        let map = |offset: u32| xml::source_offset(raw, entities, is_attr, offset as usize) as u32;
-        let mapped = TextRange::new(map(range.start), map(range.end));
-        Origin { range: mapped.shift(origin.range.start), ..origin }
     }
 
     /// The origin of a range of an expression; the whole `${...}` when its text was made at run time.

@@ -150,18 +150,28 @@ fn push(
 /// The offset in raw text that made the byte at `decoded_offset` of its value; inside the value of a
 /// reference: the offset of its `&`. Offsets behind the end give the end.
 pub fn source_offset(raw: &str, entities: &Entities, is_attr: bool, decoded_offset: usize) -> usize {
-    let mut out = String::new();
-    let mut before = 0;
-    for (piece, range) in pieces(raw, Place::new(is_attr)) {
-        out.clear();
-        push(&mut out, &piece, raw, range.clone(), entities, is_attr);
-        if decoded_offset < before + out.len() {
-            let inside = if matches!(piece, Piece::Text(_)) { decoded_offset - before } else { 0 };
-            return range.start + inside;
+    source_offsets(raw, entities, is_attr)(decoded_offset)
+}
+
+/// The same for many offsets: one pass, as long as each is behind the one before.
+pub fn source_offsets(raw: &str, entities: &Entities, is_attr: bool) -> impl FnMut(usize) -> usize {
+    let from_start = move || pieces(raw, Place::new(is_attr));
+    let (mut rest, mut out) = (from_start(), String::new());
+    // the piece reached: where it stands, whether it stands for itself, and where its value begins and ends
+    let (mut start, mut is_text, mut begin, mut end) = (0, false, 0, 0);
+    move |offset| {
+        if offset < begin {
+            (rest, begin, end) = (from_start(), 0, 0);
         }
-        before += out.len();
+        while offset >= end {
+            let Some((piece, range)) = rest.next() else { return raw.len() };
+            out.clear();
+            (start, is_text) = (range.start, matches!(piece, Piece::Text(_)));
+            push(&mut out, &piece, raw, range, entities, is_attr);
+            (begin, end) = (end, end + out.len());
+        }
+        if is_text { start + (offset - begin) } else { start }
     }
-    raw.len()
 }
 
 #[cfg(test)]
@@ -194,5 +204,7 @@ mod tests {
         assert_eq!(decode(raw, &none, false), "ab&c\ndA");
         let offsets: Vec<usize> = (0..8).map(|at| source_offset(raw, &none, false, at)).collect();
         assert_eq!(offsets, [0, 1, 2, 7, 8, 10, 11, 16]);
+        let mut at = source_offsets(raw, &none, false);
+        assert_eq!([0, 2, 2, 5, 9, 3, 7].map(&mut at), [0, 2, 2, 10, 16, 7, 16]);
     }
 }

@@ -16,7 +16,7 @@ mod parse;
 mod positions;
 mod verdict;
 
-pub use decode::{decode as decode_text, source_offset};
+pub use decode::{decode as decode_text, source_offset, source_offsets};
 pub use document::{Document, Part, Place};
 pub use entities::Entities;
 pub use error::{SyntaxError, SyntaxErrorKind};
