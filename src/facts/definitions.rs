@@ -105,8 +105,7 @@ struct Names {
 impl Names {
     fn mentioned(&mut self, item: &Arc<Item>) {
         let facts = facts_of(item);
-        let mentions = facts.sites.iter().flat_map(|site| &site.mentions);
-        self.hashes.extend(mentions.map(|mention| hash(&mention.name)));
+        self.hashes.extend(facts.mentions().map(|mention| hash(&mention.name)));
         self.hashes.extend(facts.of(FactKind::Call).map(|call| hash(&call.name)));
         for node in item.all_nodes().filter(|node| node.kind() == NodeKind::Element) {
             match node.name() {

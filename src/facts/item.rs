@@ -3,7 +3,7 @@
 use std::sync::{Arc, LazyLock};
 
 use super::mentions::site;
-use super::{Fact, FactKind, Facts};
+use super::{Fact, FactKind, Facts, FactsOf, Site};
 use crate::base::TextRange;
 use crate::xml::{Attr, Entities, Item, Node, NodeKind};
 
@@ -28,39 +28,50 @@ pub fn is_keyword(name: &str) -> bool {
 }
 
 /// The facts of an item; read once, kept with it.
-pub fn facts_of(item: &Arc<Item>) -> Arc<Facts> {
+pub fn facts_of(item: &Arc<Item>) -> FactsOf<'_> {
     /// Most items of a file with a million of them have none.
-    static NONE: LazyLock<Arc<Facts>> = LazyLock::new(Arc::default);
-    item.cached(|item| {
-        let facts = read(item);
-        if facts == Facts::default() { NONE.clone() } else { Arc::new(facts) }
-    })
+    static NONE: LazyLock<Arc<Facts>> =
+        LazyLock::new(|| Arc::new(Facts { named: Vec::new(), sites: Vec::new().into() }));
+    let facts = item.cached(|item| {
+        let named = named(item);
+        let is_plain = named.is_empty() && !item.text().contains('$');
+        if is_plain { NONE.clone() } else { Arc::new(Facts { named, ..Facts::default() }) }
+    });
+    FactsOf { item, facts }
 }
 
-fn read(item: &Item) -> Facts {
-    let mut facts = Facts::default();
+fn named(item: &Item) -> Vec<Fact> {
+    let mut named = Vec::new();
     // the end of the macro around the current node; macros nest, so the outermost one counts
     let mut macro_end = 0;
+    for node in item.all_nodes().filter(|node| node.kind() == NodeKind::Element) {
+        let in_macro = node.range().start < macro_end;
+        named.extend(fact(node, in_macro));
+        if node.name() == "xacro:macro" {
+            macro_end = macro_end.max(node.range().end);
+        }
+    }
+    named
+}
+
+/// Texts with expressions in document order.
+pub(super) fn sites(item: &Item) -> Vec<Site> {
+    let mut sites = Vec::new();
     for node in item.all_nodes() {
         match node.kind() {
             NodeKind::Element => {
-                let in_macro = node.range().start < macro_end;
-                facts.named.extend(fact(node, in_macro));
-                if node.name() == "xacro:macro" {
-                    macro_end = macro_end.max(node.range().end);
-                }
-                facts.sites.extend(node.attrs().filter(|attr| attr.has_dollar()).filter_map(attribute_site));
+                sites.extend(node.attrs().filter(|attr| attr.has_dollar()).filter_map(attribute_site));
             }
             NodeKind::Text if node.has_dollar() => {
-                facts.sites.extend(site(node.raw(), node.raw_range(), false));
+                sites.extend(site(node.raw(), node.raw_range(), false));
             }
             _ => {}
         }
     }
-    facts
+    sites
 }
 
-fn attribute_site(attr: Attr<'_>) -> Option<super::Site> {
+fn attribute_site(attr: Attr<'_>) -> Option<Site> {
     site(attr.raw(), attr.value_range(), true)
 }
 

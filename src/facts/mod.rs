@@ -9,7 +9,8 @@ mod mentions;
 #[cfg(test)]
 mod tests;
 
-use std::sync::Arc;
+use std::ops::Deref;
+use std::sync::{Arc, OnceLock};
 
 use ecow::EcoString;
 
@@ -18,7 +19,7 @@ pub use item::{facts_of, is_keyword};
 pub use mentions::{Mention, MentionKind, Site};
 
 use crate::base::TextRange;
-use crate::xml::{Document, NodeId};
+use crate::xml::{Document, Item, NodeId};
 
 /// The kinds of named things.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -59,12 +60,38 @@ pub struct Fact {
 }
 
 /// The facts of an item.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Debug, Default)]
 pub struct Facts {
     /// Named things in document order.
     pub named: Vec<Fact>,
+    /// Texts with expressions in document order; read when somebody asks, since expressions have to be parsed for it.
+    sites: OnceLock<Vec<Site>>,
+}
+
+/// An item's facts, with the item.
+pub struct FactsOf<'a> {
+    item: &'a Arc<Item>,
+    facts: Arc<Facts>,
+}
+
+impl Deref for FactsOf<'_> {
+    type Target = Facts;
+
+    fn deref(&self) -> &Facts {
+        &self.facts
+    }
+}
+
+impl FactsOf<'_> {
     /// Texts with expressions in document order.
-    pub sites: Vec<Site>,
+    pub fn sites(&self) -> &[Site] {
+        self.facts.sites.get_or_init(|| item::sites(self.item))
+    }
+
+    /// The names in them.
+    pub fn mentions(&self) -> impl Iterator<Item = &Mention> {
+        self.sites().iter().flat_map(|site| &site.mentions)
+    }
 }
 
 impl Facts {
@@ -75,6 +102,6 @@ impl Facts {
 }
 
 /// The facts of all parts of a document: header, items, footer; each with the offset its ranges count from.
-pub fn facts(document: &Document) -> impl Iterator<Item = (u32, Arc<Facts>)> + '_ {
+pub fn facts(document: &Document) -> impl Iterator<Item = (u32, FactsOf<'_>)> {
     document.parts().map(|(base, item)| (base, facts_of(item)))
 }

@@ -13,7 +13,7 @@ fn check(text: &str, expected: &[&str]) {
             assert_eq!(document.slice(fact.range.shift(base)), fact.name.as_str());
             found.push(format!("{:?} {}{inside}", fact.kind, fact.name));
         }
-        for mention in facts.sites.iter().flat_map(|site| &site.mentions) {
+        for mention in facts.mentions() {
             assert_eq!(document.slice(mention.range.shift(base)), mention.name.as_str());
             found.push(format!("  {:?} {}", mention.kind, mention.name));
         }

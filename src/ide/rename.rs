@@ -87,8 +87,8 @@ fn unread(cx: &Cx<'_>, id: DefinitionId) -> Vec<Span> {
     let mut found = Vec::new();
     for file in &cx.expansion.files {
         for (base, facts) in facts(&file.source.document) {
-            let mentions = facts.sites.iter().flat_map(|site| &site.mentions);
-            let named = mentions.filter(|mention| mention.kind == wanted && mention.name == definition.name);
+            let named =
+                facts.mentions().filter(|mention| mention.kind == wanted && mention.name == definition.name);
             let spans = named.map(|mention| Span { file: file.source.id, range: mention.range.shift(base) });
             found.extend(spans.filter(|span| !known.contains(span)));
         }

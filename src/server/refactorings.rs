@@ -185,5 +185,5 @@ impl Engine {
 /// Whether an expression of a document reads a name.
 fn mentions(document: &Document, name: &str) -> bool {
     let reads = |mention: &crate::facts::Mention| mention.kind == MentionKind::Name && mention.name == name;
-    facts(document).any(|(_, facts)| facts.sites.iter().flat_map(|site| &site.mentions).any(reads))
+    facts(document).any(|(_, facts)| facts.mentions().any(reads))
 }

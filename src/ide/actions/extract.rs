@@ -156,7 +156,7 @@ fn free_name(cx: &Cx<'_>, value: &Value<'_>) -> String {
     let wanted = if is_identifier(&wanted) { wanted } else { "value".to_owned() };
     let here = facts(&cx.source.document).flat_map(|(_, facts)| {
         let named = facts.of(FactKind::Property).map(|fact| fact.name.to_string());
-        let read = facts.sites.iter().flat_map(|site| &site.mentions).map(|mention| mention.name.to_string());
+        let read = facts.mentions().map(|mention| mention.name.to_string());
         named.chain(read).collect::<Vec<_>>()
     });
     let known: Vec<String> =

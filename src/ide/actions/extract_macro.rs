@@ -80,7 +80,7 @@ fn is_bound(node: Node<'_>) -> bool {
 fn free_names(document: &Document, range: TextRange) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for (base, facts) in facts(document) {
-        let sites = facts.sites.iter().filter(|site| range.contains_range(site.range.shift(base)));
+        let sites = facts.sites().iter().filter(|site| range.contains_range(site.range.shift(base)));
         let mentions = sites.flat_map(|site| &site.mentions);
         for mention in mentions.filter(|mention| mention.kind == MentionKind::Name) {
             let name = mention.name.to_string();

@@ -91,7 +91,7 @@ impl Body<'_> {
             edits.push((node.range(), block.trim().to_owned()));
         }
         let facts = facts_of(item);
-        let sites = facts.sites.iter().filter(|site| range.contains_range(site.range));
+        let sites = facts.sites().iter().filter(|site| range.contains_range(site.range));
         for mention in sites.flat_map(|site| &site.mentions).filter(|it| it.kind == MentionKind::Name) {
             let Some(value) = self.given.get(mention.name.as_str()) else { continue };
             let whole = around(item.text(), mention.range);

@@ -15,7 +15,7 @@ use crate::base::{Encoding, FastSet};
 use crate::expand::{DefinitionId, SrcId, SymbolKind, UseKind, parse_params};
 use crate::expr::ast::ExprKind;
 use crate::expr::{Value, names};
-use crate::facts::{FactKind, MentionKind, facts_of};
+use crate::facts::{FactKind, FactsOf, MentionKind, facts_of};
 use crate::vfs::SourceFile;
 use crate::xml::Item;
 
@@ -168,9 +168,8 @@ impl<'a, 'c> Changes<'a, 'c> {
         let before = self.cx.expansion.symbols.all_uses().filter(|used| used.definition == id);
         let kept = before.filter(|used| self.is_kept(used.place.src)).count();
         let facts = self.new.iter().map(facts_of);
-        let named = |facts: Arc<crate::facts::Facts>| {
-            let mentions = facts.sites.iter().flat_map(|site| &site.mentions);
-            mentions.filter(|found| found.kind == MentionKind::Name && found.name == name).count()
+        let named = |facts: FactsOf<'_>| {
+            facts.mentions().filter(|found| found.kind == MentionKind::Name && found.name == name).count()
         };
         kept + facts.map(named).sum::<usize>()
     }
