@@ -151,7 +151,7 @@ impl World {
         let edited = self.document(path)?;
         let needed = settled.definitions.needed(&edited.document, items.clone());
         let focus = Focus { path: path.to_path_buf(), items: items.clone(), needed };
-        let expansion = job::part(session, cancel, &job, Some(focus));
+        let expansion = job::part(session, cancel, &job, focus);
         if cancel.is_cancelled() {
             return None;
         }

@@ -35,31 +35,38 @@ pub(super) struct Outcome {
 
 /// Expand a file and check the result.
 pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcome {
-    let expansion = expansion(session, options, &job);
+    let expansion = expand(world(session), &request(session, &options.cancel, &job));
     let robot = Robot::of(&expansion);
     judge(session, &options.cancel, job, &expansion, robot.as_ref())
 }
 
-/// Expand a file.
+/// Expand a file, for somebody who keeps the result.
 pub(super) fn expansion(session: &Session, options: &CheckOptions, job: &Job) -> Expansion {
-    part(session, &options.cancel, job, None)
+    let request = Request { keep: true, ..request(session, &options.cancel, job) };
+    expand(world(session), &request)
 }
 
-/// Expand a file, or only what is in focus.
-pub(super) fn part(session: &Session, cancel: &CancelFlag, job: &Job, focus: Option<Focus>) -> Expansion {
+/// Expand what is in focus.
+pub(super) fn part(session: &Session, cancel: &CancelFlag, job: &Job, focus: Focus) -> Expansion {
+    let request = Request { focus: Some(focus), ..request(session, cancel, job) };
+    expand(world(session), &request)
+}
+
+fn world(session: &Session) -> World<'_> {
+    World { vfs: &session.vfs, packages: &session.packages, env: &session.env }
+}
+
+fn request(session: &Session, cancel: &CancelFlag, job: &Job) -> Request {
     let settings = session.settings(&job.file);
-    let request = Request {
+    Request {
         // messages name files as the user would
         file: job.file.strip_prefix(&session.env.cwd).unwrap_or(&job.file).to_string_lossy().into_owned(),
         args: job.args.clone(),
-        root_dir: None,
         probe: true,
         limits: Limits::configured(&settings.config.limits),
-        focus,
         cancel: cancel.clone(),
-    };
-    let world = World { vfs: &session.vfs, packages: &session.packages, env: &session.env };
-    expand(world, &request)
+        ..Request::default()
+    }
 }
 
 /// Check an expansion. When cancelled, findings are missing.

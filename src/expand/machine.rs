@@ -92,6 +92,8 @@ pub struct Request {
     /// Whether more is wanted than the document: macros that nothing calls are looked into, with parameters whose
     /// values are unknown, and it is noted what names refer to and what expressions gave.
     pub probe: bool,
+    /// Whether the result is kept for long: it then takes no more room than it must.
+    pub keep: bool,
     /// Only these items and what they need; the result is then no document.
     pub focus: Option<Focus>,
     /// Set to stop early; the result is then incomplete.
@@ -250,13 +252,13 @@ impl<'w> Expander<'w> {
         self.result.doubtful = doubtful;
         self.result.whole = !(self.content_lost || self.include_missing || self.stopped);
         self.result.complete &= !self.result.has_errors();
-        if self.request.probe {
-            // it will be kept, and looked at often; what it was made with is not needed any more
+        if self.request.keep {
+            // it will be looked at often; what it was made with is not needed any more
             (self.texts, self.scopes) = (FastMap::default(), Scopes::new());
             let Expansion { tree, probes, .. } = &mut self.result;
             tree.compact(probes.iter_mut().map(|probe| &mut probe.content));
+            self.result.shrink();
         }
-        self.result.shrink();
         self.result
     }
 

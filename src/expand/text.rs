@@ -273,7 +273,17 @@ impl Expander<'_> {
 
     /// The origin of a range of decoded text.
     pub fn origin_in(&self, site: TextSite<'_>, range: TextRange) -> Origin {
-        self.origins_in(site)(range)
+        let origin = site.place.origin;
+        match self.is_raw(site) {
+            true => Origin { range: range.shift(origin.range.start), ..origin },
+            false => self.origins_in(site)(range),
+        }
+    }
+
+    /// Whether the source spells the text as it is, without references.
+    fn is_raw(&self, TextSite { text, place }: TextSite<'_>) -> bool {
+        let source = self.result.sources.get(place.origin.src.0 as usize);
+        source.is_some_and(|source| place.origin.range.slice(source.item.text()) == text)
     }
 
     /// The same for many ranges of one text: one pass, as long as each is behind the one before.
@@ -281,7 +291,7 @@ impl Expander<'_> {
         let Place { origin, is_attr } = site.place;
         let source = self.result.sources.get(origin.src.0 as usize);
         let raw = source.map(|source| origin.range.slice(source.item.text()));
-        let is_same = raw == Some(site.text);
+        let is_same = self.is_raw(site);
         let file = source.and_then(|source| self.result.files.get(source.file.0 as usize));
         let mut offsets = raw
             .zip(file)

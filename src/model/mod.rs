@@ -23,4 +23,4 @@ pub use mesh::{
 pub use pose::{Pose, transform};
 pub use robot::Robot;
 pub use source::{attr_range, element_range, source_has_elements, tag_start};
-pub use text::{Text, decimal};
+pub use text::{Text, decimal, is_decimal};

@@ -85,11 +85,12 @@ impl Text {
     /// Byte ranges of the words of the value.
     pub fn words(&self) -> impl Iterator<Item = Range<usize>> + '_ {
         let text = self.value.as_str();
-        let word = move |word: &str| {
+        let word = move |word: &[u8]| {
             let start = word.as_ptr() as usize - text.as_ptr() as usize;
             start..start + word.len()
         };
-        text.split(is_blank).filter(|word| !word.is_empty()).map(word)
+        // blanks are ASCII: what stands between them are whole characters
+        text.as_bytes().split(|&byte| is_blank(byte.into())).filter(|word| !word.is_empty()).map(word)
     }
 
     /// Whether the source spells the part `range` of the value: no expression had a hand in it.
@@ -161,6 +162,18 @@ fn is_blank(c: char) -> bool {
     matches!(c, ' ' | '\t' | '\n' | '\r')
 }
 
+/// Whether a text is such a number as [`decimal`] reads.
+pub fn is_decimal(text: &str) -> bool {
+    let digits = text.trim_start_matches(['+', '-']);
+    // without an exponent, and with at most one sign and point, nothing can go wrong
+    let is_plain = text.len() - digits.len() <= 1
+        && digits.len() < 100
+        && digits.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.')
+        && digits.bytes().filter(|byte| *byte == b'.').count() <= 1
+        && digits.bytes().any(|byte| byte != b'.');
+    is_plain || decimal(text).is_some()
+}
+
 /// A finite decimal number: digits with an optional point, sign and exponent.
 pub fn decimal(text: &str) -> Option<f64> {
     let admitted = |byte: u8| byte.is_ascii_digit() || matches!(byte, b'+' | b'-' | b'.' | b'e' | b'E');
@@ -170,7 +183,16 @@ pub fn decimal(text: &str) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::decimal;
+    use proptest::prelude::*;
+
+    use super::{decimal, is_decimal};
+
+    proptest! {
+        #[test]
+        fn a_decimal_is_what_can_be_read_as_one(text in "[-+.0-9eE]{0,8}|[-+]?[0-9]{0,120}|.{0,6}") {
+            prop_assert_eq!(is_decimal(&text), decimal(&text).is_some());
+        }
+    }
 
     #[test]
     fn only_plain_finite_decimals_are_numbers() {

@@ -1,6 +1,9 @@
 //! The packages that a file names.
 
+use std::sync::LazyLock;
+
 use memchr::memchr2;
+use memchr::memmem::Finder;
 
 use super::super::context::FileCx;
 use crate::base::TextRange;
@@ -42,15 +45,19 @@ fn of_file(cx: &FileCx<'_>) -> Vec<Mention> {
     found
 }
 
+static URI: LazyLock<Finder<'_>> = LazyLock::new(|| Finder::new("package://"));
+static FIND: LazyLock<Finder<'_>> = LazyLock::new(|| Finder::new("$(find "));
+
 fn in_text(text: &str, base: u32, found: &mut Vec<Mention>) {
     if memchr2(b':', b'(', text.as_bytes()).is_none() {
         return;
     }
-    for (lead, is_uri) in [("package://", true), ("$(find ", false)] {
-        for (at, _) in text.match_indices(lead) {
-            let rest = text.get(at + lead.len()..).unwrap_or_default();
+    for (lead, is_uri) in [(&*URI, true), (&*FIND, false)] {
+        let lead_len = lead.needle().len();
+        for at in lead.find_iter(text.as_bytes()) {
+            let rest = text.get(at + lead_len..).unwrap_or_default();
             let blanks = rest.len() - rest.trim_start_matches(' ').len();
-            let (start, rest) = (at + lead.len() + blanks, rest.trim_start_matches(' '));
+            let (start, rest) = (at + lead_len + blanks, rest.trim_start_matches(' '));
             let is_part = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '.');
             let end = rest.find(|c: char| !is_part(c)).unwrap_or(rest.len());
             let behind = rest.get(end..).unwrap_or_default();

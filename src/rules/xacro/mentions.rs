@@ -79,12 +79,18 @@ impl Mentions {
     }
 
     fn add_text(&mut self, text: &str) {
-        if memchr(b'$', text.as_bytes()).is_some() {
-            let words =
-                text.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty());
-            for word in words {
-                insert(&mut self.words, word);
-            }
+        if memchr(b'$', text.as_bytes()).is_none() {
+            return;
+        }
+        // nearly all texts are ASCII, where letters are told at once
+        let ends_word = |c: char| match c.is_ascii() {
+            true => !c.is_ascii_alphanumeric() && c != '_',
+            false => !c.is_alphanumeric(),
+        };
+        // no name begins like a number
+        let is_name = |word: &&str| word.bytes().next().is_some_and(|first| !first.is_ascii_digit());
+        for word in text.split(ends_word).filter(is_name) {
+            insert(&mut self.words, word);
         }
     }
 

@@ -1,5 +1,9 @@
 //! A truth value compared with the text 'true' or 'false'.
 
+use std::cell::LazyCell;
+
+use memchr::memchr;
+
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
@@ -31,14 +35,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if !source::is_main(cx) {
         return;
     }
-    let mut uses = Uses::default();
-    for used in cx.expansion.symbols.uses.iter().filter(|used| used.kind == UseKind::Read) {
-        uses.entry(used.place).or_default().push(used.definition);
-    }
+    let uses = LazyCell::new(|| uses(cx));
     for (src, read) in (0..).map(SrcId).zip(&cx.expansion.sources) {
         let attrs = read.item.all_nodes().flat_map(|node| node.attrs());
         // references such as &quot; shift the text against the source
-        let compares = |text: &str| text.contains('=') && !text.contains('&');
+        let compares = |text: &str| {
+            let has = |byte| memchr(byte, text.as_bytes()).is_some();
+            has(b'=') && !has(b'&') && (text.contains("rue") || text.contains("alse"))
+        };
         for attr in attrs.filter(|attr| attr.has_dollar() && compares(attr.raw())) {
             let start = attr.value_range().start;
             for (found, offset) in comparisons(attr.raw()) {
@@ -52,6 +56,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             }
         }
     }
+}
+
+fn uses(cx: &DocumentCx<'_>) -> Uses {
+    let mut uses = Uses::default();
+    for used in cx.expansion.symbols.uses.iter().filter(|used| used.kind == UseKind::Read) {
+        uses.entry(used.place).or_default().push(used.definition);
+    }
+    uses
 }
 
 /// `name == 'true'`

@@ -7,7 +7,7 @@ use super::super::sink::Sink;
 use super::mentions;
 use super::source::{self, Inclusion};
 use crate::base::{FastSet, TextRange};
-use crate::expand::{FileIdx, SourceRange, SymbolKind};
+use crate::expand::{FileIdx, FrameId, SourceRange, SymbolKind, XKind};
 
 pub(super) const RULE: Rule = Rule {
     code: "XAC011",
@@ -32,11 +32,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if inclusions.len() > MOST {
         return;
     }
+    let giving = giving(cx);
     // what a library includes may be for others
     for inclusion in inclusions.iter().filter(|inclusion| inclusion.tag.file == FileIdx(0)) {
         let files = subtree(inclusion, &inclusions);
         let once = inclusions.iter().filter(|other| other.target == inclusion.target).count() == 1;
-        if once && !gives_nodes(cx, inclusion) && !is_used(cx, &files) {
+        let gives_nodes =
+            || giving.get(inclusion.frame as usize) != Some(&false) || may_give_nodes(cx, inclusion);
+        if once && !gives_nodes() && !is_used(cx, &files) {
             report(cx, inclusion, out);
         }
     }
@@ -55,26 +58,33 @@ fn subtree(inclusion: &Inclusion<'_>, all: &[Inclusion<'_>]) -> FastSet<FileIdx>
     files
 }
 
-/// Whether an element of the document comes from an include, or could come from one of its branches.
-fn gives_nodes(cx: &DocumentCx<'_>, inclusion: &Inclusion<'_>) -> bool {
+/// Of each step of the expansion: whether an element of the document comes from it.
+fn giving(cx: &DocumentCx<'_>) -> Vec<bool> {
+    let (tree, frames) = (&cx.expansion.tree, &cx.expansion.frames);
+    let mut giving = vec![false; frames.len()];
+    let mut give = |frame: FrameId| giving.get_mut(frame.0 as usize).map(|gives| *gives = true);
+    give(tree.get(cx.element).origin.frame);
+    for node in tree.below(cx.element).map(|id| tree.get(id)).filter(|node| node.kind == XKind::Element) {
+        give(node.origin.frame);
+    }
+    // a step comes behind the one around it
+    for (number, frame) in frames.iter().enumerate().rev() {
+        if giving.get(number) == Some(&true)
+            && let Some(around) = giving.get_mut(frame.call.frame.0 as usize)
+        {
+            *around = true;
+        }
+    }
+    giving
+}
+
+/// Whether an element of the document could come from one of the branches of an include.
+fn may_give_nodes(cx: &DocumentCx<'_>, inclusion: &Inclusion<'_>) -> bool {
     let Some(file) = cx.expansion.files.get(inclusion.target.0 as usize) else { return true };
-    let elements = file.source.document.items().filter_map(|(_, item)| item.element());
+    let mut elements = file.source.document.items().filter_map(|(_, item)| item.element());
     let only_defines =
         |name: &str| matches!(name, "xacro:macro" | "xacro:property" | "xacro:arg" | "xacro:include");
-    let others = elements.filter(|element| !only_defines(element.name())).count() > 0;
-    let tree = &cx.expansion.tree;
-    let mut open = vec![cx.element];
-    while let Some(element) = open.pop() {
-        let mut frame = tree.get(element).origin.frame.0;
-        while let Some(around) = cx.expansion.frames.get(frame as usize).filter(|_| frame != 0) {
-            if frame == inclusion.frame {
-                return true;
-            }
-            frame = around.call.frame.0;
-        }
-        open.extend(tree.elements(element));
-    }
-    others
+    elements.any(|element| !only_defines(element.name()))
 }
 
 /// Whether other files use what some files define.

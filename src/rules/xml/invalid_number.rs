@@ -7,7 +7,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use super::walk;
 use crate::expand::{Place, XId};
-use crate::model::{Text, decimal};
+use crate::model::{Text, decimal, is_decimal};
 
 pub(super) const RULE: Rule = Rule {
     code: "XML010",
@@ -72,7 +72,7 @@ fn is_reported(cx: &DocumentCx<'_>, text: &Text) -> bool {
 
 /// The words that are no numbers. Of a single number also what follows it; an empty range when there is none.
 pub(super) fn bad_words(text: &Text, count: usize) -> Vec<Range<usize>> {
-    let is_bad = |range: &Range<usize>| text.value.get(range.clone()).and_then(decimal).is_none();
+    let is_bad = |range: &Range<usize>| text.value.get(range.clone()).is_none_or(|word| !is_decimal(word));
     let bad: Vec<Range<usize>> = text.words().filter(is_bad).collect();
     if count > 1 || !bad.is_empty() {
         return bad;
