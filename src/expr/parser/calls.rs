@@ -32,7 +32,7 @@ impl Parser<'_> {
                 let word = token.range.slice(self.text);
                 let glued =
                     token.range.start == dot_end && word.starts_with(|c: char| c.is_ascii_alphabetic());
-                if glued && !matches!(token.kind, Tok::Str) {
+                if glued && !matches!(token.kind, Tok::Str | Tok::OpenStr) {
                     self.unexpected(format!("`{word}` is a keyword and cannot be an attribute"));
                     self.bump().range
                 } else {
