@@ -136,6 +136,50 @@ fn keys_that_lie_outside_are_not_repeated() {
     }
 }
 
+/// Every kind of file that is read is a link to a file outside.
+#[cfg(unix)]
+#[test]
+fn links_to_keys_show_nothing_of_them() {
+    const LINKS: [&str; 12] = [
+        "m.obj",
+        "m.dae",
+        "m.stl",
+        "m.gltf",
+        "m.glb",
+        "link.urdf.xacro",
+        "link.urdf",
+        "xacro-lint.toml",
+        "package.xml",
+        "CMakeLists.txt",
+        "setup.py",
+        "demo.launch.py",
+    ];
+    let folder = folder();
+    let arm = folder.join("ws/arm");
+    fs::create_dir_all(&arm).unwrap();
+    let mesh = |name: &&&str| {
+        format!(
+            "<visual><geometry><mesh filename=\"package://arm/{name}\"/></geometry></visual><visual><geometry><mesh filename=\"{name}\"/></geometry></visual>"
+        )
+    };
+    let meshes: String = LINKS.iter().filter(|name| name.starts_with("m.")).map(|name| mesh(&name)).collect();
+    fs::write(arm.join("r.urdf.xacro"), robot(&format!("<link name=\"a\">{meshes}</link>"))).unwrap();
+    for name in LINKS {
+        std::os::unix::fs::symlink(folder.join("key.txt"), arm.join(name)).unwrap();
+    }
+    let more = ["v S3CRET 0 0\nf 1 S3CRET 3\nmtllib S3CRET", "solid S3CRET\nfacet normal S3CRET 0 0\nS3CRET"];
+    for secret in SECRETS.iter().chain(&more) {
+        fs::write(folder.join("key.txt"), secret).unwrap();
+        for format in ["text", "json"] {
+            let said = run(&arm, &["check", "--output-format", format, "--select", "ALL", "."]);
+            assert!(said.contains("m.stl") && said.contains("[exit 1]"), "{secret:?}, {format}: {said}");
+            // a configuration says which of its keys it does not know
+            let told = said.matches("S3CRET").count() - said.matches("unknown key `S3CRET`").count();
+            assert_eq!(told, 0, "{secret:?}, {format}: {said}");
+        }
+    }
+}
+
 #[test]
 fn a_bare_text_outside_is_refused_and_parameters_are_not() {
     let folder = folder();
