@@ -1,7 +1,7 @@
 //! The state of a language server: open files, roots, and expansions that are made again only when something
 //! they read has changed.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -33,6 +33,8 @@ pub struct World {
     open: BTreeMap<PathBuf, u64>,
     edits: u64,
     pub(super) graph: Graph,
+    /// Files that the graph has not seen since they were edited.
+    unseen: BTreeSet<PathBuf>,
     /// The search for the files below the folders, while it goes on.
     listing: Option<Listing>,
     /// Files below the folders that were not looked at yet.
@@ -67,6 +69,7 @@ impl World {
             folders,
             open: BTreeMap::new(),
             edits: 0,
+            unseen: BTreeSet::new(),
             graph: Graph::default(),
             listing: None,
             unscanned: Vec::new(),
@@ -103,6 +106,7 @@ impl World {
         self.folders = folders;
         (self.scanned, self.listing) = (false, None);
         self.graph = Graph::default();
+        self.unseen.extend(self.open.keys().cloned());
         self.reload();
     }
 
@@ -167,6 +171,7 @@ impl World {
     fn touch(&mut self, path: &Path) {
         self.edits += 1;
         self.open.insert(path.to_path_buf(), self.edits);
+        self.unseen.insert(path.to_path_buf());
     }
 
     /// An open or readable file.
@@ -179,10 +184,10 @@ impl World {
         self.open.get(path).copied().unwrap_or(0)
     }
 
-    /// Bring the include graph up to date: the file, and all open files.
+    /// Bring the include graph up to date: the file, and all that were edited.
     pub(super) fn refresh(&mut self, path: &Path) {
-        let open: Vec<PathBuf> = self.open.keys().cloned().collect();
-        for file in open.iter().map(PathBuf::as_path).chain([path]) {
+        let edited = std::mem::take(&mut self.unseen);
+        for file in edited.iter().map(PathBuf::as_path).chain([path]) {
             if walk::is_description(file) || self.open.contains_key(file) {
                 self.graph.update(&self.session.vfs, &self.session.packages, file);
             }

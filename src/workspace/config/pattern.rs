@@ -35,12 +35,14 @@ impl Pattern {
                 break;
             }
         }
+        // `./a` is the one in the folder, `a` is any below it
+        let is_anchored = rest.len() < text.len();
         if rest.starts_with('/') {
             folder = PathBuf::from("/");
         }
         let mut alternatives = Vec::new();
         expand_braces(rest, &mut alternatives);
-        let alternatives = alternatives.iter().map(|text| segments(text)).collect();
+        let alternatives = alternatives.iter().map(|text| segments(text, is_anchored)).collect();
         Self { text: text.to_owned(), folder, alternatives }
     }
 
@@ -120,9 +122,9 @@ fn is_link(vfs: &Vfs, path: &Path) -> bool {
     })
 }
 
-fn segments(text: &str) -> Vec<Segment> {
+fn segments(text: &str, is_anchored: bool) -> Vec<Segment> {
     let text = text.trim_end_matches('/');
-    let anywhere = (!text.is_empty() && !text.contains('/')).then_some(Segment::AnyDepth);
+    let anywhere = (!is_anchored && !text.is_empty() && !text.contains('/')).then_some(Segment::AnyDepth);
     let named = text.split('/').filter(|name| !name.is_empty() && *name != ".").map(|name| match name {
         "**" => Segment::AnyDepth,
         name => Segment::Name(Wildcard::new(name)),
@@ -167,6 +169,9 @@ mod tests {
             ("*.xacro", "sub/a.xacro", true),
             ("*.xacro", "a.urdf", false),
             ("./*.xacro", "a.xacro", true),
+            ("./*.xacro", "sub/a.xacro", false),
+            ("../ws/a.xacro", "a.xacro", true),
+            ("../ws/a.xacro", "sub/a.xacro", false),
             ("test", "test/a.xacro", true),
             ("test", "sub/test/a.xacro", true),
             ("test/", "test/a.xacro", true),
@@ -208,6 +213,7 @@ mod tests {
             ("../a/b?/c.x", ("/a", false)),
             ("./{a,b}/c.x", ("/ws", false)),
             ("b.x", ("/ws", false)),
+            ("./b.x", ("/ws/b.x", true)),
             ("/a/b.x", ("/a/b.x", true)),
         ] {
             let (start, is_whole) = Pattern::new(pattern, Path::new("/ws")).start();

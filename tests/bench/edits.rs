@@ -1,0 +1,110 @@
+//! What one edit costs, for callgrind to count and for the clock.
+//!
+//!     edits look|expand|check CALLS EDITS     edit a number in one call of a large robot, so many times
+//!     edits dependants ROBOTS                 edit a part that so many open robots include
+//!
+//! The instructions of 2N edits less those of N edits, divided by N, are those of one (`edits.py` does that).
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::print_stdout, clippy::disallowed_methods)] // benches may fail loudly
+
+mod large;
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use large::robot;
+use xacro_lsp::analysis::{RootChoice, World};
+use xacro_lsp::base::{CancelFlag, TextRange};
+use xacro_lsp::vfs::Environment;
+
+fn main() {
+    let args: Vec<String> = std::env::args().skip(1).filter(|arg| arg != "--bench").collect();
+    let number = |place: usize| args.get(place).map_or(100, |text| text.parse().unwrap());
+    match args.first().map(String::as_str) {
+        None => [(100, 20), (1000, 20)].into_iter().for_each(|(calls, edits)| edit("look", calls, edits)),
+        Some("dependants") => dependants(number(1)),
+        Some(what) => edit(what, number(1), number(2)),
+    }
+}
+
+fn world(folder: &Path) -> World {
+    let env = Environment { vars: BTreeMap::new(), cwd: folder.to_owned() };
+    World::new(env, vec![folder.to_owned()])
+}
+
+/// Edit the number in the call in the middle, and look at it, expand the robot, or check it as a whole.
+fn edit(what: &str, calls: usize, edits: usize) {
+    let (folder, path) = (Path::new("/nowhere"), Path::new("/nowhere/bench.xacro"));
+    let (mut world, text, none) = (world(folder), robot(calls), CancelFlag::default());
+    let call = format!("parent=\"s{}\" radius=\"", calls / 2);
+    let at = (text.find(&call).unwrap() + call.len()) as u32;
+    world.set_text(path, text);
+    let open = [path.to_owned()];
+    let known = world.report(&open, &none).unwrap().findings.len();
+    let mut old = format!("${{r_{}}}", calls / 2);
+    let mut seen = Vec::new();
+    for number in 0..edits {
+        let new = format!("0.{:04}", 1000 + number % 9000);
+        world.edit(path, TextRange::new(at, at + old.len() as u32), &new);
+        old = new;
+        seen.push(match what {
+            "look" => world.first_look(path, &none).unwrap().findings.len(),
+            "expand" => world.analyzed(&RootChoice::plain(path), &none).unwrap().expansion.problems.len(),
+            _ => world.report(&open, &none).unwrap().findings.len(),
+        });
+    }
+    seen.dedup();
+    println!("{what}: {calls} calls, {edits} edits, {known} findings before, {seen:?} after");
+}
+
+/// A part that many robots include: what its author waits for, and how long it takes until all are checked.
+fn dependants(robots: usize) {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("dependants");
+    std::fs::create_dir_all(&folder).unwrap();
+    let part = folder.join("part.xacro");
+    std::fs::write(&part, robot(20).replace("<link name=\"s0\"/>", "")).unwrap();
+    let mut open: Vec<PathBuf> = vec![part.clone()];
+    for number in 0..robots {
+        let path = folder.join(format!("robot_{number}.urdf.xacro"));
+        let text = "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><link name=\"s0\"/>\
+                    <xacro:include filename=\"part.xacro\"/></robot>";
+        std::fs::write(&path, text).unwrap();
+        open.push(path);
+    }
+    let (mut world, none) = (world(&folder), CancelFlag::default());
+    world.scan(|| false);
+    for path in &open {
+        world.set_text(path, std::fs::read_to_string(path).unwrap());
+    }
+    world.report(&open, &none).unwrap();
+    let at = std::fs::read_to_string(&part).unwrap().find("2.5").unwrap() as u32;
+    let (mut own, mut all, mut given_up) = (Vec::new(), Vec::new(), Vec::new());
+    for number in 0..20 {
+        world.edit(&part, TextRange::new(at, at + 3), &format!("{}.{}", number % 9 + 1, number % 10));
+        let start = Instant::now();
+        world.report(&open[..1], &none).unwrap();
+        own.push(start.elapsed());
+        let cancel = CancelFlag::default();
+        let key = std::thread::spawn({
+            let cancel = cancel.clone();
+            move || {
+                std::thread::sleep(Duration::from_millis(2));
+                cancel.cancel();
+                Instant::now()
+            }
+        });
+        world.report(&open, &cancel);
+        let back = Instant::now();
+        given_up.push(back.saturating_duration_since(key.join().unwrap()));
+        world.report(&open, &none).unwrap();
+        all.push(start.elapsed());
+    }
+    let median = |times: &mut Vec<Duration>| {
+        times.sort_unstable();
+        times[times.len() / 2].as_secs_f64() * 1e3
+    };
+    let (own, all, given_up) = (median(&mut own), median(&mut all), median(&mut given_up));
+    println!(
+        "{robots} robots: own findings {own:.2} ms, all robots {all:.2} ms, given up after {given_up:.2} ms"
+    );
+}
