@@ -84,7 +84,7 @@ const MOST_BYTES: u32 = 64 << 10;
 
 impl World {
     /// Robots with fewer nodes are checked in no time, and need no first look.
-    const LARGE: usize = 1000;
+    const LARGE: usize = 300;
 
     /// Remember what a check said of a file.
     pub(super) fn settle(&mut self, path: &Path, root: RootChoice, report: &Report) {
