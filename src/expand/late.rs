@@ -44,7 +44,7 @@ impl Expander<'_> {
         let Some(place) = self.result.place(at) else { return false };
         let Some(known) = self.problems.find(code, place, message) else { return false };
         if self.problems.wants_calls(known) {
-            let call = self.trace(at).into_iter().next();
+            let call = self.trace(at, 1).pop();
             self.problems.add_call(known, call);
         }
         true

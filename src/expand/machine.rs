@@ -189,6 +189,9 @@ pub(super) struct Expander<'w> {
 }
 
 impl<'w> Expander<'w> {
+    /// Steps shown of the way to a problem.
+    const TRACE_STEPS: usize = 100;
+
     fn new(world: World<'w>, request: &'w Request) -> Self {
         let mut result = Expansion { complete: true, ..Expansion::default() };
         result.frames.push(Frame {
@@ -347,7 +350,7 @@ impl<'w> Expander<'w> {
     pub fn problem(&self, code: &'static str, at: Origin, message: impl Into<String>) -> Problem {
         let place =
             self.result.place(at).unwrap_or(ProblemPlace { file: FileIdx(0), range: TextRange::default() });
-        Problem::new(code, place, message).via(self.trace(at))
+        Problem::new(code, place, message).via(self.trace(at, Self::TRACE_STEPS))
     }
 
     /// Report an error at `at`; `reference` is what xacro says.
@@ -374,35 +377,37 @@ impl<'w> Expander<'w> {
         self.push(problem);
     }
 
-    /// How expansion came to `at`: uses of lazy properties, then the frames around the innermost use.
-    pub(super) fn trace(&self, at: Origin) -> Vec<Step> {
-        const MOST: usize = 100;
+    /// How expansion came to `at`, in at most `most` steps: uses of lazy properties, then the frames around the
+    /// innermost use. Calls may be nested deeply: what is beyond is not worked out.
+    pub(super) fn trace(&self, at: Origin, most: usize) -> Vec<Step> {
         let mut steps = Vec::new();
         let mut from = at;
         for used in self.lazy_uses.iter().rev() {
+            if steps.len() >= most {
+                break;
+            }
+            let outside: FastSet<*const Frame> =
+                self.result.frames_of(used.at).map(std::ptr::from_ref).collect();
+            let own = self
+                .result
+                .frames_of(from)
+                .take_while(|&frame| !outside.contains(&std::ptr::from_ref(frame)));
+            self.add_steps(own, most, &mut steps);
             let message = format!("property `{}` is evaluated here", used.name);
-            self.push_frames(from, used.at, &mut steps);
             steps.extend(self.result.place(used.at).map(|place| Step { place, message }));
             from = used.at;
         }
-        for frame in self.result.frames_of(from) {
-            let message = step_message(frame);
-            steps.extend(self.result.place(frame.call).map(|place| Step { place, message }));
-        }
-        steps.truncate(MOST);
+        self.add_steps(self.result.frames_of(from), most, &mut steps);
+        steps.truncate(most);
         steps
     }
 
-    /// The frames of `from` that are no frames of `until`.
-    fn push_frames(&self, from: Origin, until: Origin, steps: &mut Vec<Step>) {
-        let common: Vec<&Frame> = self.result.frames_of(until).collect();
-        for frame in self.result.frames_of(from) {
-            if common.iter().any(|f| std::ptr::eq(*f, frame)) {
-                break;
-            }
-            let message = step_message(frame);
-            steps.extend(self.result.place(frame.call).map(|place| Step { place, message }));
-        }
+    fn add_steps<'f>(&self, frames: impl Iterator<Item = &'f Frame>, most: usize, steps: &mut Vec<Step>) {
+        let placed = frames.filter_map(|frame| {
+            Some(Step { place: self.result.place(frame.call)?, message: step_message(frame) })
+        });
+        let left = most.saturating_sub(steps.len());
+        steps.extend(placed.take(left));
     }
 
     /// Enter a step: the frame for what the tag at `call` leads to.

@@ -7,7 +7,7 @@ use super::registry::Safety;
 use crate::base::{Span, TextRange};
 use crate::expand::Problem;
 use crate::expr::is_identifier;
-use crate::vfs::{DirEntry, Vfs};
+use crate::vfs::Vfs;
 use crate::workspace::nearest;
 use crate::xml::{Document, Node};
 
@@ -67,8 +67,9 @@ fn other_file(problem: &Problem, document: &Document, span: Span, vfs: &Vfs) -> 
     let path = Path::new(problem.help.as_deref()?.strip_prefix("looked for ")?);
     let old = path.file_name()?.to_str()?;
     let written = document.slice(span.range);
-    let files: Vec<DirEntry> = vfs.list_dir(path.parent()?).into_iter().filter(|file| !file.is_dir).collect();
-    let new = nearest(old, files.iter().map(|file| file.name.as_str()))?;
+    let names = vfs.list_dir(path.parent()?);
+    let files = names.iter().filter(|entry| !entry.is_dir);
+    let new = nearest(old, files.map(|file| file.name.as_str()))?;
     let start = span.range.end - written.strip_suffix(old).map(|_| old.len() as u32)?;
     Some(Fix {
         safety: Safety::Unsafe,

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::cache::Cache;
 use super::decode;
 use super::error::LoadError;
-use super::read::{self, Stat};
+use super::read;
 use super::{DirEntry, Vfs};
 
 /// What was made of files on disk, kept until they change.
@@ -33,8 +33,8 @@ impl Vfs {
     ) -> Result<Arc<T>, LoadError> {
         let id = self.file_id(path);
         let path = self.path(id);
-        let Stat { stamp, .. } = self.stat(id, &path)?;
-        cache.0.get(id, stamp, || Ok(Arc::new(make(read::bytes(&path, limit)?))))
+        let stat = self.stat(id, &path)?;
+        cache.0.get(id, stat.stamp, || Ok(Arc::new(make(read::bytes(&path, &stat, limit)?))))
     }
 
     /// The bytes of a file on disk, at most `limit` of them.
@@ -42,7 +42,8 @@ impl Vfs {
     /// # Errors
     /// Whatever keeps the file from being read; also more than `limit` bytes.
     pub fn bytes(&self, path: &Path, limit: u64) -> Result<Vec<u8>, LoadError> {
-        read::bytes(&self.absolute(path), limit)
+        let path = self.absolute(path);
+        read::bytes(&path, &read::stat(&path)?, limit)
     }
 
     /// The names in a folder as [`list_dir`](Self::list_dir) gives them; not read again while it stays as it is.
@@ -51,7 +52,7 @@ impl Vfs {
         let path = self.path(id);
         let listed = self
             .stat(id, &path)
-            .and_then(|stat| self.folders.get(id, stat.stamp, || Ok(Arc::new(self.list_dir(&path)))));
+            .and_then(|stat| self.folders.get(id, stat.stamp, || Ok(self.list_dir(&path))));
         listed.unwrap_or_default()
     }
 

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::Vfs;
+use super::{Vfs, entries};
 use crate::base::limits::GLOB_FILES;
 
 /// Why nobody knows all files of a pattern.
@@ -92,7 +92,7 @@ impl Stage<'_> {
 
     fn matching(&self, folder: &Path, wildcard: &Wildcard, left: &mut usize) -> Result<Vec<String>, TooMany> {
         let mut names = Vec::new();
-        for entry in self.vfs.entries(folder) {
+        for entry in entries(&self.vfs.absolute(folder)) {
             *left = left.checked_sub(1).ok_or(TooMany::Entries)?;
             let is_hidden = entry.name.starts_with('.') && !self.name.starts_with('.');
             if !is_hidden && (entry.is_dir || self.is_last) && wildcard.matches(&entry.name) {

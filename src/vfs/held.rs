@@ -1,11 +1,11 @@
 //! A time in which files are taken to stay as they are.
 
-use std::path::Path;
-use std::sync::{Mutex, PoisonError};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
 
-use super::Vfs;
 use super::error::LoadError;
 use super::read::{self, Stat};
+use super::{DirEntry, Vfs};
 use crate::base::{FastMap, FileId};
 
 /// What was asked about files since somebody began to hold them.
@@ -17,9 +17,10 @@ struct Answers {
     /// How many hold.
     holders: usize,
     known: FastMap<FileId, Result<Stat, LoadError>>,
+    listed: FastMap<FileId, Arc<Vec<DirEntry>>>,
 }
 
-/// As long as this lives, the disk is asked once about each file.
+/// As long as this lives, the disk is asked once about each file and folder.
 pub struct Held<'a>(&'a Vfs);
 
 impl Drop for Held<'_> {
@@ -27,7 +28,7 @@ impl Drop for Held<'_> {
         self.0.asked.with(|answers| {
             answers.holders -= 1;
             if answers.holders == 0 {
-                answers.known.clear();
+                *answers = Answers::default();
             }
         });
     }
@@ -36,6 +37,10 @@ impl Drop for Held<'_> {
 impl Asked {
     fn with<T>(&self, work: impl FnOnce(&mut Answers) -> T) -> T {
         work(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    fn are_held(&self) -> bool {
+        self.with(|answers| answers.holders > 0)
     }
 }
 
@@ -60,6 +65,36 @@ impl Vfs {
             found
         })
     }
+
+    /// What there is at a path; none when there is nothing. Paths that are only asked about get no number, which
+    /// would never be taken back, unless the answer is to be remembered.
+    pub(super) fn look(&self, path: &Path) -> Option<Stat> {
+        let path = self.absolute(path);
+        if !self.asked.are_held() {
+            return read::stat(&path).ok();
+        }
+        let id = self.ids.id(path);
+        let known =
+            self.asked.with(|answers| answers.known.get(&id).map(|found| found.as_ref().ok().copied()));
+        known.unwrap_or_else(|| self.stat(id, &self.path(id)).ok())
+    }
+
+    /// What `list` lists in the folder at an absolute path.
+    pub(super) fn listed(
+        &self,
+        path: PathBuf,
+        list: impl FnOnce(&Path) -> Vec<DirEntry>,
+    ) -> Arc<Vec<DirEntry>> {
+        if !self.asked.are_held() {
+            return Arc::new(list(&path));
+        }
+        let id = self.ids.id(path);
+        self.asked.with(|answers| answers.listed.get(&id).cloned()).unwrap_or_else(|| {
+            let names = Arc::new(list(&self.path(id)));
+            self.asked.with(|answers| answers.listed.insert(id, names.clone()));
+            names
+        })
+    }
 }
 
 #[cfg(test)]
@@ -78,5 +113,22 @@ mod tests {
             assert_eq!(text(), None);
         }
         assert_eq!(text().as_deref(), Some("1"));
+    }
+
+    #[test]
+    fn all_questions_get_the_same_answer_until_then() {
+        let tree = Tree::new();
+        let answers = || {
+            let (vfs, path) = (tree.vfs(), tree.path("d/a"));
+            let names = vfs.list_dir(&tree.path("d")).len();
+            (vfs.is_file(&path), vfs.exists(&path), vfs.is_dir(&tree.path("d")), vfs.size(&path), names)
+        };
+        {
+            let _held = tree.vfs().hold();
+            assert_eq!(answers(), (false, false, false, None, 0));
+            tree.write("d/a", "12");
+            assert_eq!(answers(), (false, false, false, None, 0));
+        }
+        assert_eq!(answers(), (true, true, true, Some(2), 1));
     }
 }

@@ -42,7 +42,7 @@ use buffer::Buffer;
 use cache::Cache;
 use held::Asked;
 use ids::Ids;
-use read::{Identity, Stamp};
+use read::{Identity, Kind, Stamp, Stat};
 
 /// Text of a file that is not XML.
 #[derive(Debug)]
@@ -127,7 +127,7 @@ pub struct DirEntry {
 /// Where the text of a file comes from.
 enum State {
     Buffer(Arc<Buffer>),
-    Disk(Stamp),
+    Disk(Stat),
 }
 
 /// Open buffers over the disk.
@@ -260,13 +260,13 @@ impl Vfs {
                 let (text, hash) = (file.text.clone(), file.hash);
                 Ok(Arc::new(TextFile { id, path, text, hash, encoding_error: None }))
             }),
-            State::Disk(stamp) => self.texts.get(id, stamp, || self.read(id, &path).map(Arc::new)),
+            State::Disk(stat) => self.texts.get(id, stat.stamp, || self.read(id, &path, &stat).map(Arc::new)),
         }
     }
 
-    fn read(&self, id: FileId, path: &Arc<Path>) -> Result<TextFile, LoadError> {
+    fn read(&self, id: FileId, path: &Arc<Path>, known: &Stat) -> Result<TextFile, LoadError> {
         let limit = self.max_file_bytes.load(Ordering::Relaxed);
-        let decode::Decoded { text, error } = decode::decode(read::bytes(path, limit)?);
+        let decode::Decoded { text, error } = decode::decode(read::bytes(path, known, limit)?);
         let hash = read::hash(&text);
         Ok(TextFile { id, path: path.clone(), text, hash, encoding_error: error })
     }
@@ -287,8 +287,8 @@ impl Vfs {
                 Ok(Arc::new(SourceFile { id, path, document, hash, encoding_error: None }))
             }),
             // the document holds the text: it need not be kept a second time
-            State::Disk(stamp) if stamp.is_settled() => {
-                self.sources.get(id, stamp, || Ok(SourceFile::parse(&self.read(id, &path)?)))
+            State::Disk(stat) if stat.stamp.is_settled() => {
+                self.sources.get(id, stat.stamp, || Ok(SourceFile::parse(&self.read(id, &path, &stat)?)))
             }
             State::Disk(_) => {
                 let text = self.text(&path)?;
@@ -303,7 +303,7 @@ impl Vfs {
         let id = self.file_id(path);
         match self.state(id, &self.path(id)).ok()? {
             State::Buffer(buffer) => Some(buffer.hash()),
-            State::Disk(stamp) if self.sources.knows(id, stamp) => Some(self.document(path).ok()?.hash),
+            State::Disk(stat) if self.sources.knows(id, stat.stamp) => Some(self.document(path).ok()?.hash),
             State::Disk(_) => Some(self.text(path).ok()?.hash),
         }
     }
@@ -325,48 +325,40 @@ impl Vfs {
 
     /// Whether there is a file, folder or buffer at `path`.
     pub fn exists(&self, path: &Path) -> bool {
-        self.has_buffer(path) || self.absolute(path).exists()
+        self.has_buffer(path) || self.look(path).is_some()
     }
 
     /// Whether there is a file (of any kind but a folder) or a buffer at `path`.
     pub fn is_file(&self, path: &Path) -> bool {
-        self.has_buffer(path) || std::fs::metadata(self.absolute(path)).is_ok_and(|found| !found.is_dir())
+        self.has_buffer(path) || self.look(path).is_some_and(|found| found.kind != Kind::Folder)
     }
 
     /// Whether there is a folder at `path`.
     pub fn is_dir(&self, path: &Path) -> bool {
-        self.absolute(path).is_dir()
+        self.look(path).is_some_and(|found| found.kind == Kind::Folder)
     }
 
     /// The size of a file on the disk, in bytes.
     pub fn size(&self, path: &Path) -> Option<u64> {
-        let found = std::fs::metadata(self.absolute(path)).ok()?;
-        found.is_file().then_some(found.len())
+        let found = self.look(path)?;
+        (found.kind == Kind::Regular).then_some(found.size)
     }
 
     /// What tells a file or folder from every other one, whatever path led to it; `None` when it does
     /// not exist.
     pub fn identity(&self, path: &Path) -> Option<u128> {
-        let path = self.absolute(path);
-        let stat = read::stat(&path).ok()?;
-        Some(stat.identity.map_or_else(|| u128::from(read::hash(&self.canonical(&path))), Identity::number))
+        let stat = self.look(path)?;
+        Some(stat.identity.map_or_else(|| u128::from(read::hash(&self.canonical(path))), Identity::number))
     }
 
     /// The names in a folder, sorted; none when it cannot be read. Names that are not UTF-8 are left
     /// out: no description can name them.
-    pub fn list_dir(&self, path: &Path) -> Vec<DirEntry> {
-        let mut names: Vec<DirEntry> = self.entries(path).collect();
-        names.sort();
-        names
-    }
-
-    /// The same in the order of the disk, each looked at when it is asked for.
-    fn entries(&self, path: &Path) -> impl Iterator<Item = DirEntry> + use<> {
-        let entries = std::fs::read_dir(self.absolute(path)).into_iter().flatten().flatten();
-        entries.filter_map(|entry| {
-            let kind = entry.file_type().ok()?;
-            let is_dir = kind.is_dir() || kind.is_symlink() && entry.path().is_dir();
-            Some(DirEntry { name: entry.file_name().into_string().ok()?, is_dir })
+    pub fn list_dir(&self, path: &Path) -> Arc<Vec<DirEntry>> {
+        let path = self.absolute(path);
+        self.listed(path, |path| {
+            let mut names: Vec<DirEntry> = entries(path).collect();
+            names.sort();
+            names
         })
     }
 
@@ -399,9 +391,19 @@ impl Vfs {
         let is_same = |buffer: &&Arc<Buffer>| stat.identity.is_some() && buffer.identity == stat.identity;
         Ok(match buffers.values().find(is_same) {
             Some(buffer) => State::Buffer(buffer.clone()),
-            None => State::Disk(stat.stamp),
+            None => State::Disk(stat),
         })
     }
+}
+
+/// The names in the folder at an absolute path, in the order of the disk, each looked at when it is asked for.
+fn entries(path: &Path) -> impl Iterator<Item = DirEntry> + use<> {
+    let entries = std::fs::read_dir(path).into_iter().flatten().flatten();
+    entries.filter_map(|entry| {
+        let kind = entry.file_type().ok()?;
+        let is_dir = kind.is_dir() || kind.is_symlink() && entry.path().is_dir();
+        Some(DirEntry { name: entry.file_name().into_string().ok()?, is_dir })
+    })
 }
 
 /// Whether a look at the letters alone tells that a path is absolute and has nothing in it to be tidied up.

@@ -64,7 +64,9 @@ pub(super) fn change(
     let _lock = lock(path)?;
     let state = || read::stat(path).map(|found| found.stamp).ok();
     let before = state();
-    let old = read::bytes(path, limit).map_err(|error| io::Error::other(error.reason()))?;
+    let old = read::stat(path)
+        .and_then(|known| read::bytes(path, &known, limit))
+        .map_err(|error| io::Error::other(error.reason()))?;
     change(&old)?.map_or(Ok(()), |new| replace(path, &new, &|| state() == before))
 }
 

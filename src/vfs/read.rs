@@ -55,9 +55,22 @@ impl Stamp {
     }
 }
 
+/// What there is at a path, links followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Regular,
+    Folder,
+    /// A pipe, socket or device.
+    Other,
+}
+
 /// The answer of [`stat`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stat {
+    /// What it is.
+    pub(super) kind: Kind,
+    /// Length in bytes.
+    pub(super) size: u64,
     /// State of the content.
     pub(super) stamp: Stamp,
     /// Which file it is, where the system tells.
@@ -72,12 +85,17 @@ pub(super) fn stat(path: &Path) -> Result<Stat, LoadError> {
     let found = std::fs::metadata(path).map_err(|error| LoadError::from_io(&error, path))?;
     let (identity, changed) = node(&found);
     let number = identity.map_or(0, Identity::number);
-    let stamp = Stamp::Disk {
-        modified: found.modified().ok(),
-        size: found.len(),
-        node: (number, changed.0, changed.1),
-    };
-    Ok(Stat { stamp, identity })
+    let size = found.len();
+    let stamp = Stamp::Disk { modified: found.modified().ok(), size, node: (number, changed.0, changed.1) };
+    Ok(Stat { kind: kind(&found), size, stamp, identity })
+}
+
+fn kind(found: &Metadata) -> Kind {
+    match (found.is_file(), found.is_dir()) {
+        (true, _) => Kind::Regular,
+        (_, true) => Kind::Folder,
+        _ => Kind::Other,
+    }
 }
 
 #[cfg(unix)]
@@ -92,18 +110,18 @@ fn node(_: &Metadata) -> (Option<Identity>, (i64, i64)) {
     (None, (0, 0))
 }
 
-/// The bytes of a regular file of at most `limit` bytes.
+/// The bytes of a regular file of at most `limit` bytes, `known` to be one since a moment ago.
 ///
 /// # Errors
 /// When it is not one, or cannot be read.
-pub(super) fn bytes(path: &Path, limit: u64) -> Result<Vec<u8>, LoadError> {
+pub(super) fn bytes(path: &Path, known: &Stat, limit: u64) -> Result<Vec<u8>, LoadError> {
     let io = |error: std::io::Error| LoadError::from_io(&error, path);
     // opening a device may do something: what is none must not be opened
-    may_be_read(&std::fs::metadata(path).map_err(io)?, path, limit)?;
+    may_be_read(known.kind, known.size, path, limit)?;
     let file = open(path).map_err(io)?;
     // it may have become something else in between
     let found = file.metadata().map_err(io)?;
-    may_be_read(&found, path, limit)?;
+    may_be_read(kind(&found), found.len(), path, limit)?;
     // Files of /proc and files that grow say a smaller size than they have.
     let mut bytes = Vec::with_capacity(usize::try_from(found.len()).unwrap_or(0));
     file.take(limit.saturating_add(1)).read_to_end(&mut bytes).map_err(io)?;
@@ -114,12 +132,12 @@ pub(super) fn bytes(path: &Path, limit: u64) -> Result<Vec<u8>, LoadError> {
 }
 
 /// Only regular files of at most `limit` bytes are read.
-fn may_be_read(found: &Metadata, path: &Path, limit: u64) -> Result<(), LoadError> {
-    let kind = match (found.is_file(), found.is_dir()) {
-        (true, _) if found.len() <= limit => return Ok(()),
-        (true, _) => LoadErrorKind::TooLarge { limit },
-        (_, true) => LoadErrorKind::IsDirectory,
-        _ => LoadErrorKind::NotRegular,
+fn may_be_read(kind: Kind, size: u64, path: &Path, limit: u64) -> Result<(), LoadError> {
+    let kind = match kind {
+        Kind::Regular if size <= limit => return Ok(()),
+        Kind::Regular => LoadErrorKind::TooLarge { limit },
+        Kind::Folder => LoadErrorKind::IsDirectory,
+        Kind::Other => LoadErrorKind::NotRegular,
     };
     Err(LoadError::new(kind, path))
 }

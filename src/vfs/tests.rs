@@ -117,7 +117,7 @@ fn folders_are_listed_sorted() {
     tree.write("b", "");
     tree.write("a/x", "");
     let names: Vec<(String, bool)> =
-        tree.vfs().list_dir(tree.root()).into_iter().map(|entry| (entry.name, entry.is_dir)).collect();
+        tree.vfs().list_dir(tree.root()).iter().map(|entry| (entry.name.clone(), entry.is_dir)).collect();
     assert_eq!(names, [("a".to_owned(), true), ("b".to_owned(), false)]);
     assert!(tree.vfs().list_dir(&tree.path("none")).is_empty());
 }

@@ -39,7 +39,7 @@ impl Index {
             if !is_new || files > NAMESAKE_FILES {
                 continue;
             }
-            for entry in vfs.list_dir(&folder) {
+            for entry in vfs.list_dir(&folder).iter() {
                 let path = folder.join(&entry.name);
                 let is_built = matches!(entry.name.as_str(), "build" | "install" | "log" | "devel");
                 match entry.is_dir {

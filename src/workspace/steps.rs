@@ -113,8 +113,9 @@ impl Prefix {
             Layout::Merged | Layout::Devel => self.path.join("share"),
             Layout::Isolated => self.path.clone(),
         };
-        let names = vfs.list_dir(&cwd.join(folder)).into_iter().map(|entry| entry.name);
-        names.filter(|name| self.find(vfs, cwd, name).0.is_some()).collect()
+        let listed = vfs.list_dir(&cwd.join(folder));
+        let names = listed.iter().map(|entry| &entry.name);
+        names.filter(|name| self.find(vfs, cwd, name).0.is_some()).cloned().collect()
     }
 
     /// Where package `name` would be.
@@ -156,8 +157,9 @@ const ROS1: [&str; 13] = [
 /// The prefixes of the distributions below `system` (`/opt/ros`), newest first (their names go up the
 /// alphabet), those of the wanted generation before the others.
 pub(super) fn distributions(vfs: &Vfs, system: &Path, ros1: bool) -> Vec<Prefix> {
-    let mut names: Vec<String> =
-        vfs.list_dir(system).into_iter().filter(|entry| entry.is_dir).map(|entry| entry.name).collect();
-    names.sort_by_key(|name| std::cmp::Reverse((ROS1.contains(&name.as_str()) == ros1, name.clone())));
+    let listed = vfs.list_dir(system);
+    let mut names: Vec<&str> =
+        listed.iter().filter(|entry| entry.is_dir).map(|entry| entry.name.as_str()).collect();
+    names.sort_by_key(|name| std::cmp::Reverse((ROS1.contains(name) == ros1, *name)));
     names.into_iter().map(|name| Prefix::new(system.join(name), Layout::Merged)).collect()
 }

@@ -97,7 +97,8 @@ fn listed(scope: &Scope<'_>, typed: &Typed, folder: Option<&str>) -> Option<Path
 /// What lies in a folder and can be named.
 fn entries(scope: &Scope<'_>, folder: &Path, wanted: Wanted) -> Vec<Completion> {
     let vfs = scope.sources.vfs;
-    let visible = vfs.list_dir(folder).into_iter().filter(|entry| !entry.name.starts_with('.'));
+    let names = vfs.list_dir(folder);
+    let visible = names.iter().filter(|entry| !entry.name.starts_with('.'));
     let fits = |name: &str| {
         let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
         wanted.endings().contains(&ending.as_str()) && name != "package.xml"
@@ -108,11 +109,11 @@ fn entries(scope: &Scope<'_>, folder: &Path, wanted: Wanted) -> Vec<Completion> 
         .map(|entry| match entry.is_dir {
             true => {
                 let text = format!("{}/", entry.name);
-                Completion::new(ItemKind::Folder, entry.name).text(text).rank(3)
+                Completion::new(ItemKind::Folder, entry.name.clone()).text(text).rank(3)
             }
             false => {
                 let size = vfs.size(&folder.join(&entry.name)).map(readable).unwrap_or_default();
-                Completion::new(ItemKind::File, entry.name).note(size).rank(1)
+                Completion::new(ItemKind::File, entry.name.clone()).note(size).rank(1)
             }
         })
         .collect()

@@ -36,7 +36,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let manifest =
         manifest::of_file(cx.world, cx.expansion, FileIdx(0)).filter(|_| cx.kind == RootKind::Robot);
     let Some(folder) = manifest.map(|manifest| manifest.folder.join("launch")) else { return };
-    for entry in cx.world.vfs.list_dir(&folder) {
+    for entry in cx.world.vfs.list_dir(&folder).iter() {
         let path = folder.join(&entry.name);
         if is_launch(&path) {
             check_file(cx, &path, out);

@@ -78,7 +78,7 @@ impl Pattern {
             if seen > GLOB_FOLDERS {
                 break;
             }
-            for entry in vfs.list_dir(&folder) {
+            for entry in vfs.list_dir(&folder).iter() {
                 let path = folder.join(&entry.name);
                 let skipped = entry.name.starts_with('.')
                     || matches!(entry.name.as_str(), "build" | "install" | "log" | "devel");
