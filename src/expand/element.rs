@@ -261,7 +261,6 @@ impl Expander<'_> {
             let origin = Origin { src: tag.src, range: attr.value_range(), frame: cx.frame };
             let text = attr.value(self.entities(tag.src));
             let (value, pieces) = if text.contains('$') {
-                let text = text.into_owned();
                 self.eval_pieces(&text, Place { origin, is_attr: true }, cx)
             } else {
                 (EcoString::from(text.as_ref()), Box::default())

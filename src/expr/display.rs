@@ -100,7 +100,7 @@ impl Writer {
             Value::Bool(false) => self.out.push_str("False"),
             Value::Int(int) => push(&mut self.out, format_args!("{int}")),
             Value::Big(big) => self.out.push_str(&big_text(big)?),
-            Value::Float(float) => self.out.push_str(&float_repr::repr(*float)),
+            Value::Float(float) => float_repr::push_repr(&mut self.out, *float),
             Value::Complex(re, im) => self.out.push_str(&complex_text(*re, *im)),
             Value::Str(text) => quote(&mut self.out, text),
             Value::Bytes(bytes) => quote_bytes(&mut self.out, bytes),

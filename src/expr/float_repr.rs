@@ -2,19 +2,28 @@
 
 /// The shortest text that reads back as the same float, in Python's notation.
 pub(crate) fn repr(value: f64) -> String {
+    let mut text = String::new();
+    push_repr(&mut text, value);
+    text
+}
+
+/// Append what [`repr`] gives.
+pub(crate) fn push_repr(out: &mut String, value: f64) {
     let magnitude = value.abs();
     if (1e-4..1e16).contains(&magnitude) || value == 0.0 {
-        return ryu::Buffer::new().format_finite(value).to_owned();
+        return out.push_str(ryu::Buffer::new().format_finite(value));
     }
     if value.is_nan() {
-        return "nan".to_owned();
+        return out.push_str("nan");
     }
-    let sign = if value < 0.0 { "-" } else { "" };
+    if value < 0.0 {
+        out.push('-');
+    }
     if value.is_infinite() {
-        return format!("{sign}inf");
+        return out.push_str("inf");
     }
     let (digits, point) = shortest(magnitude);
-    format!("{sign}{}", scientific(&digits, point, 'e'))
+    out.push_str(&scientific(&digits, point, 'e'));
 }
 
 /// The shortest digits of a positive finite float, and the place of the decimal point counted from their start.

@@ -144,9 +144,9 @@ struct DictObject {
 
 impl Drop for DictObject {
     fn drop(&mut self) {
-        let map = std::mem::take(self.map.get_mut().unwrap_or_else(PoisonError::into_inner));
+        let map = self.map.get_mut().unwrap_or_else(PoisonError::into_inner);
         if map.iter().any(|(key, value)| is_nested(key.value()) || is_nested(value)) {
-            bury(map);
+            bury(std::mem::take(map));
         }
     }
 }
@@ -219,9 +219,9 @@ struct SetObject {
 
 impl Drop for SetObject {
     fn drop(&mut self) {
-        let items = std::mem::take(self.items.get_mut().unwrap_or_else(PoisonError::into_inner));
+        let items = self.items.get_mut().unwrap_or_else(PoisonError::into_inner);
         if items.iter().any(|key| is_nested(key.value())) {
-            bury(items);
+            bury(std::mem::take(items));
         }
     }
 }

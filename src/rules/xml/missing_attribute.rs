@@ -37,11 +37,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// The required attributes that are absent and not misspelt either.
 fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str> {
     const MOST: usize = 50;
-    let absent = unknown_attribute::absent(cx, id, spec);
-    let required = |name: &&str| spec.attribute(name).is_some_and(|attribute| attribute.required);
-    if !absent.iter().any(required) {
+    let is_there = |name: &str| cx.expansion.tree.attr(id, name).is_some();
+    if spec.attributes.iter().all(|attribute| !attribute.required || is_there(attribute.name)) {
         return Vec::new();
     }
+    let absent = unknown_attribute::absent(cx, id, spec);
+    let required = |name: &&str| spec.attribute(name).is_some_and(|attribute| attribute.required);
     let attrs = &cx.expansion.tree.get(id).attrs;
     let unknown = attrs.iter().filter(|attr| spec.attribute(&attr.name).is_none()).take(MOST);
     let misspelt: Vec<&str> =
