@@ -18,7 +18,6 @@ use crate::base::limits::MESSAGE_LETTERS;
 use crate::base::{CancelFlag, FastSet};
 use crate::expand::large_stacks;
 use crate::rules::{Finding, Severity, invalid_config};
-use crate::workspace::workspace_root;
 
 /// What to check.
 #[derive(Clone, Debug, Default)]
@@ -176,14 +175,13 @@ impl Session {
 
     /// The folders whose files are the user's own: in files elsewhere, only errors are news.
     pub(super) fn homes(&self, options: &CheckOptions) -> Vec<PathBuf> {
-        let home = self.env.var("HOME").map(Path::new);
         let paths = options.paths.iter().chain(&options.entries).chain(&options.changed);
         let paths = paths.map(|path| self.vfs.absolute(path));
         let homes = paths.flat_map(|path| {
             let is_dir = self.vfs.is_dir(&path);
             let folder = if is_dir { Some(path.clone()) } else { path.parent().map(Path::to_owned) };
             let package = self.packages.containing(&path.join("_")).map(|package| package.folder);
-            let workspace = folder.as_ref().and_then(|folder| workspace_root(&self.vfs, folder, home));
+            let workspace = folder.as_ref().and_then(|folder| self.packages.workspace(folder));
             [folder, package, workspace]
         });
         homes.flatten().collect()

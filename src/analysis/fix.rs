@@ -13,7 +13,6 @@ use super::session::Session;
 use crate::base::limits::FIX_ROUNDS;
 use crate::base::{FastMap, FastSet, FileId, TextRange};
 use crate::rules::{Edit, Finding, Fix, Safety};
-use crate::workspace::workspace_root;
 use crate::xml::Document;
 
 /// Folders of build tools: what lies in them is made from something else.
@@ -257,13 +256,11 @@ impl<'a> Work<'a> {
 
     /// Whether a file lies in the user's workspace, and was not made by a build tool or installed.
     fn lies_in_workspace(&self, path: &Path) -> bool {
-        let Session { vfs, env, .. } = self.session;
-        let path = vfs.canonical(path);
+        let path = self.session.vfs.canonical(path);
         if self.session.is_installed(&path) {
             return false;
         }
-        let home = env.var("HOME").map(Path::new);
-        let workspace = path.parent().and_then(|folder| workspace_root(vfs, folder, home));
+        let workspace = path.parent().and_then(|folder| self.session.packages.workspace(folder));
         let below = workspace.as_ref().and_then(|workspace| path.strip_prefix(workspace).ok());
         let built = below.is_some_and(|below| {
             below.iter().any(|part| BUILT.iter().any(|name| part.to_str() == Some(name)))

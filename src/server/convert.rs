@@ -1,11 +1,13 @@
 //! Between our terms and those of the protocol.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use lsp_types::{Location, Position, Range, Url};
 
 use super::engine::Engine;
-use crate::base::{Encoding, LineCol, Span, TextRange};
+use crate::base::{Encoding, FastMap, FileId, LineCol, Span, TextRange};
+use crate::vfs::SourceFile;
 use crate::xml::Document;
 
 /// The path a document is kept under. What is no file keeps its whole name, below no folder.
@@ -52,13 +54,43 @@ pub(super) fn edited_range(document: &Document, range: Range, encoding: Encoding
     TextRange::new(a.min(b), a.max(b))
 }
 
+/// A file as the client knows it, and what it holds.
+type File = (Url, Option<Arc<SourceFile>>);
+
+/// Places in files, for an answer that names many of them: each is worked out once.
+pub(super) struct Places<'e> {
+    pub engine: &'e Engine,
+    files: FastMap<FileId, Option<File>>,
+    ranges: FastMap<Span, Range>,
+}
+
+impl Places<'_> {
+    /// A place in a file.
+    pub fn location(&mut self, span: Span) -> Option<Location> {
+        let engine = self.engine;
+        let file = self.files.entry(span.file).or_insert_with(|| engine.file(span.file));
+        let (uri, source) = file.as_ref()?;
+        let range = self.ranges.entry(span).or_insert_with(|| match source {
+            Some(source) => range(&source.document, span.range, engine.encoding),
+            None => Range::default(),
+        });
+        Some(Location::new(uri.clone(), *range))
+    }
+}
+
 impl Engine {
+    /// Places in files as they are now.
+    pub fn places(&self) -> Places<'_> {
+        Places { engine: self, files: FastMap::default(), ranges: FastMap::default() }
+    }
+
     /// A place in a file.
     pub fn location(&self, span: Span) -> Option<Location> {
-        let path = self.world.session().vfs.path(span.file);
-        let source = self.world.document(&path);
-        let range =
-            source.map_or(Range::default(), |source| range(&source.document, span.range, self.encoding));
-        Some(Location::new(self.uri(&path)?, range))
+        self.places().location(span)
+    }
+
+    fn file(&self, id: FileId) -> Option<File> {
+        let path = self.world.session().vfs.path(id);
+        Some((self.uri(&path)?, self.world.document(&path)))
     }
 }

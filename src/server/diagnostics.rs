@@ -15,6 +15,7 @@ use lsp_types::{
     WorkspaceFullDocumentDiagnosticReport,
 };
 
+use super::convert::Places;
 use super::engine::Engine;
 use super::failure::Failure;
 use crate::analysis::Report;
@@ -70,8 +71,9 @@ impl Engine {
     /// Say at once what can be said of an edit; whether that is all. None: that needs a whole check, or more came in.
     fn first_look(&mut self, path: &Path, cancel: &CancelFlag) -> Option<bool> {
         let look = self.world.first_look(path, cancel).filter(|_| !self.with_calls.contains(path))?;
-        let found =
-            look.findings.iter().take(DIAGNOSTICS).filter_map(|finding| self.diagnostic(finding)).collect();
+        let mut places = self.places();
+        let shown = look.findings.iter().take(DIAGNOSTICS);
+        let found = shown.filter_map(|finding| places.diagnostic(finding)).collect();
         if cancel.is_cancelled() {
             return None;
         }
@@ -94,14 +96,15 @@ impl Engine {
     fn spread(&mut self, report: &Report) -> BTreeMap<PathBuf, Vec<Diagnostic>> {
         let mut found: BTreeMap<PathBuf, Vec<Diagnostic>> = BTreeMap::new();
         let mut left_out: BTreeMap<PathBuf, usize> = BTreeMap::new();
-        self.with_calls.clear();
+        let mut with_calls: Vec<PathBuf> = Vec::new();
+        let mut places = self.places();
         for finding in &report.findings {
-            let (at_call, own) = self.shown(report, finding);
+            let (at_call, own) = places.shown(report, finding);
             // one error of a call is enough to lead there
             let at_call = at_call.filter(|(path, at)| {
                 !found.get(path).is_some_and(|list| list.iter().any(|known| known.range == at.range))
             });
-            self.with_calls.extend(at_call.iter().map(|(path, _)| path.clone()));
+            with_calls.extend(at_call.iter().map(|(path, _)| path.clone()));
             for (path, diagnostic) in at_call.into_iter().chain(own) {
                 let list = found.entry(path.clone()).or_default();
                 if list.len() < DIAGNOSTICS {
@@ -111,6 +114,7 @@ impl Engine {
                 }
             }
         }
+        self.with_calls = with_calls.into_iter().collect();
         for list in found.values_mut() {
             list.sort_by_key(|diagnostic| diagnostic.range.start);
         }
@@ -118,30 +122,6 @@ impl Engine {
             found.entry(path).or_default().push(more(count));
         }
         found
-    }
-
-    /// A finding at its place, which comes second. An error in a file that is not open, such as a macro of
-    /// another package, is shown at the call that led there as well: that is the text the author has changed.
-    fn shown(&self, report: &Report, finding: &Finding) -> (Option<Shown>, Option<Shown>) {
-        let own = self.diagnostic(finding).map(|own| (report.path(finding.span.file).to_path_buf(), own));
-        let open = |file| self.documents.contains_key(report.path(file));
-        if finding.severity != Severity::Error || open(finding.span.file) {
-            return (None, own);
-        }
-        let call = finding.related.iter().find(|related| related.is_call && open(related.span.file));
-        let at_call = call.zip(own.as_ref()).and_then(|(call, (_, own))| {
-            let place = self.location(finding.span)?;
-            let cause = DiagnosticRelatedInformation { location: place, message: "caused here".to_owned() };
-            let related = std::iter::once(cause).chain(own.related_information.clone().unwrap_or_default());
-            let at_call = Diagnostic {
-                range: self.location(call.span)?.range,
-                related_information: Some(related.take(RELATED).collect()),
-                data: None,
-                ..own.clone()
-            };
-            Some((report.path(call.span.file).to_path_buf(), at_call))
-        });
-        (at_call, own)
     }
 
     /// Send what differs from what was sent before.
@@ -219,8 +199,35 @@ impl Engine {
         let report = self.world.report(&[path.to_path_buf()], cancel).ok_or(Failure::Cancelled)?;
         Ok(self.spread(&report).remove(path).unwrap_or_default())
     }
+}
 
-    fn diagnostic(&self, finding: &Finding) -> Option<Diagnostic> {
+impl Places<'_> {
+    /// A finding at its place, which comes second. An error in a file that is not open, such as a macro of
+    /// another package, is shown at the call that led there as well: that is the text the author has changed.
+    fn shown(&mut self, report: &Report, finding: &Finding) -> (Option<Shown>, Option<Shown>) {
+        let own = self.diagnostic(finding).map(|own| (report.path(finding.span.file).to_path_buf(), own));
+        let engine = self.engine;
+        let open = |file| engine.documents.contains_key(report.path(file));
+        if finding.severity != Severity::Error || open(finding.span.file) {
+            return (None, own);
+        }
+        let call = finding.related.iter().find(|related| related.is_call && open(related.span.file));
+        let at_call = call.zip(own.as_ref()).and_then(|(call, (_, own))| {
+            let place = self.location(finding.span)?;
+            let cause = DiagnosticRelatedInformation { location: place, message: "caused here".to_owned() };
+            let related = std::iter::once(cause).chain(own.related_information.clone().unwrap_or_default());
+            let at_call = Diagnostic {
+                range: self.location(call.span)?.range,
+                related_information: Some(related.take(RELATED).collect()),
+                data: None,
+                ..own.clone()
+            };
+            Some((report.path(call.span.file).to_path_buf(), at_call))
+        });
+        (at_call, own)
+    }
+
+    fn diagnostic(&mut self, finding: &Finding) -> Option<Diagnostic> {
         let place = self.location(finding.span)?;
         let related = finding.related.iter().take(RELATED).filter_map(|related| {
             let location = self.location(related.span)?;
@@ -245,7 +252,7 @@ impl Engine {
     }
 
     /// The edits of a fix, so that a code action needs no new analysis.
-    fn fix_data(&self, finding: &Finding) -> Option<serde_json::Value> {
+    fn fix_data(&mut self, finding: &Finding) -> Option<serde_json::Value> {
         let fix = finding.fix.as_ref()?;
         let edits: Option<Vec<_>> = fix
             .edits
@@ -293,8 +300,11 @@ fn tags(rule: &str) -> Option<Vec<DiagnosticTag>> {
 
 /// The page of a rule.
 fn page(rule: &str) -> Option<Url> {
-    let base = concat!(env!("CARGO_PKG_REPOSITORY"), "/blob/main/docs/rules/");
-    Url::parse(&format!("{base}{rule}.md")).ok()
+    const REPOSITORY: &str = env!("CARGO_PKG_REPOSITORY");
+    if REPOSITORY.is_empty() {
+        return None;
+    }
+    Url::parse(&format!("{REPOSITORY}/blob/main/docs/rules/{rule}.md")).ok()
 }
 
 fn fingerprint(json: &[u8]) -> u64 {

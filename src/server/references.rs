@@ -37,7 +37,8 @@ impl Engine {
                 }
             }
         }
-        Ok(Some(spans.into_iter().filter_map(|span| self.location(span)).collect()))
+        let mut places = self.places();
+        Ok(Some(spans.into_iter().filter_map(|span| places.location(span)).collect()))
     }
 
     /// The other robots that read the text which gives a name; their uses are added.

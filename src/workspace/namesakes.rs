@@ -18,7 +18,7 @@ impl Packages {
     pub fn namesake(&self, missing: &Path, package: Option<&Path>, from: &Path) -> Option<PathBuf> {
         let name = missing.file_name()?.to_str()?.to_lowercase();
         let own = self.containing(from).map(|package| package.folder);
-        let around = self.root_above(without_parents(&self.vfs.absolute(from)).parent()?);
+        let around = self.workspace(without_parents(&self.vfs.absolute(from)).parent()?);
         let folders = package.map(Path::to_owned).into_iter().chain(own).chain(around);
         folders.into_iter().find_map(|folder| {
             let index = self.indexes.get(folder.clone(), || Arc::new(Index::of(&self.vfs, &folder)));

@@ -281,7 +281,7 @@ impl Packages {
         });
         if upward {
             let starts = file.parent().into_iter().chain(folders.iter().map(PathBuf::as_path));
-            let above: Vec<PathBuf> = starts.filter_map(|start| self.root_above(start)).collect();
+            let above: Vec<PathBuf> = starts.filter_map(|start| self.workspace(start)).collect();
             folders.extend(above);
         }
         let mut seen = FastSet::default();
@@ -289,7 +289,8 @@ impl Packages {
         folders
     }
 
-    pub(super) fn root_above(&self, start: &Path) -> Option<PathBuf> {
+    /// The workspace that a folder lies in.
+    pub fn workspace(&self, start: &Path) -> Option<PathBuf> {
         let home = self.env.var("HOME").map(Path::new);
         self.roots.get(start.to_owned(), || workspace_root(&self.vfs, start, home))
     }
