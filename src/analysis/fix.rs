@@ -13,10 +13,8 @@ use super::session::Session;
 use crate::base::limits::FIX_ROUNDS;
 use crate::base::{FastMap, FastSet, FileId, TextRange};
 use crate::rules::{Edit, Finding, Fix, Safety};
+use crate::workspace::is_built;
 use crate::xml::Document;
-
-/// Folders of build tools: what lies in them is made from something else.
-const BUILT: [&str; 4] = ["build", "install", "log", "devel"];
 
 /// Edits that can be made together.
 #[derive(Clone, Debug, Default)]
@@ -262,9 +260,7 @@ impl<'a> Work<'a> {
         }
         let workspace = path.parent().and_then(|folder| self.session.packages.workspace(folder));
         let below = workspace.as_ref().and_then(|workspace| path.strip_prefix(workspace).ok());
-        let built = below.is_some_and(|below| {
-            below.iter().any(|part| BUILT.iter().any(|name| part.to_str() == Some(name)))
-        });
+        let built = below.is_some_and(|below| below.iter().any(is_built));
         !built && self.homes.iter().any(|home| path.starts_with(home))
     }
 

@@ -5,9 +5,7 @@ use std::path::{Path, PathBuf};
 use ignore::WalkBuilder;
 
 use super::session::Session;
-
-/// Folders that build tools make; nothing in them is a source.
-const BUILT: [&str; 4] = ["build", "install", "log", "devel"];
+use crate::workspace::is_built;
 
 /// The descriptions below `folder`, sorted by path. Left out are hidden files, what git ignores, the folders
 /// of build tools and what the configuration excludes.
@@ -63,8 +61,7 @@ fn walk(folder: &Path) -> ignore::Walk {
     let mut walk = WalkBuilder::new(folder);
     walk.require_git(false).filter_entry(move |entry| {
         let is_dir = entry.file_type().is_some_and(|kind| kind.is_dir());
-        let built = entry.file_name().to_str().is_some_and(|name| BUILT.contains(&name));
-        !(is_dir && built) || entry.path() == top
+        !(is_dir && is_built(entry.file_name())) || entry.path() == top
     });
     walk.build()
 }

@@ -67,6 +67,15 @@ pub(super) struct Places<'e> {
 impl Places<'_> {
     /// A place in a file.
     pub fn location(&mut self, span: Span) -> Option<Location> {
+        self.place(span).map(|(uri, range)| Location::new(uri.clone(), range))
+    }
+
+    /// Where a place is within its file.
+    pub fn range(&mut self, span: Span) -> Option<Range> {
+        self.place(span).map(|(_, range)| range)
+    }
+
+    fn place(&mut self, span: Span) -> Option<(&Url, Range)> {
         let engine = self.engine;
         let file = self.files.entry(span.file).or_insert_with(|| engine.file(span.file));
         let (uri, source) = file.as_ref()?;
@@ -74,7 +83,7 @@ impl Places<'_> {
             Some(source) => range(&source.document, span.range, engine.encoding),
             None => Range::default(),
         });
-        Some(Location::new(uri.clone(), *range))
+        Some((uri, *range))
     }
 }
 

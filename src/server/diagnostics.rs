@@ -4,15 +4,13 @@ use std::collections::BTreeMap;
 use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
 
-use lsp_types::notification::{Notification, PublishDiagnostics};
 use lsp_types::{
     CodeDescription, Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag,
     DocumentDiagnosticParams, DocumentDiagnosticReport, DocumentDiagnosticReportResult,
-    FullDocumentDiagnosticReport, NumberOrString, PublishDiagnosticsParams,
-    RelatedFullDocumentDiagnosticReport, RelatedUnchangedDocumentDiagnosticReport,
-    UnchangedDocumentDiagnosticReport, Url, WorkspaceDiagnosticParams, WorkspaceDiagnosticReport,
-    WorkspaceDiagnosticReportResult, WorkspaceDocumentDiagnosticReport,
-    WorkspaceFullDocumentDiagnosticReport,
+    FullDocumentDiagnosticReport, NumberOrString, RelatedFullDocumentDiagnosticReport,
+    RelatedUnchangedDocumentDiagnosticReport, UnchangedDocumentDiagnosticReport, Url,
+    WorkspaceDiagnosticParams, WorkspaceDiagnosticReport, WorkspaceDiagnosticReportResult,
+    WorkspaceDocumentDiagnosticReport, WorkspaceFullDocumentDiagnosticReport,
 };
 
 use super::convert::Places;
@@ -71,13 +69,10 @@ impl Engine {
     /// Say at once what can be said of an edit; whether that is all. None: that needs a whole check, or more came in.
     fn first_look(&mut self, path: &Path, cancel: &CancelFlag) -> Option<bool> {
         let look = self.world.first_look(path, cancel).filter(|_| !self.with_calls.contains(path))?;
-        let mut places = self.places();
-        let shown = look.findings.iter().take(DIAGNOSTICS);
-        let found = shown.filter_map(|finding| places.diagnostic(finding)).collect();
         if cancel.is_cancelled() {
             return None;
         }
-        self.publish_one(path.to_path_buf(), found);
+        self.publish_findings(path, look.findings);
         Some(look.is_complete)
     }
 
@@ -122,33 +117,6 @@ impl Engine {
             found.entry(path).or_default().push(more(count));
         }
         found
-    }
-
-    /// Send what differs from what was sent before.
-    fn publish(&mut self, mut found: BTreeMap<PathBuf, Vec<Diagnostic>>) {
-        for path in self.published.keys() {
-            found.entry(path.clone()).or_default();
-        }
-        for (path, diagnostics) in found {
-            self.publish_one(path, diagnostics);
-        }
-    }
-
-    fn publish_one(&mut self, path: PathBuf, diagnostics: Vec<Diagnostic>) {
-        let version = self.documents.get(&path).map(|open| open.version);
-        let Some(uri) = self.uri(&path) else { return };
-        let is_cleared = diagnostics.is_empty() && version.is_none();
-        let params = PublishDiagnosticsParams::new(uri, diagnostics, version);
-        let params = serde_json::to_vec(&params).unwrap_or_default();
-        let hash = fingerprint(&params);
-        if self.published.get(&path) == Some(&hash) {
-            return;
-        }
-        match is_cleared {
-            true => self.published.remove(&path),
-            false => self.published.insert(path, hash),
-        };
-        self.outbox.tell_encoded(PublishDiagnostics::METHOD, &params);
     }
 
     pub fn pull_diagnostics(
@@ -227,7 +195,7 @@ impl Places<'_> {
         (at_call, own)
     }
 
-    fn diagnostic(&mut self, finding: &Finding) -> Option<Diagnostic> {
+    pub fn diagnostic(&mut self, finding: &Finding) -> Option<Diagnostic> {
         let place = self.location(finding.span)?;
         let related = finding.related.iter().take(RELATED).filter_map(|related| {
             let location = self.location(related.span)?;
@@ -307,7 +275,7 @@ fn page(rule: &str) -> Option<Url> {
     Url::parse(&format!("{REPOSITORY}/blob/main/docs/rules/{rule}.md")).ok()
 }
 
-fn fingerprint(json: &[u8]) -> u64 {
+pub(super) fn fingerprint(json: &[u8]) -> u64 {
     let mut state = rustc_hash::FxHasher::default();
     json.hash(&mut state);
     state.finish()

@@ -36,8 +36,8 @@ pub(super) struct Engine {
     pub pressure: Pressure,
     /// Open documents by path.
     pub documents: BTreeMap<PathBuf, OpenDocument>,
-    /// What was published last: by path, a hash of it.
-    pub published: BTreeMap<PathBuf, u64>,
+    /// What was published last.
+    pub published: super::publishing::Published,
     /// The semantic tokens that were sent last, by path.
     pub sent_tokens: BTreeMap<PathBuf, super::tokens::Sent>,
     /// Macro calls that the user picked, by root.
@@ -92,7 +92,7 @@ impl Engine {
             outbox,
             pressure,
             documents: BTreeMap::new(),
-            published: BTreeMap::new(),
+            published: super::publishing::Published::default(),
             sent_tokens: BTreeMap::new(),
             pins: BTreeMap::new(),
             told: BTreeMap::new(),

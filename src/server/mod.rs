@@ -31,6 +31,7 @@ mod mapping;
 mod navigation;
 mod outbox;
 mod preview;
+mod publishing;
 mod refactorings;
 mod references;
 mod rename;

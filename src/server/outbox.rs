@@ -60,13 +60,12 @@ impl Outbox {
 
     /// Send a notification.
     pub fn tell(&self, method: &str, params: &impl Serialize) {
-        self.tell_encoded(method, &serde_json::to_vec(params).unwrap_or_default());
+        self.tell_encoded(&notification(method, params));
     }
 
-    /// Send a notification whose parameters are JSON already.
-    pub fn tell_encoded(&self, method: &str, params: &[u8]) {
-        let head = format!(r#"{{"jsonrpc":"2.0","method":"{method}","params":"#);
-        let _ = self.notifications.send(framed(&[head.as_bytes(), params, b"}"].concat()));
+    /// Send a notification that is JSON already.
+    pub fn tell_encoded(&self, notification: &[u8]) {
+        let _ = self.notifications.send(framed(notification));
     }
 
     /// Send a request.
@@ -88,6 +87,17 @@ impl Outbox {
     pub fn show(&self, typ: MessageType, message: impl Into<String>) {
         self.tell(ShowMessage::METHOD, &ShowMessageParams { typ, message: message.into() });
     }
+}
+
+/// A notification as JSON.
+pub(super) fn notification(method: &str, params: &impl Serialize) -> Vec<u8> {
+    #[derive(Serialize)]
+    struct Message<'a, P> {
+        jsonrpc: &'a str,
+        method: &'a str,
+        params: &'a P,
+    }
+    serde_json::to_vec(&Message { jsonrpc: "2.0", method, params }).unwrap_or_default()
 }
 
 /// Send requests until the process ends. What waits for an answer does not hold up what follows.

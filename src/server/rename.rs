@@ -18,9 +18,7 @@ use crate::base::{CancelFlag, Span};
 use crate::expand::SymbolKind;
 use crate::ide::{self, Cx};
 use crate::workspace::config::{argument_places, files_named};
-
-/// Folders of what tools have built.
-const BUILT: [&str; 4] = ["install", "build", "log", "devel"];
+use crate::workspace::is_built;
 
 impl Engine {
     pub fn prepare_rename(
@@ -71,8 +69,7 @@ impl Engine {
             return Ok(());
         }
         let shown = path.display();
-        if self.world.session().is_installed(path) || path.iter().any(|part| BUILT.iter().any(|b| part == *b))
-        {
+        if self.world.session().is_installed(path) || path.iter().any(is_built) {
             return Err(Failure::Refused(format!("`{shown}` lies in an install folder and is not changed")));
         }
         match self.client.change_annotations {
@@ -172,8 +169,7 @@ impl Engine {
     /// Files that may be changed: open ones, and those of the workspace that no tool has built.
     pub fn is_ours(&self, path: &Path) -> bool {
         let inside = self.world.folders().iter().filter_map(|folder| path.strip_prefix(folder).ok());
-        let built = |path: &Path| path.iter().any(|part| BUILT.iter().any(|name| part == *name));
-        self.documents.contains_key(path) || inside.into_iter().any(|path| !built(path))
+        self.documents.contains_key(path) || inside.into_iter().any(|path| !path.iter().any(is_built))
     }
 
     /// Edits that say of files which the user does not see that they are changed too, where the client shows that.

@@ -1,10 +1,8 @@
 //! Text of open documents.
 
-use lsp_types::notification::{Notification, PublishDiagnostics};
 use lsp_types::{
     DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidChangeWorkspaceFoldersParams,
     DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams,
-    PublishDiagnosticsParams,
 };
 
 use super::convert;
@@ -18,6 +16,7 @@ impl Engine {
         self.world.set_text(&path, document.text);
         let open = OpenDocument { uri: document.uri, version: document.version };
         self.documents.insert(path, open);
+        self.published.forget_names();
         // the first look at a file should not wait for a pause in typing
         self.wants_check = true;
         self.due = Some(std::time::Instant::now());
@@ -53,10 +52,7 @@ impl Engine {
         self.told.remove(&path);
         if let Some(open) = self.documents.remove(&path) {
             self.world.close(&path);
-            if self.published.remove(&path).is_some() {
-                let none = PublishDiagnosticsParams::new(open.uri, Vec::new(), None);
-                self.outbox.tell(PublishDiagnostics::METHOD, &none);
-            }
+            self.withdraw(&path, open.uri);
         }
         self.schedule();
     }

@@ -17,6 +17,7 @@ mod tests;
 
 pub use belonging::Vicinity;
 pub use packages::{Entry, Found, NotFound, Package, PackageOptions, Packages, Target};
+pub use root::is_built;
 pub use similar::{edit_distance, nearest};
 pub use steps::Step;
 pub use uri::{UriKind, UriOutcome, UriResult, percent_decoded};

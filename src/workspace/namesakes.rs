@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::packages::{Packages, without_parents};
+use super::root::is_built;
 use crate::base::limits::{NAMESAKE_DEPTH, NAMESAKE_FILES};
 use crate::base::{FastMap, FastSet};
 use crate::vfs::Vfs;
@@ -41,9 +42,10 @@ impl Index {
             }
             for entry in vfs.list_dir(&folder).iter() {
                 let path = folder.join(&entry.name);
-                let is_built = matches!(entry.name.as_str(), "build" | "install" | "log" | "devel");
                 match entry.is_dir {
-                    true if entry.name.starts_with('.') || is_built || level >= NAMESAKE_DEPTH => {}
+                    true if entry.name.starts_with('.')
+                        || is_built(&entry.name)
+                        || level >= NAMESAKE_DEPTH => {}
                     true => open.push((path, level + 1)),
                     false => {
                         files += 1;

@@ -1,12 +1,18 @@
 //! The workspace a file lies in.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use super::manifest::MANIFEST;
 use crate::vfs::Vfs;
 
-/// Folders that only build tools make, beside `src`.
-const BUILT: [&str; 5] = ["install", "build", "devel", "log", ".catkin_tools"];
+/// Folders that colcon and catkin make beside `src`; nothing in them is a source.
+const BUILT: [&str; 4] = ["install", "build", "devel", "log"];
+
+/// Whether a folder of that name is made by a build tool of ROS.
+pub fn is_built(name: impl AsRef<OsStr>) -> bool {
+    BUILT.iter().any(|built| name.as_ref() == *built)
+}
 
 /// The workspace that `start` (a folder) lies in: the nearest folder above it that holds the `src` it lies
 /// in, or that holds `src` and is `start` itself or has folders of a build tool; else the top of its repository. A package
@@ -31,7 +37,9 @@ pub fn workspace_root(vfs: &Vfs, start: &Path, home: Option<&Path>) -> Option<Pa
 
 fn is_workspace(vfs: &Vfs, folder: &Path, start: &Path) -> bool {
     let sources = folder.join("src");
-    let is_evident = || folder == start || BUILT.iter().any(|name| vfs.is_dir(&folder.join(name)));
+    let is_evident = || {
+        folder == start || BUILT.iter().chain(&[".catkin_tools"]).any(|name| vfs.is_dir(&folder.join(name)))
+    };
     (start.starts_with(&sources) || vfs.is_dir(&sources) && is_evident())
         && !vfs.is_file(&folder.join(MANIFEST))
 }

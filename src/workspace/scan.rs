@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 
 use super::manifest::{self, MANIFEST};
+use super::root::is_built;
 use crate::base::limits::{SCAN_DEPTH, SCAN_FOLDERS};
 use crate::base::{FastMap, FastSet};
 use crate::vfs::{DirEntry, Vfs};
@@ -30,8 +31,9 @@ impl Rules {
     }
 
     fn descends_into(self, name: &str) -> bool {
-        let tool_folder = matches!(name, "build" | "install" | "log" | "devel");
-        !(name.starts_with('.') || self == Rules::Workspace && tool_folder)
+        // what npm installs is many folders, and no package of ROS
+        let is_no_source = is_built(name) || name == "node_modules";
+        !(name.starts_with('.') || self == Rules::Workspace && is_no_source)
     }
 }
 
@@ -119,6 +121,7 @@ mod tests {
             ".git/f/package.xml",
             "g/package.xml",
             "g/COLCON_IGNORE",
+            "a/web/node_modules/j/package.xml",
             "h/AMENT_IGNORE",
             "h/below/package.xml",
             "i/CATKIN_IGNORE",
@@ -138,6 +141,7 @@ mod tests {
                 "below_name h/below",
                 "c_name install/c",
                 "d_name log/d",
+                "j_name a/web/node_modules/j",
             ]
         );
         assert_eq!(

@@ -262,6 +262,45 @@ fn an_open_file_of_another_kind_is_not_taken_for_a_robot() {
     }
 }
 
+#[test]
+fn what_was_said_before_moves_with_its_text_while_somebody_types() {
+    let part = |n: usize| {
+        format!(
+            "<link name=\"l{n}\"/><joint name=\"j{n}\" type=\"fixed\"><parent link=\"base\"/>\
+             <child link=\"l{n}\"/></joint>\n"
+        )
+    };
+    let parts: String = (0..120).map(part).collect();
+    let wrong = "<link name=\"${m1}\"/>\n<link name=\"base\"/>\n";
+    let text = format!(
+        "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n<link name=\"root\"/>\n<link name=\"base\"/>\n\
+         {parts}{wrong}</robot>\n"
+    );
+    let mut client = Client::start();
+    client.open_with(ROBOT, &text);
+    for (old, new) in [
+        ("<link name=\"l1\"", "<link name=\"spare\""),
+        ("root\"/>\n<link", "root\"/>\n\n\n <link"),
+        // only the first of the two moves within its line
+        ("\n\n <link", "\n\n <!-- 🤖 --><link"),
+        ("spare", "l1"),
+        ("<link name=\"${m1}\"", "<!-- 🤖 --><link name=\"${m1}\""),
+        ("${m1}\"/>\n", "${m1}\"/>"),
+        ("${m1}", "${m1 + m2}"),
+    ] {
+        client.diagnostics(ROBOT);
+        client.edit(ROBOT, old, new);
+        let found = client.diagnostics(ROBOT);
+        let of = |code: &str| found.iter().find(|found| found["code"] == code).unwrap();
+        assert_eq!(client.slice(ROBOT, &of("undefined-property")["range"]), "m1", "{new}");
+        let twice = of("duplicate-link-name");
+        assert_eq!(client.slice(ROBOT, &twice["range"]), "base", "{new}");
+        let first = &twice["relatedInformation"][0]["location"]["range"];
+        assert_eq!(client.slice(ROBOT, first), "base", "{new}");
+        assert_ne!(*first, twice["range"], "{new}");
+    }
+}
+
 /// The workspace with three runs of the robot: on a desk, on the wall and on a mast.
 fn with_presets() -> std::path::PathBuf {
     let folder = pan_tilt();

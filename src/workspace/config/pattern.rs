@@ -2,6 +2,7 @@
 
 use std::path::{Component, Path, PathBuf};
 
+use super::super::root::is_built;
 use crate::base::limits::{GLOB_ALTERNATIVES, GLOB_FOLDERS};
 use crate::vfs::{Vfs, Wildcard, covers, has_magic};
 
@@ -80,8 +81,7 @@ impl Pattern {
             }
             for entry in vfs.list_dir(&folder).iter() {
                 let path = folder.join(&entry.name);
-                let skipped = entry.name.starts_with('.')
-                    || matches!(entry.name.as_str(), "build" | "install" | "log" | "devel");
+                let skipped = entry.name.starts_with('.') || is_built(&entry.name);
                 if !entry.is_dir {
                     found.extend(self.covers(&self.names(&path)).then_some(path));
                 } else if !skipped && !is_link(vfs, &path) {
