@@ -62,8 +62,7 @@ impl ClientFacts {
         let versions = edit.document_changes.unwrap_or(false);
         let operation = |kind| versions && operations.contains(&kind);
         Self {
-            // Neovim asks again for the file that was edited only, also when it is told to ask for all
-            pulls_diagnostics: text.diagnostic.is_some() && !is_neovim(params),
+            pulls_diagnostics: text.diagnostic.is_some() && !is_neovim(params) && !refuses_to_pull(params),
             refreshes_diagnostics: yes(workspace.diagnostic.as_ref().map(|d| d.refresh_support)),
             refreshes_tokens: yes(workspace.semantic_tokens.as_ref().map(|d| d.refresh_support)),
             refreshes_hints: yes(workspace.inlay_hint.as_ref().map(|d| d.refresh_support)),
@@ -96,6 +95,14 @@ impl ClientFacts {
     }
 }
 
+/// Neovim asks again for the file that was edited only, also when it is told to ask for all.
 fn is_neovim(params: &InitializeParams) -> bool {
     params.client_info.as_ref().is_some_and(|client| client.name == "Neovim")
+}
+
+/// Whether the options say `diagnostics.pull: false`: what is pushed of an edit can be said in two steps.
+fn refuses_to_pull(params: &InitializeParams) -> bool {
+    let options = params.initialization_options.as_ref();
+    let own = options.map(|options| options.get("xacro").unwrap_or(options));
+    own.and_then(|own| own.pointer("/diagnostics/pull")).is_some_and(|pull| pull == false)
 }

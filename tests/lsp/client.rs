@@ -19,6 +19,8 @@ const PATIENCE: Duration = Duration::from_secs(60);
 pub struct Options {
     pub capabilities: Value,
     pub settings: Value,
+    /// What `initialize` says, beyond that there is no delay.
+    pub first: Value,
     /// Settings of single folders, by their names.
     pub folder_settings: HashMap<String, Value>,
     /// Answer no request of the server.
@@ -90,6 +92,8 @@ impl Client {
         });
         merge(&mut capabilities, &self.options.capabilities);
         let folders = json!([{ "uri": uri(&self.folder), "name": "ws" }]);
+        let mut first = json!({ "diagnostics": { "delay": 0 } });
+        merge(&mut first, &self.options.first);
         let result = self.request(
             "initialize",
             json!({
@@ -97,7 +101,7 @@ impl Client {
                 "rootUri": null,
                 "capabilities": capabilities,
                 "workspaceFolders": if self.options.no_folder { Value::Null } else { folders },
-                "initializationOptions": { "diagnostics": { "delay": 0 } },
+                "initializationOptions": first,
             }),
         );
         self.notify("initialized", json!({}));

@@ -98,6 +98,16 @@ fn clients_that_pull_are_not_pushed_at() {
     assert_eq!(client.request("textDocument/diagnostic", params)["kind"], "unchanged");
 }
 
+#[test]
+fn clients_that_could_pull_are_pushed_at_when_they_say_so() {
+    let capabilities = json!({ "textDocument": { "diagnostic": {} } });
+    let first = json!({ "diagnostics": { "pull": false } });
+    let mut client = Client::with(pan_tilt(), Options { capabilities, first, ..Options::default() });
+    client.open(ROBOT);
+    client.edit(ROBOT, "${m0 / 3}", "${m1 / 3}");
+    assert_eq!(client.findings(ROBOT), ["8:76-78 undefined-property"]);
+}
+
 /// `line:start-end code` of related places, with their messages.
 fn related(diagnostic: &Value) -> Vec<String> {
     let shown = |related: &Value| {

@@ -197,7 +197,7 @@ export class Server implements vscode.Disposable {
       ),
       outputChannel: this.output,
       traceOutputChannel: this.output,
-      initializationOptions: this.settingsOf(undefined),
+      initializationOptions: this.initialOptions(),
       errorHandler: this.errorHandler(),
       middleware: this.middleware(),
       markdown: { isTrusted: false, supportHtml: false },
@@ -265,10 +265,9 @@ export class Server implements vscode.Disposable {
           }),
       },
       // what the server knows for its text alone is not checked as a robot
-      provideWorkspaceDiagnostics: (known, token, report, next) =>
-        next(known, token, (some) => {
-          report(some && { ...some, items: some.items.filter(({ uri }) => !isCompanionName(uri.path)) });
-        }),
+      handleDiagnostics: (uri, diagnostics, next) => {
+        next(uri, isCompanionName(uri.path) ? [] : diagnostics);
+      },
       provideOnTypeFormattingEdits: async (document, position, character, options, token, next) => {
         const edits = await next(document, position, character, options, token);
         return character === ">" && (await closeTag(document, position, edits)) ? [] : edits;
@@ -282,6 +281,13 @@ export class Server implements vscode.Disposable {
   }
 
   /** The settings that somebody chose, for a folder. */
+  /** The settings; and findings are pushed, since those of an edit come before the whole robot is checked. */
+  private initialOptions(): Record<string, unknown> {
+    const settings = this.settingsOf(undefined);
+    const diagnostics = settings.diagnostics as Record<string, unknown> | undefined;
+    return { ...settings, diagnostics: { ...diagnostics, pull: false } };
+  }
+
   private settingsOf(scope: vscode.Uri | undefined): Record<string, unknown> {
     const configuration = vscode.workspace.getConfiguration(undefined, scope ?? null);
     return chosenSettings(this.keys(), (key) => configuration.inspect(key));
