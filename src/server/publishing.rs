@@ -109,9 +109,13 @@ impl Places<'_> {
         let ranges: Vec<_> = spans(&finding).map(|span| self.range(span).unwrap_or_default()).collect();
         let known = before.remove(&name);
         let known = known.filter(|known| known.ranges == ranges && says_the_same(&known.finding, &finding));
+        let anew = |places: &mut Self| to_raw_value(&places.diagnostic(&finding)?).ok();
         let diagnostic = match known {
-            Some(known) => known.diagnostic,
-            None => to_raw_value(&self.diagnostic(&finding)?).ok()?,
+            Some(known) => {
+                debug_assert_eq!(Some(known.diagnostic.get()), anew(self).as_deref().map(RawValue::get));
+                known.diagnostic
+            }
+            None => anew(self)?,
         };
         Some((name, Encoded { finding, ranges, diagnostic }))
     }
