@@ -54,8 +54,12 @@ fn once(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> Round {
         return Round { code: warn_about_config(session, env, io), state: State::default() };
     }
     let (code, reads) = Run { args, prepared: &prepared, session, options, env }.all(io);
-    let state = if args.watch { prepared.state(reads) } else { State::default() };
-    Round { code, state }
+    if args.watch {
+        return Round { code, state: prepared.state(reads) };
+    }
+    // the process ends behind this: it need not take everything apart first
+    std::mem::forget(prepared);
+    Round { code, state: State::default() }
 }
 
 /// Say what in the configuration has no effect.

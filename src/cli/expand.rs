@@ -1,5 +1,6 @@
 //! `xacro-lint expand`: a drop-in for `xacro`.
 
+use std::mem::ManuallyDrop;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -84,7 +85,9 @@ fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
         limits,
         ..Request::default()
     };
-    let expansion = expand(World { vfs: &vfs, packages: &packages, env }, &request);
+    // the process ends behind this: it need not take everything apart first
+    let (vfs, packages) = (ManuallyDrop::new(vfs), ManuallyDrop::new(packages));
+    let expansion = ManuallyDrop::new(expand(World { vfs: &vfs, packages: &packages, env }, &request));
     for line in &expansion.messages {
         io.line(&visible(line));
     }

@@ -130,9 +130,7 @@ fn spans(finding: &Finding) -> impl Iterator<Item = Span> {
 
 /// Whether two findings differ at most in where their places are within files.
 fn says_the_same(a: &Finding, b: &Finding) -> bool {
-    let words = |finding: &Finding| (finding.rule.code, finding.severity);
-    words(a) == words(b)
-        && (&a.message, &a.help) == (&b.message, &b.help)
+    (a.rule.code, a.severity, &a.message, &a.help) == (b.rule.code, b.severity, &b.message, &b.help)
         && spans(a).map(|span| span.file).eq(spans(b).map(|span| span.file))
         && a.related.iter().map(|one| &one.message).eq(b.related.iter().map(|one| &one.message))
         && match (&a.fix, &b.fix) {

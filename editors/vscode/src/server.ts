@@ -280,7 +280,6 @@ export class Server implements vscode.Disposable {
     };
   }
 
-  /** The settings that somebody chose, for a folder. */
   /** The settings; and findings are pushed, since those of an edit come before the whole robot is checked. */
   private initialOptions(): Record<string, unknown> {
     const settings = this.settingsOf(undefined);
@@ -288,6 +287,7 @@ export class Server implements vscode.Disposable {
     return { ...settings, diagnostics: { ...diagnostics, pull: false } };
   }
 
+  /** The settings that somebody chose, for a folder. */
   private settingsOf(scope: vscode.Uri | undefined): Record<string, unknown> {
     const configuration = vscode.workspace.getConfiguration(undefined, scope ?? null);
     return chosenSettings(this.keys(), (key) => configuration.inspect(key));
