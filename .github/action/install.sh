@@ -14,8 +14,8 @@ fi
 
 exe=""
 case "$(uname -s)-$(uname -m)" in
-    Linux-x86_64) target=x86_64-unknown-linux-musl ;;
-    Linux-aarch64) target=aarch64-unknown-linux-musl ;;
+    Linux-x86_64) target=x86_64-unknown-linux-gnu ;;
+    Linux-aarch64) target=aarch64-unknown-linux-gnu ;;
     Darwin-x86_64) target=x86_64-apple-darwin ;;
     Darwin-arm64) target=aarch64-apple-darwin ;;
     MINGW*-x86_64 | MSYS*-x86_64) target=x86_64-pc-windows-msvc; exe=.exe ;;

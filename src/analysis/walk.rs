@@ -5,12 +5,13 @@ use std::path::{Path, PathBuf};
 use ignore::WalkBuilder;
 
 use super::session::Session;
+use crate::vfs::Environment;
 use crate::workspace::is_built;
 
 /// The descriptions below `folder`, sorted by path. Left out are hidden files, what git ignores, the folders
 /// of build tools and what the configuration excludes.
 pub(super) fn descriptions(folder: &Path, session: &Session) -> Vec<PathBuf> {
-    let mut found = Listing::of(&[folder.to_owned()]);
+    let mut found = Listing::of(&[folder.to_owned()], &session.env);
     found.go_on(session, &|| false);
     found.done()
 }
@@ -25,8 +26,8 @@ pub(super) struct Listing {
 
 impl Listing {
     /// One that was not begun.
-    pub fn of(folders: &[PathBuf]) -> Self {
-        let walks = folders.iter().rev().map(|folder| walk(folder)).collect();
+    pub fn of(folders: &[PathBuf], env: &Environment) -> Self {
+        let walks = folders.iter().rev().map(|folder| walk(folder, env)).collect();
         Self { walks, done: Vec::new(), found: Vec::new() }
     }
 
@@ -56,10 +57,13 @@ impl Listing {
 }
 
 /// What lies below a folder, without what build tools made.
-fn walk(folder: &Path) -> ignore::Walk {
+fn walk(folder: &Path, env: &Environment) -> ignore::Walk {
     let top = folder.to_owned();
     let mut walk = WalkBuilder::new(folder);
-    walk.require_git(false).filter_entry(move |entry| {
+    // what git ignores everywhere is written down at home; where no home is named the user database of the system
+    // would be asked, which a static program cannot do safely
+    let has_home = cfg!(windows) || env.var("HOME").is_some();
+    walk.require_git(false).git_global(has_home).filter_entry(move |entry| {
         let is_dir = entry.file_type().is_some_and(|kind| kind.is_dir());
         !(is_dir && is_built(entry.file_name())) || entry.path() == top
     });

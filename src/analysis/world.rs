@@ -236,7 +236,7 @@ impl World {
     /// Search for the files to look at, until `stop` says so; whether all were found.
     fn list(&mut self, stop: &dyn Fn() -> bool) -> bool {
         if !self.scanned {
-            let listing = self.listing.get_or_insert_with(|| Listing::of(&self.folders));
+            let listing = self.listing.get_or_insert_with(|| Listing::of(&self.folders, &self.env));
             if !listing.go_on(&self.session, stop) {
                 return false;
             }

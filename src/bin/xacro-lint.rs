@@ -18,6 +18,8 @@ fn main() -> ExitCode {
     let mut err = std::io::BufWriter::new(std::io::stderr().lock());
     let mut stdin = std::io::stdin().lock();
     let mut io = Io { out: &mut out, err: &mut err, stdin: &mut stdin, color, color_out, terminal };
+    #[cfg(unix)]
+    xacro_lsp::expand::on_first_thread();
     let code = cli::run(&args, &env, &mut io);
     let _ = out.flush();
     let _ = err.flush();

@@ -135,7 +135,7 @@ pub(super) struct ConfigArgs {
     pub(super) format: Plain,
 }
 
-#[derive(Args, Debug)]
+#[derive(Args, Debug, Default)]
 pub(super) struct CheckArgs {
     /// Files and folders [default: .], `-` for standard input, and name:=value for their arguments
     #[arg(value_name = "PATH")]
@@ -204,6 +204,15 @@ pub(super) struct CheckArgs {
     /// Read standard input as the content of this file
     #[arg(long, value_name = "NAME")]
     pub(super) stdin_filename: Option<PathBuf>,
+}
+
+impl CheckArgs {
+    /// The arguments of a command line that has nothing but paths, as in a pre-commit hook: what a parser would
+    /// give, without declaring a hundred options first. None where something else may be meant.
+    pub(super) fn of_paths(paths: &[String]) -> Option<Self> {
+        let plain = paths.iter().all(|path| !path.starts_with('-'));
+        plain.then(|| Self { paths: paths.to_vec(), ..Self::default() })
+    }
 }
 
 /// Profiles that rules can belong to.
@@ -384,4 +393,27 @@ pub(super) struct DepsArgs {
     /// Form of the list: files one a line, or everything the result depends on
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: Plain,
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::{Arguments, CheckArgs, Command};
+
+    #[test]
+    fn paths_alone_need_no_parser() {
+        for line in ["", "robot.urdf", ".", "a.xacro prefix:=left b.urdf", "help", "check"] {
+            let paths: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
+            let all = ["xacro-lint", "check"].into_iter().map(str::to_owned).chain(paths.clone());
+            let Command::Check(parsed) = Arguments::try_parse_from(all).unwrap().command else {
+                panic!("{line}: another command");
+            };
+            assert_eq!(format!("{:?}", CheckArgs::of_paths(&paths).unwrap()), format!("{parsed:?}"));
+        }
+        for line in ["-", "--", "a.xacro --fix", "--fix a.xacro", "-h"] {
+            let paths: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
+            assert!(CheckArgs::of_paths(&paths).is_none(), "{line}");
+        }
+    }
 }

@@ -34,7 +34,7 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 
 use crate::vfs::Environment;
-use args::{Arguments, Command};
+use args::{Arguments, CheckArgs, Command};
 
 /// Run a command line (without the program's name); the result is the exit code.
 pub fn run(args: &[String], env: &Environment, io: &mut Io<'_>) -> u8 {
@@ -43,6 +43,12 @@ pub fn run(args: &[String], env: &Environment, io: &mut Io<'_>) -> u8 {
         && command == "expand"
     {
         return expand::run(rest, env, io);
+    }
+    if let Some((command, rest)) = args.split_first()
+        && command == "check"
+        && let Some(options) = CheckArgs::of_paths(rest)
+    {
+        return check::run(&options, env, io);
     }
     if let [only] = args
         && (only == "--version" || only == "-V")

@@ -9,6 +9,7 @@ use super::machine::{Cx, Expander};
 use super::origin::{FileIdx, Origin, SrcId};
 use super::params::strip;
 use super::scope::Place;
+use super::stack::with_stack;
 use super::tree::{XAttr, XId, XKind};
 use crate::base::TextRange;
 use crate::base::limits::ELEMENT_DEPTH;
@@ -218,6 +219,10 @@ impl Expander<'_> {
 
     /// One element, by the name it has now.
     pub fn eval_tag(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
+        with_stack(|| self.eval_tag_here(tag, has_next, out, cx));
+    }
+
+    fn eval_tag_here(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
         let Some(xacro) = tag.name.strip_prefix("xacro:") else {
             return self.eval_plain(tag, out, cx);
         };

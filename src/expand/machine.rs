@@ -9,13 +9,13 @@ use ecow::EcoString;
 use super::expansion::Expansion;
 use super::focus::Focus;
 use super::late::Undefined;
-use super::origin::{FileIdx, Frame, FrameId, FrameKind, Origin, SrcId};
+use super::origin::{FileIdx, Frame, FrameId, FrameKind, Origin};
 use super::problem::{Place as ProblemPlace, Problem, Problems, Severity, Step, step_message};
 use super::record::Read;
 use super::resolve::{BindingInfo, LazyUse};
 use super::scope::{MacroDef, Macros, MacrosId, Scopes};
-use super::stack::on_large_stack;
-use super::text::CachedText;
+use super::stack::with_stack;
+use super::text::SplitText;
 use super::tree::{XAttr, XId, XKind};
 use crate::base::limits::{self, EVAL_DEPTH};
 use crate::base::{CancelFlag, FastMap, FastSet, TextRange};
@@ -102,9 +102,8 @@ pub struct Request {
 
 /// Expand a file. Never fails: what went wrong is in [`Expansion::problems`].
 ///
-/// Runs [`on_large_stack`].
 pub fn expand(world: World<'_>, request: &Request) -> Expansion {
-    on_large_stack(|| Expander::new(world, request).run())
+    with_stack(|| Expander::new(world, request).run())
 }
 
 /// How to raise a limit of the configuration.
@@ -142,7 +141,9 @@ pub(super) struct Expander<'w> {
     pub open_files: Vec<OpenFile>,
     /// Files by absolute path.
     pub by_path: FastMap<Arc<Path>, FileIdx>,
-    pub texts: FastMap<(SrcId, u32), Arc<CachedText>>,
+    /// Texts of macros in their split form, and their bytes.
+    pub texts: FastMap<EcoString, Arc<SplitText>>,
+    pub text_bytes: usize,
     /// The one empty text node that stops comment removal; it moves around.
     pub marker: XId,
     pub budget: Budget,
@@ -214,6 +215,7 @@ impl<'w> Expander<'w> {
             open_files: Vec::new(),
             by_path: FastMap::default(),
             texts: FastMap::default(),
+            text_bytes: 0,
             marker,
             budget: Budget::new(limits.eval_steps, limits.output_bytes, EVAL_DEPTH),
             deadline: Instant::now() + limits.expand_time,

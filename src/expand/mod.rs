@@ -48,7 +48,7 @@ pub use record::{Read, Record};
 pub use resolve::{BindingInfo, BindingKind};
 pub use scope::Param;
 pub use source_map::{MapEntry, MapKind};
-pub use stack::{large_stacks, spawn_on_large_stack};
+pub use stack::{large_stacks, on_first_thread, spawn_on_large_stack};
 pub use symbols::{Definition, DefinitionId, SourceRange, SymbolKind, Symbols, Use, UseKind};
 pub use tree::{Attrs, Piece, XAttr, XId, XKind, XNode, XTree};
 pub use write::{Written, banner, write, write_mapped};

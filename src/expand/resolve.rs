@@ -7,6 +7,7 @@ use super::machine::Expander;
 use super::origin::Origin;
 use super::problem::Step;
 use super::scope::State;
+use super::stack::with_stack;
 use super::symbols::{DefinitionId, UseKind};
 use crate::base::TextRange;
 use crate::base::limits::{COMPARED_NAMES, LAZY_DEPTH};
@@ -116,7 +117,7 @@ impl Expander<'_> {
         scope.resolving.push(name.clone());
         self.lazy_uses.push(LazyUse { name: name.clone(), at });
         let mark = self.reads.len();
-        let value = self.eval_text(&text, place, holder);
+        let value = with_stack(|| self.eval_text(&text, place, holder));
         self.lazy_uses.pop();
         let value = match value {
             Value::Str(text) => literal::from_text(&text),

@@ -1,33 +1,66 @@
-//! Threads whose stack fits the deepest nesting the limits admit.
+//! Stacks that fit the deepest nesting the limits admit.
+//!
+//! The first thread of a program goes as far as its own stack is good for and leaves for a larger one only there:
+//! for most robots no thread is started. Of other threads nothing is known, and expansions leave them at once.
 
 use std::cell::Cell;
 use std::io;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Bytes of such a stack; what is not touched is never taken.
+/// Bytes of a large stack; what is not touched is never taken.
 const SIZE: usize = 512 << 20;
+/// Bytes that nested elements may take of the first thread's stack; an expression takes two megabytes more at most,
+/// and systems give eight.
+const SHARE: usize = 1 << 20;
 
 thread_local! {
-    static IS_LARGE: Cell<bool> = const { Cell::new(false) };
+    /// The address that nested elements of this thread must not come below; stacks grow downwards.
+    static FLOOR: Cell<usize> = const { Cell::new(usize::MAX) };
 }
 
-/// Run something on a thread with a large stack: this one, where it is one, else a new one; here all the same
-/// where the system gives none.
-pub(super) fn on_large_stack<T: Send>(work: impl Fn() -> T + Sync) -> T {
-    if IS_LARGE.get() {
-        return work();
-    }
-    std::thread::scope(|scope| {
-        let run = || {
-            IS_LARGE.set(true);
-            work()
+/// Say that this is the first thread of a program, whose stack has eight megabytes.
+pub fn on_first_thread() {
+    FLOOR.set(here().saturating_sub(SHARE));
+}
+
+/// Whether this thread has too little of its stack left for nested elements.
+pub(super) fn is_short() -> bool {
+    here() < FLOOR.get()
+}
+
+/// About where the stack of this thread has come to.
+fn here() -> usize {
+    let local = 0u8;
+    std::ptr::from_ref(std::hint::black_box(&local)).addr()
+}
+
+/// Run something here where the stack is good for it, else on a new thread with a large one; here all the same where
+/// the system gives none.
+pub(super) fn with_stack<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    if is_short() { on_large_stack(work) } else { work() }
+}
+
+#[cold]
+fn on_large_stack<T: Send, W: FnOnce() -> T + Send>(work: W) -> T {
+    let mut work = Some(work);
+    let given = &mut work;
+    let done = std::thread::scope(move |scope| {
+        let run = move || {
+            FLOOR.set(0);
+            given.take().map(|work| work())
         };
         let thread = std::thread::Builder::new().name("expand".into()).stack_size(SIZE);
-        match thread.spawn_scoped(scope, run) {
-            Ok(thread) => thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
-            Err(_) => work(),
-        }
+        let thread = thread.spawn_scoped(scope, run).ok()?;
+        thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    });
+    done.or_else(|| {
+        // no thread: go on here, and do not ask again at each element
+        let floor = FLOOR.replace(0);
+        let result = work.map(|work| work());
+        FLOOR.set(floor);
+        result
     })
+    .unwrap_or_else(|| unreachable!("work is done by the thread or here"))
 }
 
 /// Start a thread that expansions need not leave; an ordinary one where the system gives no large stack.
@@ -41,7 +74,7 @@ pub fn spawn_on_large_stack(name: &str, work: impl FnOnce() + Send + 'static) ->
         let builder = std::thread::Builder::new().name(name.to_owned());
         let builder = size.into_iter().fold(builder, std::thread::Builder::stack_size);
         let run = move || {
-            IS_LARGE.set(size.is_some());
+            FLOOR.set(if size.is_some() { 0 } else { usize::MAX });
             let work = work.lock().unwrap_or_else(PoisonError::into_inner).take();
             work.into_iter().for_each(|work| work());
         };
@@ -53,24 +86,53 @@ pub fn spawn_on_large_stack(name: &str, work: impl FnOnce() + Send + 'static) ->
 /// Threads with large stacks, as many as there are processors; none where the system gives none.
 pub fn large_stacks() -> Option<rayon::ThreadPool> {
     let pool = rayon::ThreadPoolBuilder::new().stack_size(SIZE);
-    pool.start_handler(|_| IS_LARGE.set(true)).build().ok()
+    pool.start_handler(|_| FLOOR.set(0)).build().ok()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{IS_LARGE, large_stacks, on_large_stack, spawn_on_large_stack};
+    use std::thread::{self, ThreadId};
+
+    use super::{large_stacks, on_first_thread, spawn_on_large_stack, with_stack};
+
+    /// The threads that work comes to at each of some levels of nesting.
+    fn threads(levels: usize) -> Vec<ThreadId> {
+        let room = std::hint::black_box([0u8; 16 << 10]);
+        let mut below = if levels == 0 { Vec::new() } else { with_stack(|| threads(levels - 1)) };
+        below.push(thread::current().id());
+        std::hint::black_box(room);
+        below
+    }
 
     #[test]
     fn one_thread_is_enough() {
-        let within = || on_large_stack(|| std::thread::current().id());
-        let (outer, inner) = on_large_stack(|| (std::thread::current().id(), within()));
-        assert_eq!(outer, inner);
-        assert_ne!(outer, std::thread::current().id());
-        assert!(!IS_LARGE.get());
+        let mut seen = with_stack(|| threads(500));
+        seen.dedup();
+        assert_eq!(seen.len(), 1, "a large stack is not left");
+        assert_ne!(seen, [thread::current().id()], "a stack of unknown size is");
+    }
+
+    #[test]
+    fn the_first_thread_is_left_where_nesting_is_deep() {
+        let run = || {
+            on_first_thread();
+            let own = thread::current().id();
+            assert_eq!(threads(20), [own; 21]);
+            let mut seen = threads(500);
+            seen.dedup();
+            assert_eq!(seen.len(), 2);
+            assert_eq!(seen.last(), Some(&own));
+        };
+        thread::Builder::new().stack_size(8 << 20).spawn(run).unwrap().join().unwrap();
+    }
+
+    #[test]
+    fn large_stacks_are_not_left() {
+        let stays = || with_stack(|| thread::current().id()) == thread::current().id();
         let (tell, told) = std::sync::mpsc::channel();
-        spawn_on_large_stack("test", move || tell.send(IS_LARGE.get()).unwrap()).unwrap();
+        spawn_on_large_stack("test", move || tell.send(stays()).unwrap()).unwrap();
         assert!(told.recv().unwrap());
-        let pool = large_stacks().unwrap();
-        assert!(pool.install(|| IS_LARGE.get()));
+        assert!(large_stacks().unwrap().install(stays));
+        assert!(!stays());
     }
 }

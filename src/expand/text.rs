@@ -17,11 +17,17 @@ use crate::expr::{
 };
 use crate::xml;
 
-/// A text of the source, split and parsed once.
+/// A text, split and parsed.
 #[derive(Debug)]
-pub(super) struct CachedText {
+pub(super) struct SplitText {
     pub text: EcoString,
     pub template: Template,
+}
+
+impl SplitText {
+    fn of(text: &str) -> Arc<Self> {
+        Arc::new(Self { text: text.into(), template: expr::split(text) })
+    }
 }
 
 /// The text being evaluated: its decoded form, and where it stands.
@@ -30,6 +36,9 @@ pub(super) struct TextSite<'t> {
     pub text: &'t str,
     pub place: Place,
 }
+
+/// Bytes of texts that are kept in their split form; those of large robots come to a tenth of it.
+const KEPT_BYTES: usize = 4 << 20;
 
 /// What stands for a value that could not be computed.
 pub(super) const UNKNOWN_TEXT: &str = "?";
@@ -40,7 +49,7 @@ impl Expander<'_> {
         if !text.contains('$') {
             return Value::Str(text.into());
         }
-        let cached = self.split(text, place);
+        let cached = self.split(text);
         let site = TextSite { text: &cached.text, place };
         match cached.template.tokens.as_slice() {
             [] => Value::Str(EcoString::new()),
@@ -65,7 +74,7 @@ impl Expander<'_> {
         if !text.contains('$') {
             return (text.into(), Box::default());
         }
-        let cached = self.split(text, place);
+        let cached = self.split(text);
         let site = TextSite { text: &cached.text, place };
         let mut out = EcoString::new();
         let mut pieces = Vec::new();
@@ -99,22 +108,18 @@ impl Expander<'_> {
         admitted
     }
 
-    /// The split form of a text; in macros from the cache, where the text is the one of its place.
-    fn split(&mut self, text: &str, place: Place) -> Arc<CachedText> {
-        let parse = || Arc::new(CachedText { text: text.into(), template: expr::split(text) });
-        if self.calls.is_empty() {
-            // outside of macros, a text is evaluated once
-            return parse();
+    /// The split form of a text. Those of macros are kept: they are evaluated with each call, and the same ones stand
+    /// in many places.
+    fn split(&mut self, text: &str) -> Arc<SplitText> {
+        if let Some(kept) = self.texts.get(text) {
+            return kept.clone();
         }
-        let key = (place.origin.src, place.origin.range.start);
-        if let Some(cached) = self.texts.get(&key)
-            && cached.text == text
-        {
-            return cached.clone();
+        let split = SplitText::of(text);
+        if !self.calls.is_empty() && self.text_bytes + text.len() <= KEPT_BYTES {
+            self.text_bytes += text.len();
+            self.texts.insert(split.text.clone(), split.clone());
         }
-        let cached = parse();
-        self.texts.entry(key).or_insert_with(|| cached.clone());
-        cached
+        split
     }
 
     /// The value of a token and what was read for it.

@@ -32,7 +32,9 @@ impl Selection {
     /// As in ruff, the longer of two selectors for one rule wins, a name counting as longest: `--select STR
     /// --ignore STR008` and `--ignore STR --select orphan-link` both do what they say.
     pub fn new(options: &SelectionOptions) -> Self {
-        Self { rules: all().filter_map(|rule| Some((rule.code, setting(rule, options)?))).collect() }
+        let mut rules = FastMap::with_capacity_and_hasher(all().count(), Default::default());
+        rules.extend(all().filter_map(|rule| Some((rule.code, setting(rule, options)?))));
+        Self { rules }
     }
 
     /// The severity of a finding as configured; none when its rule does not run.

@@ -16,6 +16,9 @@ MOST_CRATE = 10 * 1024 * 1024
 
 BROKEN = EXAMPLES / "broken_cell"
 
+# How the programs of a release for Linux are linked.
+STATIC = "-C target-feature=+crt-static"
+
 
 def finds_defects(program):
     """The program checks an example and finds what is wrong with it."""
@@ -71,25 +74,15 @@ def crate():
     demand(not missing and ("pyproject.toml",) in held, f"missing in {source.name}: {sorted(missing)[:5]}")
 
 
-def can_build_for(target):
-    """Whether there is a standard library for a target; rustup gets it where it can."""
-    library = pathlib.Path(run(["rustc", "--print", "sysroot"]).strip()) / "lib/rustlib" / target / "lib"
-    if not library.is_dir() and shutil.which("rustup"):
-        command = ["timeout", "300", "rustup", "target", "add", target]
-        subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
-    return library.is_dir()
-
-
 def static():
     """A static program runs where there is nothing else: no libraries, no shell, no folders."""
     host = next(line for line in run(["rustc", "-vV"]).splitlines() if line.startswith("host: ")).split()[1]
-    target, more = host.replace("-linux-gnu", "-linux-musl"), {}
-    if not can_build_for(target):
-        # the other way to a static program proves the same
-        target, more = host, {"RUSTFLAGS": "-C target-feature=+crt-static"}
-    command = ["cargo", "build", "--release", "--locked", "--quiet", "--bin", "xacro-lint", "--target", target]
-    run([*command, "--no-default-features", "--features", "cli"], **QUICK, **more)
-    program = QUICK["CARGO_TARGET_DIR"] / target / "release/xacro-lint"
+    for workflow in ("release", "vscode"):
+        text = (ROOT / f".github/workflows/{workflow}.yml").read_text()
+        demand("linux-musl" not in text and text.count(STATIC) == 2, f"{workflow}.yml builds static programs for Linux")
+    command = ["cargo", "build", "--release", "--locked", "--quiet", "--bin", "xacro-lint", "--target", host]
+    run([*command, "--no-default-features", "--features", "cli"], **QUICK, RUSTFLAGS=STATIC)
+    program = QUICK["CARGO_TARGET_DIR"] / host / "release/xacro-lint"
     headers = run(["readelf", "--program-headers", program])
     demand("INTERP" not in headers, f"the program asks for a loader:\n{headers}")
     if os.geteuid() != 0:
@@ -109,4 +102,4 @@ def static():
         return
     if done.returncode != 1 or "[undefined-macro]" not in done.stdout:
         raise Failed(f"in an empty root it ended with {done.returncode}:\n{done.stdout}")
-    print(f"   {target}, {program.stat().st_size / 1e6:.1f} MB without optimisation")
+    print(f"   {host}, {program.stat().st_size / 1e6:.1f} MB without optimisation")

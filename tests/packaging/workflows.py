@@ -104,7 +104,7 @@ def release(folder):
     """A release with the program of this checkout, named as the release workflow names it."""
     folder.mkdir(parents=True)
     machine = run(["uname", "-m"]).strip()
-    target = f"{machine}-unknown-linux-musl"
+    target = f"{machine}-unknown-linux-gnu"
     text = (ROOT / ".github/workflows/release.yml").read_text()
     demand(f"target: {target}" in text and re.search(r"out/xacro-lint-\$TARGET\.tar\.gz", text), "names of the release")
     inside = folder / f"xacro-lint-{target}"
