@@ -1,5 +1,6 @@
 //! `xacro-lint expand`: a drop-in for `xacro`.
 
+use std::cell::LazyCell;
 use std::mem::ManuallyDrop;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -82,6 +83,7 @@ fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
         args: options.args.clone(),
         root_dir: options.root_dir.clone(),
         probe: false,
+        last: true,
         limits,
         ..Request::default()
     };
@@ -154,14 +156,7 @@ fn unreadable(error: &LoadError, request: &Request) -> String {
 
 /// Print the problems of an expansion under the headlines of the reference.
 fn report(expansion: &Expansion, options: &ExpandOptions, packages: &Packages, cwd: &Path, io: &mut Io<'_>) {
-    let around = packages.around(expansion.files.first().map(|root| &*root.source.path));
-    let files: Vec<(ShownFile<'_>, bool)> = (expansion.files.iter().enumerate())
-        .map(|(index, FileUse { source, .. })| {
-            // the root file may have any name
-            let is_drawn = is_shown(&source.path, &around) || index == 0 && around.hold(&source.path);
-            (ShownFile { source, path: shown_path(&source.path, cwd) }, is_drawn)
-        })
-        .collect();
+    let files = LazyCell::new(|| shown_files(expansion, packages, cwd));
     let (mut errors, mut drawn) = (0, 0);
     for problem in &expansion.problems {
         if problem.reference.is_empty() && problem.severity == Severity::Warning {
@@ -185,6 +180,17 @@ fn report(expansion: &Expansion, options: &ExpandOptions, packages: &Packages, c
     if errors > 1 {
         io.line(&format!("error: {errors} errors, nothing was written"));
     }
+}
+
+/// The files of an expansion, and whether their text may be shown.
+fn shown_files<'e>(expansion: &'e Expansion, packages: &Packages, cwd: &Path) -> Vec<(ShownFile<'e>, bool)> {
+    let around = packages.around(expansion.files.first().map(|root| &*root.source.path));
+    let shown = |(index, FileUse { source, .. }): (usize, &'e FileUse)| {
+        // the root file may have any name
+        let is_drawn = is_shown(&source.path, &around) || index == 0 && around.hold(&source.path);
+        (ShownFile { source, path: shown_path(&source.path, cwd) }, is_drawn)
+    };
+    expansion.files.iter().enumerate().map(shown).collect()
 }
 
 /// A message in front of which its file stands.

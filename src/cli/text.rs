@@ -1,5 +1,6 @@
 //! Findings as text: drawn, one line each, counted.
 
+use std::cell::LazyCell;
 use std::path::{Path, PathBuf};
 
 use annotate_snippets::Level;
@@ -15,7 +16,7 @@ use crate::workspace::{Packages, Vicinity};
 
 /// With the source text and a summary.
 pub(super) fn full(report: &Report, packages: &Packages, cwd: &Path, hints: bool, io: &mut Io<'_>) {
-    let files = shown_files(report, packages, cwd);
+    let files = LazyCell::new(|| shown_files(report, packages, cwd));
     let draw = |finding: &Finding, io: &mut Io<'_>| {
         io.out(&format!("{}\n\n", drawing(finding, &files, report, cwd, io.color_out)));
     };

@@ -94,6 +94,8 @@ pub struct Request {
     pub probe: bool,
     /// Whether the result is kept for long: it then takes no more room than it must.
     pub keep: bool,
+    /// Whether the process ends behind this: what the expansion was made with is then left to the system.
+    pub last: bool,
     /// Only these items and what they need; the result is then no document.
     pub focus: Option<Focus>,
     /// Set to stop early; the result is then incomplete.
@@ -264,7 +266,11 @@ impl<'w> Expander<'w> {
             tree.compact(probes.iter_mut().map(|probe| &mut probe.content));
             self.result.shrink();
         }
-        self.result
+        let result = std::mem::take(&mut self.result);
+        if self.request.last {
+            std::mem::forget(self);
+        }
+        result
     }
 
     fn argument_values(&self) -> Vec<(EcoString, EcoString)> {

@@ -4,6 +4,11 @@
 
 use std::path::PathBuf;
 
+#[expect(
+    clippy::print_stdout,
+    clippy::disallowed_methods,
+    reason = "a program of its own, which reads as any program does"
+)]
 fn main() {
     // cargo adds an option when it runs a bench
     let paths = std::env::args_os().skip(1).filter(|argument| argument != "--bench").map(PathBuf::from);
