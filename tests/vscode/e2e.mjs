@@ -436,7 +436,7 @@ test("preview", "measuring_cell", async (window) => {
   // a window that is loaded anew shows it again
   await window.save();
   await window.page.locator('.tab[data-resource-name="furniture.xacro"]:not(.dirty)').waitFor();
-  await window.page.reload();
+  await Promise.all([window.page.waitForEvent("load"), window.command("Developer: Reload Window")]);
   await until("the robot after a reload", async () => (await body("ok").catch(() => null)) === "true");
 }, { needs: "viewer/viewer.js" });
 
