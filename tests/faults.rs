@@ -443,3 +443,16 @@ fn ctrl_c_at_any_time_leaves_every_file_whole() {
     assert_eq!(code, 0, "{text}");
     fs::remove_dir_all(folder).unwrap();
 }
+
+#[test]
+fn nesting_is_no_matter_of_the_stack_that_a_shell_gives() {
+    let folder = folder();
+    let (open, close) = ("<a>".repeat(100_000), "</a>".repeat(100_000));
+    write(&folder, "deep.urdf", &format!("<robot name=\"deep\">{open}{close}</robot>"));
+    for kilobytes in [256, 512, 1024, 2048, 8192, 16_384] {
+        let script = format!("ulimit -S -s {kilobytes} && exec \"$0\" expand deep.urdf");
+        let run = Command::new("sh").args(["-c", &script, LINT]).current_dir(&folder).output().unwrap();
+        let said = String::from_utf8_lossy(&run.stderr);
+        assert!(run.status.code() == Some(2) && said.contains("nested more than"), "{kilobytes} KB: {said}");
+    }
+}

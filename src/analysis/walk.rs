@@ -62,7 +62,7 @@ fn walk(folder: &Path, env: &Environment) -> ignore::Walk {
     let mut walk = WalkBuilder::new(folder);
     // what git ignores everywhere is written down at home; where no home is named the user database of the system
     // would be asked, which a static program cannot do safely
-    let has_home = cfg!(windows) || env.var("HOME").is_some();
+    let has_home = cfg!(windows) || env.var("HOME").is_some_and(|home| !home.is_empty());
     walk.require_git(false).git_global(has_home).filter_entry(move |entry| {
         let is_dir = entry.file_type().is_some_and(|kind| kind.is_dir());
         !(is_dir && is_built(entry.file_name())) || entry.path() == top

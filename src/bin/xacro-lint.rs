@@ -4,7 +4,8 @@ use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 
 use xacro_lsp::cli::{self, Io};
-use xacro_lsp::vfs::Environment;
+use xacro_lsp::expand::on_first_thread;
+use xacro_lsp::vfs::{Environment, first_stack};
 
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args_os().skip(1).map(|a| a.to_string_lossy().into_owned()).collect();
@@ -18,8 +19,9 @@ fn main() -> ExitCode {
     let mut err = std::io::BufWriter::new(std::io::stderr().lock());
     let mut stdin = std::io::stdin().lock();
     let mut io = Io { out: &mut out, err: &mut err, stdin: &mut stdin, color, color_out, terminal };
-    #[cfg(unix)]
-    xacro_lsp::expand::on_first_thread();
+    if let Some(stack) = first_stack() {
+        on_first_thread(stack);
+    }
     let code = cli::run(&args, &env, &mut io);
     let _ = out.flush();
     let _ = err.flush();

@@ -9,18 +9,21 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// Bytes of a large stack; what is not touched is never taken.
 const SIZE: usize = 512 << 20;
-/// Bytes that nested elements may take of the first thread's stack; an expression takes two megabytes more at most,
-/// and systems give eight.
+/// Bytes that nested elements may take of the first thread's stack; an expression takes two megabytes more at most.
 const SHARE: usize = 1 << 20;
+/// A first thread with fewer bytes of stack is left at once; this is what systems give.
+const USUAL: usize = 8 << 20;
 
 thread_local! {
     /// The address that nested elements of this thread must not come below; stacks grow downwards.
     static FLOOR: Cell<usize> = const { Cell::new(usize::MAX) };
 }
 
-/// Say that this is the first thread of a program, whose stack has eight megabytes.
-pub fn on_first_thread() {
-    FLOOR.set(here().saturating_sub(SHARE));
+/// Say that this is the first thread of a program, whose stack may grow to so many bytes.
+pub fn on_first_thread(stack: usize) {
+    if stack >= USUAL {
+        FLOOR.set(here().saturating_sub(SHARE));
+    }
 }
 
 /// Whether this thread has too little of its stack left for nested elements.
@@ -93,7 +96,7 @@ pub fn large_stacks() -> Option<rayon::ThreadPool> {
 mod tests {
     use std::thread::{self, ThreadId};
 
-    use super::{large_stacks, on_first_thread, spawn_on_large_stack, with_stack};
+    use super::{USUAL, large_stacks, on_first_thread, spawn_on_large_stack, with_stack};
 
     /// The threads that work comes to at each of some levels of nesting.
     fn threads(levels: usize) -> Vec<ThreadId> {
@@ -115,15 +118,17 @@ mod tests {
     #[test]
     fn the_first_thread_is_left_where_nesting_is_deep() {
         let run = || {
-            on_first_thread();
             let own = thread::current().id();
+            on_first_thread(USUAL - 1);
+            assert!(!with_stack(|| threads(0)).contains(&own), "a small one is left at once");
+            on_first_thread(USUAL);
             assert_eq!(threads(20), [own; 21]);
             let mut seen = threads(500);
             seen.dedup();
             assert_eq!(seen.len(), 2);
             assert_eq!(seen.last(), Some(&own));
         };
-        thread::Builder::new().stack_size(8 << 20).spawn(run).unwrap().join().unwrap();
+        thread::Builder::new().stack_size(USUAL).spawn(run).unwrap().join().unwrap();
     }
 
     #[test]

@@ -37,7 +37,7 @@ pub(super) struct TextSite<'t> {
     pub place: Place,
 }
 
-/// Bytes of texts that are kept in their split form; those of large robots come to a tenth of it.
+/// Bytes of texts that are kept in their split form: blocks can be evaluated again and again with ever new texts.
 const KEPT_BYTES: usize = 4 << 20;
 
 /// What stands for a value that could not be computed.

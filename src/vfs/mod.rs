@@ -33,7 +33,7 @@ pub use error::{LoadError, LoadErrorKind};
 pub use glob::{TooMany, Wildcard, covers, has_magic};
 pub use held::Held;
 pub use output::write_atomically;
-pub use process::{is_process_alive, unbuffered_stdout};
+pub use process::{first_stack, is_process_alive, unbuffered_stdout};
 
 use crate::base::{FastMap, FileId, TextRange};
 use crate::xml::Document;
