@@ -20,7 +20,7 @@ use xacro_lsp::cli::{self, Io};
 use xacro_lsp::model::{Mesh, Meshes};
 use xacro_lsp::vfs::{Environment, Vfs};
 use xacro_lsp::workspace::config::Pattern;
-use xacro_lsp::workspace::{PackageOptions, Packages};
+use xacro_lsp::workspace::{Callers, PackageOptions, Packages};
 use xacro_lsp::xml::Document;
 use xacro_lsp::{expr, server};
 
@@ -623,6 +623,54 @@ fn suggested_below(levels: usize) -> bool {
 #[test]
 fn namesake_depth() {
     assert_eq!((suggested_below(NAMESAKE_DEPTH - 4), suggested_below(NAMESAKE_DEPTH + 4)), (true, false));
+}
+
+/// How many callers of a robot are found below `folder`.
+fn callers_of(folder: &Path, robot: &str) -> usize {
+    let env = Environment { vars: BTreeMap::new(), cwd: folder.to_owned() };
+    let options = PackageOptions {
+        workspace_folders: vec![folder.to_owned()],
+        search_upward: false,
+        ..PackageOptions::default()
+    };
+    let packages = Packages::new(Arc::new(Vfs::with_cwd(1 << 24, folder.to_owned())), &env, options);
+    Callers::default().of(&folder.join(robot), &packages).len()
+}
+
+#[test]
+fn caller_depth() {
+    let found = |levels: usize| {
+        let folder = folder();
+        let deep: PathBuf = (0..levels).map(|_| "d").collect();
+        write(&folder, &format!("{}/r.launch", deep.display()), "deep.urdf");
+        callers_of(&folder, "deep.urdf")
+    };
+    assert_eq!((found(CALLER_DEPTH - 4), found(CALLER_DEPTH + 4)), (1, 0));
+}
+
+#[test]
+fn caller_bytes() {
+    let found = |bytes: u64| {
+        let folder = folder();
+        write(&folder, "r.launch", format!("large.urdf{}", " ".repeat(bytes as usize)));
+        callers_of(&folder, "large.urdf")
+    };
+    assert_eq!((found(CALLER_BYTES / 2), found(CALLER_BYTES)), (1, 0));
+}
+
+#[test]
+fn caller_files() {
+    let folder = folder();
+    for n in 0..3 {
+        write(&folder, &format!("{n}/r.launch"), "many.urdf");
+    }
+    assert_eq!(callers_of(&folder, "many.urdf"), 3);
+    for n in 0..=CALLER_FILES {
+        write(&folder, &format!("0/{n}.md"), "");
+    }
+    // the folders are read one by one: how many came before the limit depends on the order
+    assert!(callers_of(&folder, "many.urdf") < 3);
+    let _ = fs::remove_dir_all(folder);
 }
 
 #[test]

@@ -45,7 +45,7 @@ impl Session {
         options.progress.begin(jobs.len());
         let mut reads: BTreeSet<PathBuf> = jobs.iter().map(|job| job.file.clone()).collect();
         // most files are parts of robots: those are expanded first, and what they include needs no look of its own
-        let (first, later, included) = self.in_turns(jobs);
+        let (first, later) = self.in_turns(jobs);
         let mut outcomes = self.run_all(options, first);
         let waiting = later.len();
         let later = self.uncovered(later, &outcomes);
@@ -56,7 +56,7 @@ impl Session {
         reads.extend(read.into_iter().cloned());
         reads.extend(self.config_files());
         reads.extend(self.mesh_files());
-        let mut kept = self.keep(outcomes, &included);
+        let mut kept = self.keep(outcomes);
         if let Some(change) = Change::of(self, options) {
             kept.retain(|outcome| change.is_read_by(outcome));
         }

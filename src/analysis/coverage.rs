@@ -9,16 +9,15 @@ use super::job::Outcome;
 use super::roots::{Job, Reason};
 use super::session::Session;
 use crate::base::FastSet;
-use crate::rules::Finding;
 
 impl Session {
     /// Jobs in two parts: what has to be expanded whatever the others give, and what a robot may cover that
     /// includes it.
-    pub(super) fn in_turns(&self, jobs: Vec<Job>) -> (Vec<Job>, Vec<Job>, FastSet<PathBuf>) {
+    pub(super) fn in_turns(&self, jobs: Vec<Job>) -> (Vec<Job>, Vec<Job>) {
         let included = self.statically_included(&jobs);
         let waits = |job: &Job| job.reason == Reason::Walked && included.contains(&job.file);
         let (later, first) = jobs.into_iter().partition(waits);
-        (first, later, included)
+        (first, later)
     }
 
     /// The jobs that no robot among the outcomes covers.
@@ -34,23 +33,20 @@ impl Session {
         reads.into_iter().filter_map(|path| self.vfs.identity(path)).collect()
     }
 
-    /// Drop what another expansion covers, and what cannot be judged without the file that includes it.
-    pub(super) fn keep(&self, outcomes: Vec<Outcome>, included: &FastSet<PathBuf>) -> Vec<Outcome> {
+    /// Drop what another expansion covers.
+    pub(super) fn keep(&self, outcomes: Vec<Outcome>) -> Vec<Outcome> {
         let mut covered = self.covered_by_robots(outcomes.iter());
         let (mut kept, mut others): (Vec<Outcome>, Vec<Outcome>) =
             outcomes.into_iter().partition(|outcome| outcome.job.reason != Reason::Walked);
         // robots first: what they include needs no look of its own
         others.sort_by_key(|outcome| !outcome.is_robot);
-        for mut outcome in others {
+        for outcome in others {
             let own = self.vfs.identity(&outcome.job.file).unwrap_or_default();
             if covered.contains(&own) {
                 continue;
             }
             if !outcome.is_robot {
                 covered.extend(outcome.reads.iter().filter_map(|path| self.vfs.identity(path)));
-                if included.contains(&outcome.job.file) {
-                    outcome.findings.retain(|finding| !needs_includer(finding));
-                }
             }
             kept.push(outcome);
         }
@@ -68,11 +64,6 @@ impl Session {
         let included = Included::of(sources.map(|source| Included::by(&source, &self.packages)).collect());
         files.into_par_iter().filter(|file| included.has(file)).map(Path::to_path_buf).collect()
     }
-}
-
-/// Whether a finding may be wrong as long as the file that includes this one is not known.
-fn needs_includer(finding: &Finding) -> bool {
-    ["XAC001", "XAC002", "XAC003", "XAC004", "XAC005", "XAC025", "XAC027"].contains(&finding.rule.code)
 }
 
 #[cfg(test)]

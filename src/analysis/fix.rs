@@ -134,6 +134,7 @@ impl Session {
                 break;
             }
             self.packages.forget();
+            self.forget_uses();
             left = Some(self.check(options));
         }
         Fixed { found, left, count: work.count, files: work.files.into_values().collect() }

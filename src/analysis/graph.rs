@@ -10,6 +10,7 @@ use crate::facts::{FactKind, facts};
 use crate::vfs::{SourceFile, Vfs};
 use crate::workspace::Packages;
 use crate::workspace::config::Pattern;
+use crate::xml::Document;
 
 /// What the graph knows of a file.
 #[derive(Clone, Debug)]
@@ -114,14 +115,17 @@ impl Graph {
     }
 }
 
-fn node(source: &Arc<SourceFile>, packages: &Packages) -> Node {
-    let document = &source.document;
+/// Whether a document looks like a robot: a root element with a name, and a link or a call outside of macros.
+pub(super) fn gives_robot(document: &Document) -> bool {
     let named = document.root().is_some_and(|root| {
         root.name() == "robot" && root.attr("name").is_some_and(|name| !name.raw().is_empty())
     });
     let gives = |kind: FactKind| matches!(kind, FactKind::Link | FactKind::Call);
-    let is_root = named
-        && facts(document)
-            .any(|(_, facts)| facts.named.iter().any(|fact| gives(fact.kind) && !fact.in_macro));
+    named
+        && facts(document).any(|(_, facts)| facts.named.iter().any(|fact| gives(fact.kind) && !fact.in_macro))
+}
+
+fn node(source: &Arc<SourceFile>, packages: &Packages) -> Node {
+    let is_root = gives_robot(&source.document);
     Node { hash: source.hash, is_root, includes: includes::patterns(source, packages) }
 }

@@ -7,6 +7,7 @@ use crate::base::FastMap;
 use crate::vfs::SourceFile;
 use crate::workspace::Packages;
 use crate::workspace::config::Pattern;
+use crate::xml::Node;
 
 /// The files that a file may include, as patterns of absolute paths.
 pub(super) fn patterns(source: &SourceFile, packages: &Packages) -> Vec<Pattern> {
@@ -36,8 +37,9 @@ pub(super) fn reach(source: &SourceFile, packages: &Packages) -> Reach {
 /// The includes of a file; none: the text does not say which file that is.
 fn read(source: &SourceFile, packages: &Packages) -> impl Iterator<Item = Option<Pattern>> {
     let document = &source.document;
-    let nodes =
-        document.parts().flat_map(|(_, item)| item.all_nodes()).filter(|node| node.name() == "xacro:include");
+    // one whose prefix was forgotten is meant to include the file as well
+    let is_include = |node: &Node<'_>| ["xacro:include", "include"].contains(&node.name());
+    let nodes = document.parts().flat_map(|(_, item)| item.all_nodes()).filter(is_include);
     let names = nodes.filter_map(|node| Some(node.attr("filename")?.value(document.entities()).into_owned()));
     names.map(|name| pattern(&name, &source.path, packages))
 }

@@ -3,8 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::calls::as_called;
 use super::check::CheckOptions;
 use super::configs::Settings;
+use super::roles::Checked;
 use super::roots::{Job, Reason};
 use super::session::Session;
 use crate::base::{CancelFlag, FastSet, FileId, Span, TextRange};
@@ -35,15 +37,19 @@ pub(super) struct Outcome {
 
 /// Expand a file and check the result.
 pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcome {
-    let expansion = expand(world(session), &request(session, &options.cancel, &job));
+    let expansion = expanded(session, &job, &request(session, &options.cancel, &job));
     let robot = Robot::of(&expansion);
     judge(session, &options.cancel, job, &expansion, robot.as_ref())
 }
 
 /// Expand a file, for somebody who keeps the result.
 pub(super) fn expansion(session: &Session, options: &CheckOptions, job: &Job) -> Expansion {
-    let request = Request { keep: true, ..request(session, &options.cancel, job) };
-    expand(world(session), &request)
+    expanded(session, job, &Request { keep: true, ..request(session, &options.cancel, job) })
+}
+
+fn expanded(session: &Session, job: &Job, request: &Request) -> Expansion {
+    let first = expand(world(session), request);
+    as_called(session, world(session), &job.file, request, first)
 }
 
 /// Expand what is in focus.
@@ -63,6 +69,7 @@ fn request(session: &Session, cancel: &CancelFlag, job: &Job) -> Request {
         file: job.file.strip_prefix(&session.env.cwd).unwrap_or(&job.file).to_string_lossy().into_owned(),
         args: job.args.clone(),
         probe: true,
+        ros_shell: true,
         limits: Limits::configured(&settings.config.limits),
         cancel: cancel.clone(),
         ..Request::default()
@@ -88,6 +95,7 @@ pub(super) fn judge(
     if let Some(error) = &expansion.root_error {
         findings.extend(unreadable(session.vfs.file_id(&job.file), error));
     }
+    session.settle_by_role(&Checked { job: &job, kind, expansion, robot }, &mut findings);
     Outcome {
         is_robot: kind == RootKind::Robot,
         is_context: job.reason == Reason::Root,
@@ -135,11 +143,25 @@ pub(super) fn kind(expansion: &Expansion, robot: Option<&Robot>, job: &Job) -> R
     let plain = job.file.extension().is_some_and(|ending| ending == "urdf")
         && !expansion.files.first().is_some_and(uses_xacro);
     let by_itself = || robot.is_some_and(Robot::is_entry);
-    if job.reason == Reason::Root || plain || by_itself() || is_bare(expansion) {
-        RootKind::Robot
-    } else {
-        RootKind::Library
-    }
+    let bare = || {
+        plain && !is_of_a_simulator(expansion, robot) || is_bare(expansion) && !has_content(expansion, robot)
+    };
+    if job.reason == Reason::Root || by_itself() || bare() { RootKind::Robot } else { RootKind::Library }
+}
+
+/// Whether a file has content, and none of it is a link or a joint: materials, settings.
+fn has_content(expansion: &Expansion, robot: Option<&Robot>) -> bool {
+    let has_elements = |robot: &Robot| expansion.tree.elements(robot.element).next().is_some();
+    robot.is_some_and(|robot| robot.links.is_empty() && robot.joints.is_empty() && has_elements(robot))
+}
+
+/// Whether such content is that of a simulator or driver: elements that describe no body.
+fn is_of_a_simulator(expansion: &Expansion, robot: Option<&Robot>) -> bool {
+    let tree = &expansion.tree;
+    let elements = robot.into_iter().flat_map(|robot| tree.elements(robot.element));
+    let mut others =
+        elements.filter(|&id| !["material", "transmission"].contains(&tree.get(id).text.as_str()));
+    has_content(expansion, robot) && others.next().is_some()
 }
 
 /// A robot with a name and without a single tag of xacro is no library: its links are missing.

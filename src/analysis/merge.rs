@@ -7,7 +7,7 @@ use indexmap::IndexMap;
 use super::contexts::{Contexts, Run};
 use super::job::Outcome;
 use crate::base::{FastMap, FileId, Span};
-use crate::rules::{Edit, Finding, Related, Severity};
+use crate::rules::{Edit, Finding, Related};
 
 /// A finding, and where it occurred.
 struct Merged {
@@ -25,12 +25,7 @@ pub(super) fn merge(outcomes: Vec<Outcome>) -> Vec<Finding> {
     let mut runs: Vec<Run> = Vec::new();
     for (number, outcome) in outcomes.into_iter().enumerate() {
         runs.push(Run::of(&outcome));
-        let library = !outcome.is_robot;
-        for mut finding in outcome.findings {
-            if library && finding.rule.code == "XAC003" {
-                // whoever includes the library may declare the argument
-                finding.severity = Severity::Info;
-            }
+        for finding in outcome.findings {
             let places = by_place.entry((finding.rule.code, finding.span)).or_default();
             let same = |&&i: &&usize| merged.get(i).is_some_and(|old| old.admits(&finding, number));
             match places.iter().find(same).and_then(|&i| merged.get_mut(i)) {

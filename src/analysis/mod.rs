@@ -4,6 +4,7 @@
 
 mod analyzed;
 mod baseline;
+mod calls;
 mod change;
 mod check;
 mod configs;
@@ -20,6 +21,7 @@ mod merge;
 mod placing;
 mod progress;
 mod report;
+mod roles;
 mod roots;
 mod session;
 mod suppress;

@@ -2,14 +2,16 @@
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::configs::{Configs, Overrides, Settings};
+use super::includes::Included;
+use crate::base::FastMap;
 use crate::model::Meshes;
 use crate::rules::{Manifests, Surroundings};
 use crate::vfs::{Environment, LoadError, Vfs};
 use crate::workspace::config::{self, Config, ConfigWarning};
-use crate::workspace::{PackageOptions, Packages};
+use crate::workspace::{Caller, Callers, PackageOptions, Packages};
 
 /// Files, packages, environment and configuration.
 pub struct Session {
@@ -22,6 +24,9 @@ pub struct Session {
     meshes: Meshes,
     manifests: Manifests,
     configs: Configs,
+    callers: Callers,
+    /// What the descriptions below a folder include.
+    included: Mutex<FastMap<PathBuf, Arc<Included>>>,
 }
 
 /// How a session is set up.
@@ -86,7 +91,34 @@ impl Session {
             meshes: Meshes::default(),
             manifests: Manifests::default(),
             configs,
+            callers: Callers::default(),
+            included: Mutex::default(),
         }
+    }
+
+    /// The files of the workspace that call a description, with the arguments they give.
+    pub(super) fn callers(&self, file: &Path) -> Vec<Caller> {
+        self.callers.of(file, &self.packages)
+    }
+
+    /// What the descriptions below a folder include, as `make` finds it the first time.
+    pub(super) fn included_below(
+        &self,
+        folder: &Path,
+        make: impl FnOnce() -> Arc<Included>,
+    ) -> Arc<Included> {
+        let known = || self.included.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(included) = known().get(folder) {
+            return included.clone();
+        }
+        let made = make();
+        known().entry(folder.to_owned()).or_insert(made).clone()
+    }
+
+    /// Forget which files include and call others: some have come, gone or changed.
+    pub(super) fn forget_uses(&self) {
+        self.callers.forget();
+        self.included.lock().unwrap_or_else(PoisonError::into_inner).clear();
     }
 
     /// The settings for a file.

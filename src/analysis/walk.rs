@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use ignore::WalkBuilder;
 
 use super::session::Session;
+use crate::base::limits::SCAN_FILES;
 use crate::vfs::Environment;
 use crate::workspace::is_built;
 
@@ -14,6 +15,14 @@ pub(super) fn descriptions(folder: &Path, session: &Session) -> Vec<PathBuf> {
     let mut found = Listing::of(&[folder.to_owned()], &session.env);
     found.go_on(session, &|| false);
     found.done()
+}
+
+/// The same with what the configuration excludes: an excluded file may include others all the same, and no
+/// configuration is read for it.
+pub(super) fn all_descriptions(folder: &Path, env: &Environment) -> Vec<PathBuf> {
+    let entries = walk(folder, env).filter_map(Result::ok).take(SCAN_FILES * 10);
+    let files = entries.filter(|entry| !entry.file_type().is_some_and(|kind| kind.is_dir()));
+    files.map(ignore::DirEntry::into_path).filter(|path| is_description(path)).take(SCAN_FILES).collect()
 }
 
 /// A search for descriptions below some folders that may be interrupted: a folder can be as large as the disk.

@@ -271,6 +271,7 @@ impl World {
     /// Files changed on the disk.
     pub fn changed_on_disk(&mut self, paths: &[PathBuf]) {
         self.epoch += 1;
+        self.session.forget_uses();
         let about_packages = |path: &PathBuf| {
             let name = path.file_name().and_then(|name| name.to_str()).unwrap_or("");
             ["package.xml", "COLCON_IGNORE", "xacro-lint.toml", ".xacro-lint.toml"].contains(&name)

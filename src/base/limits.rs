@@ -145,6 +145,12 @@ limits! {
         SCAN_DEPTH: usize = 64, "packages further down are not found";
         /// Descriptions of a workspace that the server looks at for robots.
         SCAN_FILES: usize = 20_000, "further ones are looked at when they are opened";
+        /// Launch files, scripts and pages of a workspace that are searched for calls of a robot.
+        CALLER_FILES: usize = 5_000, "arguments that further ones give are not known";
+        /// Bytes of each of them.
+        CALLER_BYTES: u64 = 300_000, "what it gives is not known";
+        /// Levels of folders that are searched for them.
+        CALLER_DEPTH: usize = 24, "deeper ones are not searched";
         /// Files that are looked at for the name of a missing one.
         NAMESAKE_FILES: usize = 100_000, "no file is suggested";
         /// Levels of folders that are looked at for the name of a missing file.

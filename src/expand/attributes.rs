@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use super::element::Tag;
 use super::machine::{Cx, Expander};
 use super::origin::Origin;
+use super::problem::Outside;
 use super::scope::Place;
 use crate::base::TextRange;
 use crate::expr::{Value, display, literal};
@@ -66,9 +67,11 @@ impl Expander<'_> {
             let reference = format!(
                 "Xacro conditional \"{raw}\" evaluated to \"{shown}\", which is not a boolean expression."
             );
+            let argument = self.empty_argument().map(Outside::Argument);
             let problem = self
                 .problem("XAC027", at, message)
                 .says(reference)
+                .depends_on(argument.unwrap_or(Outside::Includer))
                 .help("write `true`, `false`, an integer, or an expression such as `${x > 0}`");
             self.push(problem);
         }

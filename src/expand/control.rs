@@ -6,6 +6,7 @@ use super::element::Tag;
 use super::late::NameKind;
 use super::machine::{Cx, Expander};
 use super::origin::{FrameKind, Origin};
+use super::problem::Outside;
 use super::resolve::{BindingInfo, BindingKind};
 use super::scope::{Block, Place, State};
 use super::symbols::{SymbolKind, UseKind};
@@ -55,7 +56,7 @@ impl Expander<'_> {
         self.check_attrs(tag, &["name", "default"], cx);
         if let Some((name, place)) = name {
             let name = EcoString::from(name.as_ref());
-            self.defined(NameKind::Arg, &name, place.origin);
+            self.defined(NameKind::Arg, &name, cx.scope, place.origin);
             let definition = self.define(SymbolKind::Argument, &name, place.origin);
             let given = self.args.get(&name).map(|(_, info)| *info as usize);
             if let Some(info) = given.and_then(|info| self.result.bindings.get_mut(info)) {
@@ -86,11 +87,13 @@ impl Expander<'_> {
     pub fn insert_block(&mut self, tag: Tag<'_>, out: XId, cx: Cx) {
         let Some((name, place)) = self.required_attr(tag, "name", cx) else { return };
         self.check_attrs(tag, &["name"], cx);
-        let mut unknown = false;
+        let mut unknown = None;
         let found = ["**", "*"].into_iter().find_map(|stars| {
             let key = format!("{stars}{name}");
             let (_, binding) = self.scopes.find(cx.scope, &key)?;
-            unknown |= matches!(binding.state, State::Ready(Value::Unknown));
+            if matches!(binding.state, State::Ready(Value::Unknown)) {
+                unknown = Some(stars);
+            }
             let State::Block(block) = binding.state else { return None };
             let info = binding.info;
             let origin = self.result.bindings.get(info as usize).and_then(|info| info.origin);
@@ -98,10 +101,9 @@ impl Expander<'_> {
         });
         let Some((block, content_only, definition, info)) = found else {
             // a block that the call forgot was reported there
-            return if unknown {
-                self.result.complete = false
-            } else {
-                self.undefined_block(&name, place, cx)
+            return match unknown {
+                Some(stars) => self.unknown_block(stars, self.tag_origin(tag, cx), out),
+                None => self.undefined_block(&name, place, cx),
             };
         };
         self.note_read(place.origin, info, UseKind::Insert);
@@ -136,6 +138,16 @@ impl Expander<'_> {
         self.block_depth -= 1;
     }
 
+    /// A block whose content is not known: in its place goes an empty container, which counts where a call looks for
+    /// its blocks. Its text says how many elements the block is: one (`*`) or any number (`**`).
+    fn unknown_block(&mut self, stars: &str, at: Origin, out: XId) {
+        self.result.complete = false;
+        if self.request.probe {
+            let hole = self.result.tree.add(XKind::Container, stars.into(), at);
+            self.result.tree.append(out, hole);
+        }
+    }
+
     fn undefined_block(&mut self, name: &str, place: Place, cx: Cx) {
         if self.include_missing {
             self.result.complete = false;
@@ -143,7 +155,8 @@ impl Expander<'_> {
         }
         let mut problem = self
             .problem("XAC004", place.origin, format!("block `{name}` is not defined"))
-            .says(format!("Undefined block \"{name}\""));
+            .says(format!("Undefined block \"{name}\""))
+            .depends_on(Outside::Includer);
         if self.scopes.find(cx.scope, name).is_some() {
             problem =
                 problem.help(format!("`{name}` is a value; a block parameter is declared as `*{name}`"));

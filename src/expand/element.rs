@@ -320,6 +320,7 @@ impl Expander<'_> {
     pub fn skip_unknown(&mut self, tag: Tag<'_>, cx: Cx) {
         self.result.complete = false;
         self.content_lost = true;
+        self.losses += 1;
         let nowhere = self.result.tree.add(XKind::Container, EcoString::new(), Origin::NOWHERE);
         self.eval_children(tag.node, tag.src, nowhere, cx);
     }

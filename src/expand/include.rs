@@ -9,6 +9,7 @@ use super::element::Tag;
 use super::expansion::FileUse;
 use super::machine::{Cx, Expander, OpenFile, raise};
 use super::origin::{FileIdx, FrameKind, Origin, Source, SrcId};
+use super::problem::Outside;
 use super::record::Read;
 use super::resolve::{BindingInfo, BindingKind};
 use super::scope::State;
@@ -280,6 +281,7 @@ impl Expander<'_> {
         let problem = self
             .problem("XAC008", at, message)
             .says(format!("{strerror}: {shown} [Errno {errno}] {strerror}: '{shown}'"))
+            .depends_on(Outside::File)
             .help(help);
         self.push(problem);
     }

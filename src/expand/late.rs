@@ -4,8 +4,9 @@ use ecow::EcoString;
 
 use super::machine::Expander;
 use super::origin::Origin;
-use super::problem::{Problem, Step};
+use super::problem::{Outside, Problem, Step};
 use crate::base::FastMap;
+use crate::expr::ScopeId;
 
 /// What a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -25,8 +26,17 @@ impl NameKind {
     }
 }
 
-/// Problems about undefined names, by name: indices into the list of problems.
-pub(super) type Undefined = FastMap<(NameKind, EcoString), Vec<usize>>;
+/// Problems about undefined names, by name.
+pub(super) type Undefined = FastMap<(NameKind, EcoString), Vec<Early>>;
+
+/// A use of a name that was not defined yet.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Early {
+    /// Its index in the list of problems.
+    problem: usize,
+    /// The scope that the name was looked up in.
+    scope: ScopeId,
+}
 
 impl Expander<'_> {
     /// Report a problem, unless expansion is on its way out of an optional include, or looks at what is not used.
@@ -50,26 +60,37 @@ impl Expander<'_> {
         true
     }
 
-    /// Report that a name is not defined (yet).
-    pub fn push_undefined(&mut self, kind: NameKind, name: &str, problem: Problem) {
+    /// Report that a name is not defined (yet) where `scope` sees it.
+    pub fn push_undefined(&mut self, kind: NameKind, name: &str, scope: ScopeId, problem: Problem) {
         let before = self.problems.list.len();
-        self.push(problem);
+        let outside = match kind {
+            NameKind::Arg => Outside::Argument(name.into()),
+            NameKind::Property | NameKind::Macro => Outside::Includer,
+        };
+        self.push(problem.depends_on(outside));
         if self.problems.list.len() > before {
-            self.undefined.entry((kind, name.into())).or_default().push(before);
+            let early = Early { problem: before, scope };
+            self.undefined.entry((kind, name.into())).or_default().push(early);
         }
     }
 
-    /// A name is defined at `at`: whoever complained about it before came too early.
-    pub fn defined(&mut self, kind: NameKind, name: &EcoString, at: Origin) {
+    /// A name is defined at `at`, in `scope`: uses that see this scope came too early. A parameter of another macro that
+    /// happens to have the name is no definition.
+    pub fn defined(&mut self, kind: NameKind, name: &EcoString, scope: ScopeId, at: Origin) {
         if self.undefined.is_empty() {
             return;
         }
-        let Some(early) = self.undefined.remove(&(kind, name.clone())) else { return };
+        let Some(uses) = self.undefined.remove(&(kind, name.clone())) else { return };
+        let sees = |early: &Early| kind == NameKind::Arg || self.scopes.sees(early.scope, scope);
+        let (early, others): (Vec<Early>, Vec<Early>) = uses.into_iter().partition(sees);
+        if !others.is_empty() {
+            self.undefined.insert((kind, name.clone()), others);
+        }
         let Some(place) = self.result.place(at) else { return };
         let noun = kind.noun();
         let step = Step { place, message: format!("{noun} `{name}` is defined only here") };
-        for i in early {
-            let Some(problem) = self.problems.list.get_mut(i) else { continue };
+        for Early { problem, .. } in early {
+            let Some(problem) = self.problems.list.get_mut(problem) else { continue };
             problem.code = "XAC037";
             problem.message = format!("{noun} `{name}` is used before it is defined");
             problem.help = Some(match kind {

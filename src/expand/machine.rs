@@ -19,7 +19,7 @@ use super::text::SplitText;
 use super::tree::{XAttr, XId, XKind};
 use crate::base::limits::{self, EVAL_DEPTH};
 use crate::base::{CancelFlag, FastMap, FastSet, TextRange};
-use crate::expr::{Budget, ScopeId};
+use crate::expr::{Budget, ScopeId, Value};
 use crate::vfs::{Environment, Vfs};
 use crate::workspace::{Packages, config};
 
@@ -92,6 +92,10 @@ pub struct Request {
     /// Whether more is wanted than the document: macros that nothing calls are looked into, with parameters whose
     /// values are unknown, and it is noted what names refer to and what expressions gave.
     pub probe: bool,
+    /// Arguments that are given, nobody knows with which values; `args` win.
+    pub unknown_args: Vec<String>,
+    /// Whether variables that every shell of ROS has are set, as far as the environment does not say otherwise.
+    pub ros_shell: bool,
     /// Whether the result is kept for long: it then takes no more room than it must.
     pub keep: bool,
     /// Whether the process ends behind this: what the expansion was made with is then left to the system.
@@ -164,6 +168,10 @@ pub(super) struct Expander<'w> {
     pub compared: usize,
     /// The content of a condition or call is missing, because it could not be decided.
     pub content_lost: bool,
+    /// How often that happened.
+    pub losses: u32,
+    /// A variable of the environment has one of several values.
+    pub guessed: bool,
     /// Files that are not well-formed.
     pub broken: FastSet<FileIdx>,
     /// Problems about undefined names, in case they turn out to be defined later.
@@ -228,6 +236,8 @@ impl<'w> Expander<'w> {
             include_missing: false,
             compared: 0,
             content_lost: false,
+            losses: 0,
+            guessed: false,
             broken: FastSet::default(),
             undefined: Undefined::default(),
             calls: Vec::new(),
@@ -286,7 +296,8 @@ impl<'w> Expander<'w> {
     /// document with a hole never passes for a good one.
     fn admit_unknown(&mut self) {
         let reported = self.problems.list.iter().any(|problem| problem.severity == Severity::Error);
-        if self.result.complete || reported || self.stopped || self.result.root_error.is_some() {
+        let asked_for = self.guessed || !self.request.unknown_args.is_empty();
+        if self.result.complete || reported || asked_for || self.stopped || self.result.root_error.is_some() {
             return;
         }
         let tree = &self.result.tree;
@@ -302,8 +313,12 @@ impl<'w> Expander<'w> {
 
     fn bind_arguments(&mut self) {
         let request = self.request;
+        for name in &request.unknown_args {
+            let info = self.add_binding(BindingInfo::given(name, Value::Unknown));
+            self.args.insert(name.as_str().into(), (None, info));
+        }
         for (name, value) in &request.args {
-            let info = self.add_binding(BindingInfo::given(name, value));
+            let info = self.add_binding(BindingInfo::given(name, Value::Str(value.as_str().into())));
             self.args.insert(name.as_str().into(), (Some(value.as_str().into()), info));
             self.result.record.add(Read::Arg(name.clone(), Some(value.clone())));
         }

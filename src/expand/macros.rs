@@ -9,6 +9,7 @@ use super::late::NameKind;
 use super::machine::{Cx, Expander};
 use super::origin::{FrameKind, Origin};
 use super::params;
+use super::problem::Outside;
 use super::property::literal_of;
 use super::resolve::{BindingInfo, BindingKind};
 use super::scope::{Block, MacroDef, MacrosId, Open, Param, Params, Place, SrcRef, State};
@@ -24,6 +25,17 @@ struct Resolved {
     def: Arc<MacroDef>,
     macros: MacrosId,
     scope: ScopeId,
+}
+
+/// A block that a call gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum GivenBlock {
+    /// An element.
+    Known(XId),
+    /// One that the macro around the call got from its caller, who is not known.
+    Unknown,
+    /// The same for any number of elements.
+    Any,
 }
 
 impl Expander<'_> {
@@ -54,7 +66,7 @@ impl Expander<'_> {
             let message = format!("the parameter list of macro `{name}` holds only blanks");
             self.error("XAC025", place.origin, message, "list index out of range");
         }
-        self.defined(NameKind::Macro, &name, place.origin);
+        self.defined(NameKind::Macro, &name, cx.scope, place.origin);
         let definition = self.define(SymbolKind::Macro, &name, place.origin);
         let params = params.and_then(|(list, place)| Some((list?, place)));
         let params = params.map_or(Params::default(), |(list, place)| {
@@ -131,9 +143,11 @@ impl Expander<'_> {
         let body_cx =
             Cx { scope: self.scopes.push(scope, false), macros: self.macros.push(Some(macros)), frame };
         let mut open = self.bind_attributes(tag, &def, cx, body_cx);
-        let content = self.container(at);
+        let (content, losses) = (self.container(at), self.losses);
         self.eval_children(tag.node, tag.src, content, cx);
-        self.bind_blocks(tag, content, &def, &mut open, cx, body_cx);
+        let given = if self.losses > losses { Vec::new() } else { self.given_blocks(content) };
+        let is_sure = self.losses == losses && !given.contains(&GivenBlock::Any);
+        self.bind_blocks(tag, (given, is_sure), &def, &mut open, cx, body_cx);
         self.bind_defaults(&def, &mut open, at, cx, body_cx);
         if !open.is_empty() {
             self.missing_params(&def, &open, at, body_cx);
@@ -201,34 +215,50 @@ impl Expander<'_> {
         self.bind(body.scope, param.name.clone(), State::Ready(value), info, place.origin);
     }
 
+    /// The blocks that a call gives: its child elements, and blocks of the caller passed on.
+    fn given_blocks(&self, content: XId) -> Vec<GivenBlock> {
+        let tree = &self.result.tree;
+        let block = |id: XId| match (tree.get(id).kind, tree.get(id).text.as_str()) {
+            (XKind::Element, _) => Some(GivenBlock::Known(id)),
+            (XKind::Container, "*") => Some(GivenBlock::Unknown),
+            (XKind::Container, "**") => Some(GivenBlock::Any),
+            _ => None,
+        };
+        tree.children(content).filter_map(block).collect()
+    }
+
+    /// Bind block parameters to what the call gives. When that is not all known (`is_sure`), none is missing and none is
+    /// too many.
     fn bind_blocks(
         &mut self,
         tag: Tag<'_>,
-        content: XId,
+        (given, is_sure): (Vec<GivenBlock>, bool),
         def: &MacroDef,
         open: &mut Vec<&Param>,
         cx: Cx,
         body: Cx,
     ) {
-        let mut blocks = self.result.tree.elements(content).collect::<Vec<_>>().into_iter();
+        let mut blocks = given.into_iter().take_while(|block| *block != GivenBlock::Any);
         let wanted: Vec<&Param> = open.iter().copied().filter(|p| p.is_block()).collect();
         open.retain(|p| !p.is_block());
         let mut missing = Vec::new();
         for param in wanted {
             match blocks.next() {
-                Some(block) => {
+                Some(GivenBlock::Known(block)) => {
                     let origin = self.result.tree.get(block).origin;
                     let info = param_info(param, origin);
                     let state = State::Block(Block::Built(block));
                     self.bind(body.scope, param.name.clone(), state, info, origin);
                 }
-                None => {
-                    missing.push(param.name.trim_start_matches('*'));
+                block => {
+                    if block.is_none() && is_sure {
+                        missing.push(param.name.trim_start_matches('*'));
+                    }
                     self.bind_unknown(param, self.tag_origin(tag, cx), body);
                 }
             }
         }
-        if self.unwinding {
+        if self.unwinding || !is_sure {
             return;
         }
         if !missing.is_empty() {
@@ -238,7 +268,7 @@ impl Expander<'_> {
                 .says("Not enough blocks")
                 .help("put one element for each block parameter between the start and end tag of the call");
             self.push_with_definition(problem, def);
-        } else if let Some(extra) = blocks.next() {
+        } else if let Some(GivenBlock::Known(extra)) = blocks.next() {
             let node = self.result.tree.get(extra);
             let (name, at) = (node.text.clone(), node.origin);
             let message = format!("`{name}` is one block more than macro `{}` takes", def.name);
@@ -298,6 +328,7 @@ impl Expander<'_> {
         let problem = self
             .problem("XAC005", at, message)
             .says(format!("Undefined property to forward: {name}"))
+            .depends_on(Outside::Includer)
             .help(format!("pass it: {name}=\"...\""));
         self.push_with_definition(problem, def);
         self.bind_unknown(param, at, body);
@@ -384,10 +415,11 @@ impl Expander<'_> {
 
     fn unknown_macro(&mut self, tag: Tag<'_>, name: &str, cx: Cx) {
         let at = self.tag_origin(tag, cx);
-        let names = if self.compares() { self.macros.visible_names(cx.macros) } else { Vec::new() };
-        let near = nearest(name, names.iter().copied()).map(str::to_owned);
-        self.compared += names.len();
-        if near.is_some() || !self.include_missing {
+        // what a missing include would have defined is no news
+        if !self.include_missing {
+            let names = if self.compares() { self.macros.visible_names(cx.macros) } else { Vec::new() };
+            let near = nearest(name, names.iter().copied()).map(str::to_owned);
+            self.compared += names.len();
             let message = format!("macro `{name}` is not defined");
             let mut problem =
                 self.problem("XAC002", at, message).says(format!("unknown macro name: {}", tag.name));
@@ -398,7 +430,7 @@ impl Expander<'_> {
             } else {
                 problem = problem.help("include the file that defines it above this place");
             }
-            self.push_undefined(NameKind::Macro, name, problem);
+            self.push_undefined(NameKind::Macro, name, cx.scope, problem);
         }
         // what the call would have been given may hold causes of its own
         let nowhere = self.container(at);

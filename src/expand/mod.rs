@@ -43,7 +43,7 @@ pub use machine::{Limits, Request, World, expand};
 pub use origin::{FileIdx, Frame, FrameId, FrameKind, Origin, Source, SrcId};
 pub use params::parse as parse_params;
 pub use probe::Probe;
-pub use problem::{Place, Problem, Severity, Step};
+pub use problem::{Outside, Place, Problem, Severity, Step};
 pub use record::{Read, Record};
 pub use resolve::{BindingInfo, BindingKind};
 pub use scope::Param;

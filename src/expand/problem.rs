@@ -1,5 +1,7 @@
 //! What went wrong, where, and by which way expansion came there.
 
+use ecow::EcoString;
+
 use super::origin::Origin;
 use super::{Expansion, Frame, FrameKind};
 use crate::base::{FastMap, TextRange};
@@ -31,6 +33,19 @@ pub struct Step {
     pub message: String,
 }
 
+/// What is no part of this expansion and may make a problem go away.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Outside {
+    /// A file that includes this one, or a caller of the macro, may define a name.
+    Includer,
+    /// Whoever expands the file may give this argument.
+    Argument(EcoString),
+    /// The environment may hold a variable.
+    Environment,
+    /// Another value of an argument may name a file or package that is there.
+    File,
+}
+
 /// One cause, found once, however often expansion ran into it.
 #[derive(Clone, Debug)]
 pub struct Problem {
@@ -46,6 +61,8 @@ pub struct Problem {
     pub help: Option<String>,
     /// Text that would mend it, in place of the text of `place`.
     pub replacement: Option<String>,
+    /// What outside of this expansion may make it go away.
+    pub outside: Option<Outside>,
     /// Found in a macro that nothing calls: the document does not suffer from it.
     pub probed: bool,
     /// The text that is wrong.
@@ -66,6 +83,7 @@ impl Problem {
             reference: String::new(),
             help: None,
             replacement: None,
+            outside: None,
             probed: false,
             place,
             trace: Vec::new(),
@@ -98,6 +116,13 @@ impl Problem {
     #[must_use]
     pub fn replace_with(mut self, text: impl Into<String>) -> Self {
         self.replacement = Some(text.into());
+        self
+    }
+
+    /// With what outside of the expansion may make it go away.
+    #[must_use]
+    pub fn depends_on(mut self, outside: Outside) -> Self {
+        self.outside = Some(outside);
         self
     }
 

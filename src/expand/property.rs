@@ -120,7 +120,7 @@ impl Expander<'_> {
             let message = format!("`{key}` hides the built-in symbol of that name");
             self.warn("XAC018", at, message, format!("redefining global symbol: {key}"));
         }
-        self.defined(super::late::NameKind::Property, &key, at);
+        self.defined(super::late::NameKind::Property, &key, scope, at);
         if let State::Ready(value) = &state {
             info.value = Some(value.clone());
         }

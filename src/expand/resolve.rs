@@ -6,11 +6,11 @@ use super::late::NameKind;
 use super::machine::Expander;
 use super::origin::Origin;
 use super::problem::Step;
-use super::scope::State;
+use super::scope::{Scopes, State};
 use super::stack::with_stack;
 use super::symbols::{DefinitionId, UseKind};
-use crate::base::TextRange;
 use crate::base::limits::{COMPARED_NAMES, LAZY_DEPTH};
+use crate::base::{FastSet, TextRange};
 use crate::expr::{ScopeId, Value, literal};
 use crate::workspace::nearest;
 
@@ -44,11 +44,14 @@ pub enum BindingKind {
     Namespace,
 }
 
+/// Values looked at for one that is empty.
+const MOST_READS: usize = 200;
+
 impl BindingInfo {
     /// An argument given from outside.
-    pub fn given(name: &str, value: &str) -> Self {
+    pub fn given(name: &str, value: Value) -> Self {
         let (origin, definition, reads) = (None, None, TextRange::default());
-        let value = Some(Value::Str(value.into()));
+        let value = Some(value);
         Self { name: name.into(), kind: BindingKind::Argument, origin, definition, reads, value }
     }
 
@@ -178,17 +181,17 @@ impl Expander<'_> {
     pub fn undefined_property(&mut self, scope: ScopeId, name: &str, code: &str, at: Origin) {
         let message = format!("property `{name}` is not defined");
         // in a macro with many calls, looking for similar names each time would cost more than the calls
-        if !self.include_missing && self.is_repeated("XAC001", at, &message) {
+        if self.is_repeated("XAC001", at, &message) {
+            return;
+        }
+        // what a missing include would have defined is no news
+        if self.include_missing {
+            self.result.complete = false;
             return;
         }
         let names = if self.compares() { self.scopes.visible_names(scope) } else { Vec::new() };
         let near = nearest(name, names.iter().copied()).map(str::to_owned);
         self.compared += names.len();
-        // what a missing include would have defined is no news; a near name is a typing error all the same
-        if self.include_missing && near.is_none() {
-            self.result.complete = false;
-            return;
-        }
         let mut problem = self
             .problem("XAC001", at, message)
             .says(format!("name '{name}' is not defined \nwhen evaluating expression '{code}'"));
@@ -201,7 +204,26 @@ impl Expander<'_> {
             let define = format!("<xacro:property name=\"{name}\" value=\"...\"/>");
             problem = problem.help(format!("define it above this place: {define}"));
         }
-        self.push_undefined(NameKind::Property, name, problem);
+        self.push_undefined(NameKind::Property, name, scope, problem);
+    }
+
+    /// An argument that was read for what is evaluated now and that is empty by default: whoever expands the file is to
+    /// give it.
+    pub fn empty_argument(&self) -> Option<EcoString> {
+        let mut seen = FastSet::default();
+        let mut open: Vec<u32> = self.reads.iter().rev().copied().take(MOST_READS).collect();
+        while let Some(id) = open.pop() {
+            if seen.len() > MOST_READS || !seen.insert(id) {
+                continue;
+            }
+            let info = self.result.bindings.get(id as usize)?;
+            let is_empty = matches!(&info.value, Some(Value::Str(text)) if text.is_empty());
+            if info.kind == BindingKind::Argument && is_empty && info.origin.is_some() {
+                return Some(info.name.clone());
+            }
+            open.extend_from_slice(self.result.read_in(info.reads));
+        }
+        None
     }
 
     /// Whether undefined names are still compared with those there are.
@@ -227,6 +249,6 @@ impl Expander<'_> {
                 "declare it above this place: <xacro:arg name=\"{name}\" default=\"...\"/>, or give {name}:=..."
             )),
         };
-        self.push_undefined(NameKind::Arg, name, problem);
+        self.push_undefined(NameKind::Arg, name, Scopes::TOP, problem);
     }
 }

@@ -146,6 +146,11 @@ impl Scopes {
         std::iter::successors(self.get(id).parent, |&outer| self.get(outer).parent).count() as i64
     }
 
+    /// Whether what `outer` holds is visible from `id`.
+    pub fn sees(&self, id: ScopeId, outer: ScopeId) -> bool {
+        std::iter::successors(Some(id), |&id| self.get(id).parent).any(|id| id == outer)
+    }
+
     /// The scope in the chain from `id` that holds `name`.
     pub fn holder(&self, id: ScopeId, name: &str) -> Option<ScopeId> {
         let mut at = Some(id);

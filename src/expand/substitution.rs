@@ -4,6 +4,7 @@ use ecow::EcoString;
 
 use super::machine::Expander;
 use super::origin::Origin;
+use super::problem::Outside;
 use super::record::Read;
 use super::symbols::UseKind;
 use super::text::TextSite;
@@ -12,6 +13,7 @@ use crate::expr::{
     self, EvalError, Host, HostFn, Lookup, Module, ScopeId, Subst, SubstArg, SubstError, Value, display,
     literal,
 };
+use crate::workspace::RosVariable;
 
 /// Why a substitution has no value.
 enum Failure {
@@ -61,13 +63,15 @@ impl Expander<'_> {
         match subst {
             Subst::Arg(name) => self.argument(name, here),
             Subst::Find(name) => self.package(name, here),
-            Subst::Env(name) => match self.env_var(&name.text) {
-                Some(value) => Ok(value),
-                None => {
-                    let message = format!("environment variable '{}' is not set", name.text);
-                    Err(Failure::Error(SubstError::new(message)))
+            Subst::Env(name) => {
+                match self.env_var(&name.text).map(Some).or_else(|| self.ros_variable(&name.text)) {
+                    Some(value) => value.ok_or(Failure::Reported),
+                    None => {
+                        let message = format!("environment variable '{}' is not set", name.text);
+                        Err(Failure::Error(SubstError::new(message)))
+                    }
                 }
-            },
+            }
             Subst::OptEnv { name, default } => {
                 Ok(self.env_var(&name.text).unwrap_or_else(|| default.clone()))
             }
@@ -123,7 +127,8 @@ impl Expander<'_> {
                     format!("<class 'ament_index_python.packages.PackageNotFoundError'>: {text} {text}");
                 let message =
                     format!("package `{}` is not found (looked in {} places)", name.text, places.len());
-                let mut problem = self.problem("PKG001", at, message).says(reference);
+                let mut problem =
+                    self.problem("PKG001", at, message).says(reference).depends_on(Outside::File);
                 problem = match missing.nearest {
                     Some(near) => {
                         problem.help(format!("a package with a similar name exists: `{near}`")).replace_with(near)
@@ -142,6 +147,21 @@ impl Expander<'_> {
         let value = self.world.env.var(name).map(EcoString::from);
         self.result.record.add(Read::Env(name.to_owned(), value.as_ref().map(EcoString::to_string)));
         value
+    }
+
+    /// What a shell in which ROS was sourced has in a variable that is not set here; `Some(None)`: one of several values.
+    fn ros_variable(&mut self, name: &str) -> Option<Option<EcoString>> {
+        if !self.request.ros_shell {
+            return None;
+        }
+        let root = self.file_path(&self.request.file);
+        match self.world.packages.ros_variable(name, &root)? {
+            RosVariable::Value(value) => Some(Some(value.into())),
+            RosVariable::Unknown => {
+                self.guessed = true;
+                Some(None)
+            }
+        }
     }
 
     /// `$(eval code)`: arguments are its variables.
@@ -174,6 +194,9 @@ impl Expander<'_> {
         let mut problem = self
             .problem("XAC025", at, format!("`$({inner})` cannot be replaced: {message}"))
             .says(format!("<class '{class}'>: {message} {message}"));
+        if inner.starts_with("env ") {
+            problem = problem.depends_on(Outside::Environment);
+        }
         if let Some(package) = inner.strip_prefix("find-pkg-share ") {
             let find = format!("$(find {})", package.trim());
             problem = problem

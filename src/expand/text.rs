@@ -8,6 +8,7 @@ use ecow::EcoString;
 use super::functions::ExprHost;
 use super::machine::{Cx, Expander, raise};
 use super::origin::Origin;
+use super::problem::Outside;
 use super::scope::Place;
 use super::tree::Piece;
 use crate::base::TextRange;
@@ -83,6 +84,7 @@ impl Expander<'_> {
             let (value, reads) = self.eval_token(token, site, cx.scope);
             self.reads.truncate(mark);
             let start = out.len() as u32;
+            let value = self.without_function(value, token, site);
             let shown = display::to_str(&value).filter(|text| self.affords(text.len(), site));
             let unknown = shown.is_none();
             self.result.complete &= !unknown;
@@ -93,6 +95,23 @@ impl Expander<'_> {
             }
         }
         (out, pieces.into())
+    }
+
+    /// A built-in function as text is no value: a property of that name was meant. The reference writes the text that
+    /// Python shows of it.
+    fn without_function(&mut self, value: Value, token: &Token, site: TextSite<'_>) -> Value {
+        let (Value::Builtin(_) | Value::Type(_), Token::Expr { range, inner, .. }) = (&value, token) else {
+            return value;
+        };
+        if !self.request.probe {
+            return value;
+        }
+        let name = inner.slice(site.text).trim();
+        let message = format!("property `{name}` is not defined: `{name}` is a built-in function of Python");
+        let problem = self.problem("XAC001", self.origin_in(site, *range), message);
+        let help = format!("define it above this place: <xacro:property name=\"{name}\" value=\"...\"/>");
+        self.push(problem.help(help).depends_on(Outside::Includer));
+        Value::Unknown
     }
 
     /// Whether the budget admits so many more bytes of text; expansion winds up when it does not.
@@ -270,6 +289,11 @@ impl Expander<'_> {
             _ => format!("`{}` cannot be evaluated: {}", shortened(at.code.trim()), error.message),
         };
         let mut problem = self.problem(code, place, message).says(reference);
+        if code == "XAC025" {
+            let argument = || self.empty_argument().map_or(Outside::Includer, Outside::Argument);
+            let outside = if error.kind == ErrorKind::Io { Outside::File } else { argument() };
+            problem = problem.depends_on(outside);
+        }
         if error.kind == ErrorKind::Budget && error.message.contains(" steps") {
             problem = problem.help(raise("eval-steps"));
         }

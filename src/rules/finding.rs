@@ -4,6 +4,7 @@ use ecow::EcoString;
 
 use super::registry::{Rule, Safety, Severity};
 use crate::base::Span;
+use crate::expand::Outside;
 
 /// A defect at its place.
 #[derive(Clone, Debug)]
@@ -26,6 +27,10 @@ pub struct Finding {
     pub ways: Vec<Way>,
     /// Whether it holds in some calls of that macro only, because the text reads differently in others.
     pub partial: bool,
+    /// What outside of the expansion may make it go away.
+    pub outside: Option<Outside>,
+    /// Whether it is in a macro that nothing calls.
+    pub probed: bool,
 }
 
 /// A macro call in which a finding holds.
@@ -56,6 +61,8 @@ impl Finding {
             fix: None,
             ways: Vec::new(),
             partial: false,
+            outside: None,
+            probed: false,
         }
     }
 }

@@ -107,6 +107,9 @@ pub enum Check {
     Document(fn(&DocumentCx<'_>, &mut Sink<'_>)),
     /// An expanded robot.
     Robot(fn(&RobotCx<'_>, &mut Sink<'_>)),
+    /// An expanded robot of which everything is there: the rule says that something is missing. Nothing is missing from
+    /// a part of a robot.
+    Whole(fn(&RobotCx<'_>, &mut Sink<'_>)),
 }
 
 /// The page of a rule.

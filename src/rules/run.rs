@@ -73,10 +73,10 @@ pub fn check_expansion(
         let kinematics = Kinematics::of(robot);
         let whole = is_whole(expansion) && !unprefixed.structure && robot.names_are_known();
         let cx = RobotCx { expansion, robot, kinematics: &kinematics, world, whole };
-        chosen.run(&mut sink, |rule, sink| {
-            if let Check::Robot(check) = rule.check {
-                check(&cx, sink);
-            }
+        chosen.run(&mut sink, |rule, sink| match rule.check {
+            Check::Robot(check) => check(&cx, sink),
+            Check::Whole(check) if whole => check(&cx, sink),
+            _ => {}
         });
     }
     // what the recovered tree of a broken file seems to say is not trusted
@@ -246,7 +246,13 @@ fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Option<Findin
     });
     let fix = fix.or_else(|| mend::fix(problem, document, place, vfs));
     let new = Finding::new(rule, place, problem.message.clone());
-    let mut finding = Finding { help: problem.help.clone(), fix, ..new };
+    let mut finding = Finding {
+        help: problem.help.clone(),
+        fix,
+        outside: problem.outside.clone(),
+        probed: problem.probed,
+        ..new
+    };
     limit_calls(&mut finding, calls);
     Some(finding)
 }

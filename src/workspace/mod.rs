@@ -1,6 +1,7 @@
 //! What surrounds a file: the packages it can name, the workspace it lies in, its configuration.
 
 mod belonging;
+mod callers;
 pub mod config;
 mod manifest;
 mod memo;
@@ -8,6 +9,7 @@ mod namesakes;
 mod packages;
 mod root;
 mod scan;
+mod shell;
 mod similar;
 mod steps;
 mod uri;
@@ -16,8 +18,10 @@ mod uri;
 mod tests;
 
 pub use belonging::Vicinity;
+pub use callers::{Caller, Callers, GivenArg};
 pub use packages::{Entry, Found, NotFound, Package, PackageOptions, Packages, Target};
 pub use root::is_built;
+pub use shell::RosVariable;
 pub use similar::{edit_distance, nearest};
 pub use steps::Step;
 pub use uri::{UriKind, UriOutcome, UriResult, percent_decoded};

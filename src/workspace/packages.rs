@@ -289,6 +289,11 @@ impl Packages {
         folders
     }
 
+    /// The folders with sources that are searched for a reference in `from`.
+    pub(super) fn source_folders(&self, from: &Path) -> Vec<PathBuf> {
+        self.workspaces(from, self.options.search_upward)
+    }
+
     /// The workspace that a folder lies in.
     pub fn workspace(&self, start: &Path) -> Option<PathBuf> {
         let home = self.env.var("HOME").map(Path::new);

@@ -16,13 +16,10 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page!("gazebo-unknown-reference"),
-    check: Check::Robot(check),
+    check: Check::Whole(check),
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    if !cx.whole {
-        return;
-    }
     let joints: FastSet<&str> = cx.robot.joints.iter().map(|joint| joint.shown()).collect();
     for text in cx.robot.gazebo.iter().filter_map(|block| block.reference.as_ref()) {
         let Some(name) = text.name() else { continue };

@@ -14,12 +14,10 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page!("ros2-control-unknown-joint"),
-    check: Check::Robot(check),
+    check: Check::Whole(check),
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let joints = cx.robot.controls.iter().flat_map(|control| &control.joints);
-    if cx.whole {
-        unknown_joints(cx, out, joints.filter_map(|joint| joint.name.as_ref()), "ros2_control");
-    }
+    unknown_joints(cx, out, joints.filter_map(|joint| joint.name.as_ref()), "ros2_control");
 }

@@ -14,12 +14,10 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page!("transmission-unknown-joint"),
-    check: Check::Robot(check),
+    check: Check::Whole(check),
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let joints = cx.robot.transmissions.iter().flat_map(|transmission| &transmission.joints);
-    if cx.whole {
-        unknown_joints(cx, out, joints.filter_map(|(_, name)| name.as_ref()), "a transmission");
-    }
+    unknown_joints(cx, out, joints.filter_map(|(_, name)| name.as_ref()), "a transmission");
 }

@@ -15,12 +15,12 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page!("missing-base-frame"),
-    check: Check::Robot(check),
+    check: Check::Whole(check),
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let has_base = cx.robot.links.iter().any(|link| link.shown().ends_with("base"));
-    if cx.whole && !has_base && can_move(cx.robot) {
+    if !has_base && can_move(cx.robot) {
         out.report(tag_start(cx.expansion, cx.robot.element), "the robot has no frame `base`")
             .help("add a link `base` without geometry, fixed to `base_link`, where the controller has its coordinate system")
             .done();

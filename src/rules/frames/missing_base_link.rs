@@ -14,12 +14,12 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page!("missing-base-link"),
-    check: Check::Robot(check),
+    check: Check::Whole(check),
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let has_base = cx.robot.links.iter().any(|link| link.shown().ends_with("base_link"));
-    if !cx.whole || has_base || !can_move(cx.robot) {
+    if has_base || !can_move(cx.robot) {
         return;
     }
     let root =

@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page!("missing-tool0"),
-    check: Check::Robot(check),
+    check: Check::Whole(check),
 };
 
 /// Words in the names of joints that make no arm.
@@ -23,8 +23,7 @@ const OTHERS: [&str; 8] = ["wheel", "caster", "leg", "hip", "head", "finger", "t
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let has_tool0 = cx.robot.links.iter().any(|link| link.shown().ends_with("tool0"));
-    if cx.whole && !has_tool0 && serial_arms(cx.robot, cx.kinematics).iter().any(|arm| is_arm(cx.robot, arm))
-    {
+    if !has_tool0 && serial_arms(cx.robot, cx.kinematics).iter().any(|arm| is_arm(cx.robot, arm)) {
         out.report(tag_start(cx.expansion, cx.robot.element), "the arm has no frame `tool0`")
             .help("add a link `tool0` without geometry, fixed to the last link (or to `flange`), z out of the flange")
             .done();

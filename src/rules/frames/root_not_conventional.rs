@@ -14,13 +14,10 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page!("root-not-conventional"),
-    check: Check::Robot(check),
+    check: Check::Whole(check),
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    if !cx.whole {
-        return;
-    }
     for root in cx.kinematics.roots(cx.robot) {
         let Some(text) = cx.robot.links.get(root).and_then(|link| link.name.as_ref()) else { continue };
         let usual = ["world", "base_footprint", "base_link"].contains(&text.value.as_str());

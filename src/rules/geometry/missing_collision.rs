@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page!("missing-collision"),
-    check: Check::Robot(check),
+    check: Check::Whole(check),
 };
 
 /// Links called so carry nothing that others should keep away from.
@@ -22,9 +22,6 @@ const DECORATION: [&str; 9] =
     ["camera", "sensor", "lidar", "laser", "imu", "logo", "decal", "marker", "optical"];
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    if !cx.whole {
-        return;
-    }
     for (index, link) in cx.robot.links.iter().enumerate() {
         let is_mesh = |kind: &ShapeKind| matches!(kind, ShapeKind::Mesh { .. });
         let has_mesh = link.visuals.iter().any(|body| body.shape().is_some_and(|shape| is_mesh(&shape.kind)));

@@ -16,13 +16,10 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page!("undefined-material"),
-    check: Check::Robot(check),
+    check: Check::Whole(check),
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    if !cx.whole {
-        return;
-    }
     let visuals = || visual_materials(cx.robot);
     let inline = visuals().map(|(_, material)| material).filter(|material| is_defined(material));
     let names = cx.robot.materials.iter().chain(inline).filter_map(|material| material.name.as_ref());

@@ -18,13 +18,10 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page!("unused-material"),
-    check: Check::Robot(check),
+    check: Check::Whole(check),
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    if !cx.whole {
-        return;
-    }
     let used: FastSet<&str> = visual_materials(cx.robot)
         .filter_map(|(_, material)| Some(material.name.as_ref()?.value.as_str()))
         .collect();

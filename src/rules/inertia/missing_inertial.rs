@@ -16,13 +16,13 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page!("missing-inertial"),
-    check: Check::Robot(check),
+    check: Check::Whole(check),
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let robot = cx.robot;
     let simulated = !robot.gazebo.is_empty() || !robot.controls.is_empty();
-    if !cx.whole || !simulated && !cx.world.config.profiles.contains(&Profile::Gazebo) {
+    if !simulated && !cx.world.config.profiles.contains(&Profile::Gazebo) {
         return;
     }
     for (index, link) in robot.links.iter().enumerate() {

@@ -16,13 +16,10 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page!("mimic-unknown-joint"),
-    check: Check::Robot(check),
+    check: Check::Whole(check),
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    if !cx.whole {
-        return;
-    }
     let known: FastSet<&str> = cx.robot.joints.iter().map(|joint| joint.shown()).collect();
     for joint in &cx.robot.joints {
         let Some(text) = joint.mimic.as_ref().and_then(|mimic| mimic.joint.as_ref()) else { continue };

@@ -15,16 +15,13 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page!("multiple-roots"),
-    check: Check::Robot(check),
+    check: Check::Whole(check),
 };
 
 /// Links that are the root of a robot by convention, the usual one first.
 const USUAL_ROOTS: [&str; 3] = ["world", "base_footprint", "base_link"];
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    if !cx.whole {
-        return;
-    }
     let lost = lost_links(cx);
     let mut roots: Vec<&Text> = Vec::new();
     for root in cx.kinematics.roots(cx.robot) {

@@ -14,11 +14,11 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page!("no-links"),
-    check: Check::Robot(check),
+    check: Check::Whole(check),
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    if cx.whole && cx.robot.links.is_empty() {
+    if cx.robot.links.is_empty() {
         out.report(tag_start(cx.expansion, cx.robot.element), "the robot has no link")
             .help("urdfdom refuses a robot without links")
             .done();

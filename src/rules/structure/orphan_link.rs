@@ -17,11 +17,11 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page!("orphan-link"),
-    check: Check::Robot(check),
+    check: Check::Whole(check),
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    if !cx.whole || cx.robot.links.len() < 2 {
+    if cx.robot.links.len() < 2 {
         return;
     }
     let ends = cx.robot.joints.iter().flat_map(|joint| [&joint.parent, &joint.child]);

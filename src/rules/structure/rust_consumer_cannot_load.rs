@@ -19,7 +19,7 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page!("rust-consumer-cannot-load"),
-    check: Check::Robot(check),
+    check: Check::Whole(check),
 };
 
 /// Larger documents, in bytes, are not given to urdf-rs.
@@ -33,7 +33,7 @@ const MOST_PARTS: usize = 5000;
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     // what xacro refuses never comes to a consumer
-    if !cx.whole || !cx.expansion.complete || cx.expansion.has_errors() {
+    if !cx.expansion.complete || cx.expansion.has_errors() {
         return;
     }
     let tree = &cx.expansion.tree;

@@ -15,13 +15,10 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page!("undefined-link"),
-    check: Check::Robot(check),
+    check: Check::Whole(check),
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    if !cx.whole {
-        return;
-    }
     for missing in missing_links(cx) {
         let name = &missing.name;
         let (first, others) = (&missing.uses.first, &missing.uses.others);

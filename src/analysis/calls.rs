@@ -1,0 +1,202 @@
+//! Robots that the defaults of their arguments do not give: expanded with what launch files and scripts pass.
+
+use std::path::Path;
+
+use super::session::Session;
+use crate::base::FastSet;
+use crate::expand::{Expansion, Outside, Problem, Request, Severity, World, expand};
+use crate::workspace::Caller;
+
+/// Callers that are tried.
+const MOST_CALLERS: usize = 4;
+
+/// The expansion of a file as it is called, when with its defaults (`first`) something fails that an argument may
+/// decide and a call is known with which less fails. Else `first`.
+pub(super) fn as_called(
+    session: &Session,
+    world: World<'_>,
+    file: &Path,
+    request: &Request,
+    first: Expansion,
+) -> Expansion {
+    let mut fails = Failures::of(&first);
+    if fails.count() == 0 || request.cancel.is_cancelled() {
+        return first;
+    }
+    let mut best = first;
+    let mut tried: Vec<Request> = Vec::new();
+    for caller in session.callers(file).iter().take(MOST_CALLERS) {
+        for with_all in [false, true] {
+            let Some(request) = called(request, caller, &fails, with_all) else { continue };
+            let is_known =
+                |old: &Request| (&old.args, &old.unknown_args) == (&request.args, &request.unknown_args);
+            if tried.iter().any(is_known) {
+                continue;
+            }
+            let next = expand(world, &request);
+            tried.push(request);
+            let left = Failures::of(&next);
+            if left.count() < fails.count() && left.errors <= fails.errors {
+                (best, fails) = (next, left);
+            }
+            if fails.count() == 0 {
+                return best;
+            }
+        }
+    }
+    best
+}
+
+/// What an expansion lacks that an argument may give.
+struct Failures {
+    /// Arguments that are read and not given.
+    arguments: FastSet<String>,
+    /// Files and packages that are not there.
+    files: usize,
+    /// Everything else that may depend on a value.
+    others: usize,
+    /// All errors.
+    errors: usize,
+}
+
+impl Failures {
+    fn of(expansion: &Expansion) -> Self {
+        let mut found = Self { arguments: FastSet::default(), files: 0, others: 0, errors: 0 };
+        let is_error = |problem: &&Problem| !problem.probed && problem.severity == Severity::Error;
+        for problem in expansion.problems.iter().filter(is_error) {
+            found.errors += 1;
+            match &problem.outside {
+                Some(Outside::Argument(name)) => drop(found.arguments.insert(name.to_string())),
+                Some(Outside::File) => found.files += 1,
+                _ if ["XAC025", "XAC027"].contains(&problem.code) => found.others += 1,
+                _ => {}
+            }
+        }
+        found
+    }
+
+    fn count(&self) -> usize {
+        self.arguments.len() + self.files + self.others
+    }
+}
+
+/// The request with the arguments of a caller. Those whose values the caller computes are unknown where nothing else is
+/// known of them; `with_all`, also where the file has a default that names a file that is not there.
+fn called(request: &Request, caller: &Caller, fails: &Failures, with_all: bool) -> Option<Request> {
+    let own: FastSet<&str> = request.args.iter().map(|(name, _)| name.as_str()).collect();
+    let mut next = request.clone();
+    let mut seen = FastSet::default();
+    for arg in caller.args.iter().filter(|arg| !own.contains(arg.name.as_str())) {
+        let is_wanted = fails.arguments.contains(&arg.name) || with_all && fails.files > 0;
+        match &arg.value {
+            Some(value) if seen.insert(&arg.name) => next.args.push((arg.name.clone(), value.clone())),
+            None if is_wanted && seen.insert(&arg.name) => next.unknown_args.push(arg.name.clone()),
+            _ => {}
+        }
+    }
+    (!seen.is_empty()).then_some(next)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::analysis::{CheckOptions, Session, Setup};
+    use crate::vfs::testing::Tree;
+
+    /// Check `r.urdf.xacro` with these contents beside further files: errors, warnings and notes about arguments.
+    fn check_called(robot: &str, files: &[(&str, &str)], expected: &[&str]) {
+        let tree = Tree::new();
+        let around = format!("<robot name='r' xmlns:xacro='x'><link name='base'/>{robot}</robot>");
+        tree.write("r.urdf.xacro", if robot.starts_with("<robot") { robot } else { &around });
+        for (name, text) in files {
+            tree.write(name, text);
+        }
+        let setup = Setup {
+            about: tree.root().to_owned(),
+            folders: vec![tree.root().to_owned()],
+            ..Setup::default()
+        };
+        let session = Session::new(&tree.environment(&[]), setup).unwrap();
+        let options = CheckOptions { paths: vec![tree.root().to_owned()], ..CheckOptions::default() };
+        let report = session.check(&options);
+        let found = report
+            .findings
+            .iter()
+            .filter(|f| f.rule.code.starts_with("XAC0") && !f.rule.name.starts_with("unused"));
+        let found: Vec<String> =
+            found.map(|finding| format!("{} {}", finding.severity, finding.rule.name)).collect();
+        assert_eq!(found, expected, "{robot} {files:?}");
+    }
+
+    #[test]
+    fn arguments_that_a_launch_file_gives() {
+        let robot = "<xacro:property name='p' value='$(arg side)' lazy_eval='false'/>";
+        check_called(robot, &[], &["error undefined-arg"]);
+        for launch in [
+            "xacro r.urdf.xacro side:=left",
+            "'r.urdf.xacro', ' side:=', compute()",
+            "r.urdf.xacro side:=$(eval x)",
+        ] {
+            check_called(robot, &[("launch/r.launch.py", launch)], &[]);
+        }
+        check_called(
+            robot,
+            &[("launch/r.launch.py", "xacro r.urdf.xacro sight:=left")],
+            &["error undefined-arg"],
+        );
+        check_called(
+            robot,
+            &[("launch/s.launch.py", "xacro s.urdf.xacro side:=left")],
+            &["error undefined-arg"],
+        );
+        // a similar name is declared: a launch file does not excuse it
+        let misspelled = "<xacro:arg name='prefix' default=''/><xacro:property name='p' value='$(arg prefx)' lazy_eval='false'/>";
+        check_called(misspelled, &[], &["error undefined-arg"]);
+    }
+
+    #[test]
+    fn arguments_of_files_that_are_no_robots_are_notes() {
+        let library = "<robot xmlns:xacro='x'><link name='$(arg side)'/><joint name='$(arg side)'/></robot>";
+        check_called(library, &[], &["info undefined-arg"]);
+    }
+
+    #[test]
+    fn the_name_of_a_robot_may_be_an_argument() {
+        let robot = "<robot name='$(arg name)' xmlns:xacro='x'><xacro:arg name='name' default='r'/><link name='b'/></robot>";
+        check_called(robot, &[], &["warning use-before-definition"]);
+        check_called(robot, &[("README.md", "xacro r.urdf.xacro name:=arm")], &[]);
+    }
+
+    #[test]
+    fn defaults_that_name_no_file() {
+        let robot = "<xacro:arg name='kind' default='none'/><xacro:include filename='$(arg kind).xacro'/>";
+        let part = ("big.xacro", "<robot/>");
+        let given = (
+            "r.launch",
+            "<launch><arg name='kind' default='big'/>xacro r.urdf.xacro kind:=$(arg kind)</launch>",
+        );
+        check_called(robot, &[part, given], &[]);
+        // given, with a value that is not known
+        check_called(robot, &[("r.launch", "xacro r.urdf.xacro kind:=$(arg kind)")], &[]);
+        // given, and wrong
+        check_called(robot, &[("r.launch", "xacro r.urdf.xacro kind:=small")], &["error include-not-found"]);
+        // the file is missing whatever is given
+        let literal = "<xacro:arg name='kind' default='none'/><xacro:include filename='gone.xacro'/>";
+        check_called(literal, &[given], &["error include-not-found"]);
+    }
+
+    #[test]
+    fn values_from_empty_arguments() {
+        let number = "<xacro:arg name='width' default=''/><xacro:property name='w' value='$(arg width)'/><link name='${w / 2}'/>";
+        check_called(number, &[], &["info expression-error"]);
+        check_called(number, &[("r.launch", "xacro r.urdf.xacro width:=2")], &[]);
+        check_called(&number.replace("default=''", "default='wide'"), &[], &["error expression-error"]);
+    }
+
+    #[test]
+    fn variables_of_the_environment() {
+        let robot = "<xacro:if value='${$(env ROS_VERSION) == 2}'><link name='b'/></xacro:if>";
+        check_called(robot, &[("package.xml", "<package><name>p</name></package>")], &[]);
+        check_called(robot, &[], &[]);
+        check_called("<link name='$(env ROBOT_SERIAL)'/>", &[], &["info expression-error"]);
+    }
+}

@@ -1,0 +1,323 @@
+//! What a file is for: a robot of its own, or a part of others.
+//!
+//! Much of what is wrong in a file by itself is right in the file that includes it: names that are defined there, links
+//! that are added there. So such findings are judged by the role of the file.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use ecow::EcoString;
+use rayon::prelude::*;
+
+use super::graph;
+use super::includes::Included;
+use super::roots::{Job, Reason};
+use super::session::Session;
+use super::walk;
+use crate::base::FastSet;
+use crate::expand::{Expansion, Outside};
+use crate::model::{Kinematics, Robot};
+use crate::rules::{Check, Finding, RootKind, Severity};
+
+/// What a file is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Role {
+    /// It is expanded by itself.
+    Root,
+    /// Other files include it, and nothing expands it by itself.
+    Part,
+    /// Nothing says so.
+    Unknown,
+}
+
+/// What becomes of a finding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Verdict {
+    Keep,
+    /// It has another severity.
+    Set(Severity),
+    /// It may be right elsewhere: worth a note, once in a file.
+    Note,
+    Drop,
+}
+
+/// An expansion of a file that was checked.
+pub(super) struct Checked<'a> {
+    pub(super) job: &'a Job,
+    pub(super) kind: RootKind,
+    pub(super) expansion: &'a Expansion,
+    pub(super) robot: Option<&'a Robot>,
+}
+
+impl Session {
+    /// Of findings that hold only as long as a file stands alone, keep what is true in its role.
+    pub(super) fn settle_by_role(&self, checked: &Checked<'_>, findings: &mut Vec<Finding>) {
+        if !findings.iter().any(depends_on_role) {
+            return;
+        }
+        let role = self.role(checked, findings);
+        let mut noted = FastSet::default();
+        findings.retain_mut(|finding| match verdict(role, finding) {
+            Verdict::Keep => true,
+            Verdict::Drop => false,
+            Verdict::Set(severity) => {
+                finding.severity = finding.severity.min(severity);
+                true
+            }
+            Verdict::Note => {
+                finding.severity = finding.severity.min(Severity::Info);
+                noted.insert((finding.rule.code, finding.span.file, finding.message.clone()))
+            }
+        });
+    }
+
+    fn role(&self, checked: &Checked<'_>, findings: &[Finding]) -> Role {
+        let Checked { job, kind, expansion, robot } = *checked;
+        if job.reason == Reason::Root {
+            return Role::Root;
+        }
+        let is_called = || !self.callers(&job.file).is_empty();
+        let document = expansion.files.first().map(|file| &file.source.document);
+        let gives_robot =
+            kind == RootKind::Robot || document.is_some_and(|document| graph::gives_robot(document));
+        if self.is_included(&job.file) {
+            return if gives_robot && is_called() { Role::Root } else { Role::Part };
+        }
+        let misspelt =
+            || findings.iter().any(|finding| finding.rule.code == "STR003" && finding.fix.is_some());
+        match gives_robot {
+            true if !robot.is_some_and(is_fragment) || misspelt() || is_called() => Role::Root,
+            _ => Role::Unknown,
+        }
+    }
+
+    /// Whether a file of the workspace includes this one, whatever the condition around the include.
+    fn is_included(&self, file: &Path) -> bool {
+        let Some(top) = self.packages.sources_around(file) else { return false };
+        let included = self.included_below(&top, || {
+            let files = walk::all_descriptions(&top, &self.env);
+            let sources = files.par_iter().filter_map(|file| self.vfs.document(file).ok());
+            Arc::new(Included::of(sources.map(|source| Included::by(&source, &self.packages)).collect()))
+        });
+        included.has(file)
+    }
+}
+
+/// Whether a finding may be false in a file that is not expanded by itself, or with other arguments.
+fn depends_on_role(finding: &Finding) -> bool {
+    finding.outside.is_some() || matches!(finding.rule.check, Check::Whole(_))
+}
+
+fn verdict(role: Role, finding: &Finding) -> Verdict {
+    let is_misspelt = finding.fix.is_some() && !finding.probed;
+    match (&finding.outside, role) {
+        (None, _) if !depends_on_role(finding) => Verdict::Keep,
+        (Some(Outside::File), _) => Verdict::Keep,
+        (Some(Outside::Environment), _) => Verdict::Note,
+        (_, Role::Part) => Verdict::Drop,
+        (Some(Outside::Argument(_)), _) if is_misspelt => Verdict::Keep,
+        (_, Role::Unknown) => Verdict::Note,
+        (None, Role::Root) => Verdict::Keep,
+        (Some(_), Role::Root) if finding.probed => Verdict::Note,
+        (Some(Outside::Argument(_)), Role::Root) => match finding.rule.code {
+            "XAC003" => Verdict::Keep,
+            // the robot works as soon as the argument is given
+            "XAC037" => Verdict::Set(Severity::Warning),
+            _ => Verdict::Note,
+        },
+        (Some(Outside::Includer), Role::Root) => Verdict::Keep,
+    }
+}
+
+/// Whether a robot is a chain of links below one link that it does not have: made to be attached to another robot.
+fn is_fragment(robot: &Robot) -> bool {
+    let names: FastSet<&EcoString> =
+        robot.links.iter().filter_map(|link| link.name.as_ref()?.name()).collect();
+    let parents = robot.joints.iter().filter_map(|joint| joint.parent.as_ref()?.name());
+    let missing: FastSet<&EcoString> = parents.filter(|parent| !names.contains(parent)).collect();
+    missing.len() == 1 && !robot.links.is_empty() && Kinematics::of(robot).roots(robot).is_empty()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::analysis::{CheckOptions, Session, Setup};
+    use crate::vfs::testing::Tree;
+
+    /// Check a workspace of files (name and text; `robot` stands around texts of descriptions) and compare what is
+    /// found of names, links and joints: `file severity rule`, in order.
+    fn check_roles(files: &[(&str, &str)], expected: &[&str]) {
+        let tree = Tree::new();
+        for (name, text) in files {
+            let is_description = name.ends_with("xacro") && !text.starts_with("<robot");
+            let around = |text: &str| format!("<robot name='r' xmlns:xacro='x'>{text}</robot>");
+            tree.write(name, &if is_description { around(text) } else { (*text).to_owned() });
+        }
+        let setup = Setup {
+            about: tree.root().to_owned(),
+            folders: vec![tree.root().to_owned()],
+            ..Setup::default()
+        };
+        let session = Session::new(&tree.environment(&[]), setup).unwrap();
+        let options = CheckOptions { paths: vec![tree.root().to_owned()], ..CheckOptions::default() };
+        let report = session.check(&options);
+        let about_names = ["XAC0", "STR", "CTL", "XML010"];
+        let passed_over = ["nonstandard-xacro-namespace", "unused"];
+        let found = report.findings.iter().filter(|finding| {
+            let is_other = passed_over.iter().any(|name| finding.rule.name.starts_with(name));
+            !is_other && about_names.iter().any(|code| finding.rule.code.starts_with(code))
+        });
+        let found: Vec<String> = found
+            .map(|finding| {
+                let path = session.vfs.path(finding.span.file);
+                let name = path.strip_prefix(tree.root()).unwrap_or(&path).display().to_string();
+                format!("{name} {} {}", finding.severity, finding.rule.name)
+            })
+            .collect();
+        assert_eq!(found, expected, "{files:#?}");
+    }
+
+    const ARM: &str = "<link name='base'/><link name='arm'/><joint name='j' type='fixed'><parent link='base'/>\
+                       <child link='arm'/></joint>";
+
+    #[test]
+    fn parts_of_robots_are_not_judged_as_robots() {
+        let part = "<link name='hand'/><joint name='h' type='fixed'><parent link='arm'/><child link='hand'/>\
+                    <origin xyz='${reach} 0 0'/></joint>\
+                    <transmission name='t'><type>x</type><joint name='j'><hardwareInterface>y</hardwareInterface></joint>\
+                    </transmission>";
+        let robot =
+            format!("<xacro:arg name='hand' default='false'/><xacro:property name='reach' value='1'/>{ARM}");
+        let behind_condition =
+            format!("{robot}<xacro:if value='$(arg hand)'><xacro:include filename='hand.xacro'/></xacro:if>");
+        check_roles(&[("r.urdf.xacro", &behind_condition), ("hand.xacro", part)], &[]);
+        let computed = format!(
+            "{robot}<xacro:arg name='kind' default='none'/><xacro:include filename='$(arg kind).xacro'/>"
+        );
+        check_roles(&[("r.urdf.xacro", &computed), ("hand.xacro", part), ("none.xacro", "<robot/>")], &[]);
+        let unprefixed = format!("{robot}<include filename='hand.xacro'/>");
+        check_roles(
+            &[("r.urdf.xacro", &unprefixed), ("hand.xacro", part)],
+            &["r.urdf.xacro error unprefixed-xacro-tag"],
+        );
+        // the same file under a robot that does not define what it needs
+        let lacking = format!("{ARM}<xacro:include filename='hand.xacro'/>");
+        check_roles(
+            &[("r.urdf.xacro", &lacking), ("hand.xacro", part)],
+            &["hand.xacro error undefined-property"],
+        );
+        // a launch file expands the part by itself
+        let launch = ("see.launch", "<param command='xacro hand.xacro'/>");
+        check_roles(
+            &[("r.urdf.xacro", &behind_condition), ("hand.xacro", part), launch],
+            &[
+                "hand.xacro error undefined-link",
+                "hand.xacro error undefined-property",
+                "hand.xacro error transmission-unknown-joint",
+            ],
+        );
+    }
+
+    #[test]
+    fn a_chain_below_a_missing_link_is_made_to_be_attached() {
+        let hand = "<robot name='hand'><link name='palm'/><joint name='h' type='fixed'><parent link='tool0'/>\
+                    <child link='palm'/></joint></robot>";
+        check_roles(&[("hand.urdf", hand)], &["hand.urdf info undefined-link"]);
+        // named by somebody, it is a robot
+        check_roles(
+            &[("hand.urdf", hand), ("README.md", "see hand.urdf")],
+            &["hand.urdf error undefined-link"],
+        );
+        // the robot has a root: the parent of one link is misspelled
+        let robot = "<robot name='r'><link name='base'/><link name='arm'/><joint name='j' type='fixed'>\
+                     <parent link='bse'/><child link='arm'/></joint></robot>";
+        check_roles(&[("r.urdf", robot)], &["r.urdf error undefined-link"]);
+    }
+
+    #[test]
+    fn files_without_links() {
+        let device = "<robot name='d'><webots><device reference='x'/></webots><ros2_control name='c' type='system'>\
+                      <hardware><plugin>p</plugin></hardware><joint name='wheel'><command_interface name='velocity'/></joint>\
+                      </ros2_control></robot>";
+        check_roles(&[("device.urdf", device)], &[]);
+        check_roles(&[("empty.urdf", "<robot name='e'/>")], &["empty.urdf error no-links"]);
+        check_roles(
+            &[("joints.urdf", "<robot name='e'><joint name='j' type='fixed'/></robot>")],
+            &["joints.urdf error no-links"],
+        );
+    }
+
+    #[test]
+    fn names_that_a_caller_may_define() {
+        let library = "<robot xmlns:xacro='x'><xacro:macro name='m' params='x'><link name='${prefix}${x}${prefix}'/>\
+                       <xacro:insert_block name='origin'/><xacro:other/></xacro:macro></robot>";
+        let notes = [
+            "lib.xacro info undefined-property",
+            "lib.xacro info undefined-block",
+            "lib.xacro info undefined-macro",
+        ];
+        check_roles(&[("lib.xacro", library)], &notes);
+        // a macro that nothing calls, in a file that a robot includes
+        let robot = format!("{ARM}<xacro:include filename='lib.xacro'/>");
+        check_roles(&[("r.urdf.xacro", &robot), ("lib.xacro", library)], &notes);
+        // called, what is missing is missing
+        let calls = format!("{robot}<xacro:m x='1'/>");
+        check_roles(
+            &[("r.urdf.xacro", &calls), ("lib.xacro", library)],
+            &[
+                "lib.xacro error undefined-property",
+                "lib.xacro error undefined-property",
+                "lib.xacro error undefined-block",
+                "lib.xacro error undefined-macro",
+            ],
+        );
+        // a robot that consists of one misspelled call
+        check_roles(&[("r.urdf.xacro", "<xacro:rm/>")], &["r.urdf.xacro error undefined-macro"]);
+    }
+
+    #[test]
+    fn blocks_that_a_macro_passes_on() {
+        let inner = "<xacro:macro name='inner' params='*origin *shape'><joint name='j' type='fixed'>\
+                     <xacro:insert_block name='origin'/></joint><link name='l'><visual><geometry>\
+                     <xacro:insert_block name='shape'/></geometry></visual></link></xacro:macro>";
+        let library = |call: &str| {
+            format!(
+                "<robot xmlns:xacro='x'>{inner}<xacro:macro name='outer' params='*origin'>{call}</xacro:macro></robot>"
+            )
+        };
+        let passes =
+            library("<xacro:inner><xacro:insert_block name='origin'/><box size='1 1 1'/></xacro:inner>");
+        check_roles(&[("lib.xacro", &passes)], &[]);
+        let forgets = library("<xacro:inner><xacro:insert_block name='origin'/></xacro:inner>");
+        check_roles(&[("lib.xacro", &forgets)], &["lib.xacro error macro-block-mismatch"]);
+    }
+
+    #[test]
+    fn one_cause_is_one_finding() {
+        let uses =
+            "<link name='${prefix}base'/><xacro:arm/><xacro:insert_block name='b'/><link name='$(arg a)'/>";
+        let missing =
+            format!("<xacro:include filename='gone.xacro'/><xacro:property name='prefx' value=''/>{uses}");
+        check_roles(&[("r.urdf.xacro", &missing)], &["r.urdf.xacro error include-not-found"]);
+        // a parameter of another macro is no definition that comes too late
+        let late = format!(
+            "<xacro:macro name='m'><link name='${{p}}'/></xacro:macro>{ARM}<xacro:m/>\
+             <xacro:macro name='n' params='p'/><xacro:n p='1'/>"
+        );
+        check_roles(&[("r.urdf.xacro", &late)], &["r.urdf.xacro error undefined-property"]);
+        let late = format!(
+            "<xacro:property name='q' value='${{p}}' lazy_eval='false'/>{ARM}<xacro:property name='p' value='1'/>"
+        );
+        check_roles(&[("r.urdf.xacro", &late)], &["r.urdf.xacro error use-before-definition"]);
+    }
+
+    #[test]
+    fn built_in_functions_are_no_values() {
+        let robot = format!("{ARM}<link name='x'><inertial><mass value='${{len}}'/></inertial></link>");
+        check_roles(
+            &[("r.urdf.xacro", &robot)],
+            &["r.urdf.xacro error orphan-link", "r.urdf.xacro error undefined-property"],
+        );
+        let part = "<robot xmlns:xacro='x'><link name='x'><inertial><mass value='${len}'/></inertial></link></robot>";
+        check_roles(&[("part.xacro", part)], &["part.xacro info undefined-property"]);
+    }
+}

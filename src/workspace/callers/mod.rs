@@ -1,0 +1,140 @@
+//! Who calls a description: the launch files, scripts, tests and pages of the workspace that name it, and the
+//! arguments that they give.
+//!
+//! Read as text, never executed: which values a launch file computes is not known then, only that it gives them.
+
+mod read;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::memo::Memo;
+use super::root::is_built;
+use super::{Packages, packages::without_parents};
+use crate::base::FastSet;
+use crate::base::limits::{CALLER_BYTES, CALLER_DEPTH, CALLER_FILES};
+use crate::vfs::Vfs;
+
+/// A file that names descriptions.
+#[derive(Clone, Debug)]
+pub struct Caller {
+    path: PathBuf,
+    /// The names of the description files, without folders.
+    descriptions: FastSet<String>,
+    /// The arguments it gives, in order.
+    pub args: Vec<GivenArg>,
+}
+
+/// An argument that a caller gives.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct GivenArg {
+    /// Its name.
+    pub name: String,
+    /// Its value, where the text says it.
+    pub value: Option<String>,
+}
+
+/// The callers below some folders, found when somebody asks for them.
+#[derive(Default)]
+pub struct Callers {
+    below: Memo<PathBuf, Arc<Vec<Caller>>>,
+}
+
+impl Callers {
+    /// The files that name the description `file`, in the order of their paths.
+    pub fn of(&self, file: &Path, packages: &Packages) -> Vec<Caller> {
+        let Some(name) = file.file_name().and_then(|name| name.to_str()) else { return Vec::new() };
+        let Some(top) = packages.sources_around(file) else { return Vec::new() };
+        let all = self.below.get(top.clone(), || Arc::new(search(&packages.vfs, &top)));
+        let named = all.iter().filter(|caller| caller.descriptions.contains(name));
+        named.filter(|caller| packages.may_mean(&caller.path, file)).cloned().collect()
+    }
+
+    /// Forget what was found: files have come, gone or changed.
+    pub fn forget(&self) {
+        self.below.clear();
+    }
+}
+
+impl Packages {
+    /// Whether a text that names a description by its file name may mean `file`, not one of the same name elsewhere: it
+    /// is in the same package or names it; without a package, it is in the folder above or below that.
+    fn may_mean(&self, caller: &Path, file: &Path) -> bool {
+        let Some(package) = self.containing(file) else {
+            let near = file.parent().map(|folder| folder.parent().unwrap_or(folder));
+            return near.is_some_and(|near| caller.starts_with(near));
+        };
+        let names_it = || self.vfs.text(caller).is_ok_and(|text| read::has_name(&text.text, &package.name));
+        caller.starts_with(&package.folder) || names_it()
+    }
+
+    /// The widest folder of sources around a file: the folder that is checked, or the workspace above, else the package,
+    /// else the folder of the file.
+    pub fn sources_around(&self, file: &Path) -> Option<PathBuf> {
+        let file = without_parents(&self.vfs.absolute(file));
+        let mut sources = self.source_folders(&file);
+        sources.retain(|folder| file.starts_with(folder) && self.vfs.is_dir(folder));
+        let widest = sources.into_iter().min_by_key(|folder| folder.components().count());
+        let package = || self.containing(&file).map(|package| package.folder);
+        widest.or_else(package).or_else(|| file.parent().map(Path::to_owned))
+    }
+}
+
+/// All callers below a folder.
+fn search(vfs: &Vfs, top: &Path) -> Vec<Caller> {
+    let mut seen: FastSet<u128> = FastSet::default();
+    let mut open = vec![(top.to_owned(), 0)];
+    let (mut files, mut found) = (0, Vec::new());
+    while let Some((folder, depth)) = open.pop() {
+        if !vfs.identity(&folder).is_some_and(|identity| seen.insert(identity)) {
+            continue;
+        }
+        for entry in vfs.list_dir(&folder).iter() {
+            let path = folder.join(&entry.name);
+            let passed_over =
+                entry.name.starts_with('.') || is_built(&entry.name) || entry.name == "node_modules";
+            match entry.is_dir {
+                true if passed_over || depth >= CALLER_DEPTH => {}
+                true => open.push((path, depth + 1)),
+                false if files < CALLER_FILES && read::may_call(&entry.name) => {
+                    files += 1;
+                    let is_small = vfs.size(&path).is_some_and(|size| size <= CALLER_BYTES);
+                    let text = is_small.then(|| vfs.text(&path).ok()).flatten();
+                    found.extend(text.and_then(|file| read::caller(&path, &file.text)));
+                }
+                false => {}
+            }
+        }
+    }
+    found.sort_by(|a: &Caller, b| a.path.cmp(&b.path));
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Callers;
+    use crate::vfs::testing::Tree;
+    use crate::workspace::{PackageOptions, Packages};
+
+    #[test]
+    fn launch_files_of_other_packages_count() {
+        let tree = Tree::new();
+        tree.write("ws/src/arm/package.xml", "<package><name>arm</name></package>");
+        tree.write("ws/src/arm/urdf/arm.urdf.xacro", "<robot/>");
+        tree.write(
+            "ws/src/bringup/launch/arm.launch.py",
+            "Command(['xacro ', share('arm') / 'arm.urdf.xacro', ' side:=', 'left'])",
+        );
+        tree.write("ws/src/leg/launch/leg.launch.py", "find('leg'), 'arm.urdf.xacro leg:=1'");
+        tree.write("ws/src/leg/package.xml", "<package><name>leg</name></package>");
+        tree.write("ws/build/arm.launch.py", "'arm.urdf.xacro built:=1'");
+        tree.write("ws/src/arm/CHANGELOG.rst", "arm.urdf.xacro log:=1");
+        let packages = Packages::new(tree.vfs().clone(), &tree.environment(&[]), PackageOptions::default());
+        let callers = Callers::default();
+        let found = callers.of(&tree.path("ws/src/arm/urdf/arm.urdf.xacro"), &packages);
+        let args: Vec<_> = found.iter().flat_map(|caller| &caller.args).collect();
+        assert_eq!(args.len(), 1);
+        assert_eq!((args[0].name.as_str(), args[0].value.as_deref()), ("side", Some("left")));
+        assert!(callers.of(&tree.path("ws/src/arm/urdf/hand.urdf.xacro"), &packages).is_empty());
+    }
+}
