@@ -17,7 +17,7 @@ pub struct Threshold {
 
 /// All thresholds, by name.
 pub static THRESHOLDS: &[Threshold] =
-    &[MAX_COLLISION_TRIANGLES, MAX_EXTENT, MAX_JOINT_OFFSET, MAX_JOINT_VELOCITY, MIN_EXTENT];
+    &[MAX_COLLISION_TRIANGLES, MAX_COLLISION_TRIANGLES_WARNING, MAX_EXTENT, MAX_JOINT_OFFSET, MAX_JOINT_VELOCITY, MIN_EXTENT];
 
 /// The longest way from one joint to the next, metres.
 pub(super) const MAX_JOINT_OFFSET: Threshold = Threshold {
@@ -40,6 +40,13 @@ pub(super) const MAX_COLLISION_TRIANGLES: Threshold = Threshold {
     rule: "collision-mesh-too-detailed",
     default: 5000.0,
     docs: "Triangles that a collision mesh may have.",
+};
+
+pub(super) const MAX_COLLISION_TRIANGLES_WARNING: Threshold = Threshold {
+    name: "max-collision-triangles-warning",
+    rule: "collision-mesh-too-detailed",
+    default: 20_000.0,
+    docs: "Triangles of a collision mesh above which the finding is a warning.",
 };
 
 pub(super) const MAX_EXTENT: Threshold = Threshold {

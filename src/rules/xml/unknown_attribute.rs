@@ -12,7 +12,7 @@ pub(super) const RULE: Rule = Rule {
     code: "XML007",
     name: "unknown-attribute",
     category: Category::Xml,
-    severity: Severity::Warning,
+    severity: Severity::Hint,
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),

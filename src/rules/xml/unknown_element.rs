@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     code: "XML006",
     name: "unknown-element",
     category: Category::Xml,
-    severity: Severity::Warning,
+    severity: Severity::Hint,
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),

@@ -9,7 +9,7 @@ pub(super) const RULE: Rule = Rule {
     code: "XML017",
     name: "xacro-tags-in-urdf",
     category: Category::Xml,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     default: Activation::On,
     since: "0.1",
     fix: None,
