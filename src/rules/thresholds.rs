@@ -16,8 +16,14 @@ pub struct Threshold {
 }
 
 /// All thresholds, by name.
-pub static THRESHOLDS: &[Threshold] =
-    &[MAX_COLLISION_TRIANGLES, MAX_COLLISION_TRIANGLES_WARNING, MAX_EXTENT, MAX_JOINT_OFFSET, MAX_JOINT_VELOCITY, MIN_EXTENT];
+pub static THRESHOLDS: &[Threshold] = &[
+    MAX_COLLISION_TRIANGLES,
+    MAX_COLLISION_TRIANGLES_WARNING,
+    MAX_EXTENT,
+    MAX_JOINT_OFFSET,
+    MAX_JOINT_VELOCITY,
+    MIN_EXTENT,
+];
 
 /// The longest way from one joint to the next, metres.
 pub(super) const MAX_JOINT_OFFSET: Threshold = Threshold {

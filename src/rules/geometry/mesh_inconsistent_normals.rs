@@ -30,7 +30,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let (name, link) = (mesh.name(), mesh.link.shown());
             let message =
                 format!("mesh `{name}` of link `{link}`: neighbours at {wrong} edges face opposite ways");
-            let severity = if wrong as f64 > MANY * edges.total as f64 { Severity::Warning } else { Severity::Info };
+            let severity =
+                if wrong as f64 > MANY * edges.total as f64 { Severity::Warning } else { Severity::Info };
             out.report(mesh.file.origin, message)
                 .severity(severity)
                 .help("orient all faces coherently in a mesh editor")

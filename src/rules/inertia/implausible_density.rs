@@ -42,7 +42,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let message = format!("link `{}` has a density of {} kg/m^3", link.shown(), short(density));
-        let is_gross = !(FAR_TOO_LIGHT..FAR_TOO_HEAVY).contains(&density) && mass >= LEAST_MASS && is_known(cx, link);
+        let is_gross =
+            !(FAR_TOO_LIGHT..FAR_TOO_HEAVY).contains(&density) && mass >= LEAST_MASS && is_known(cx, link);
         out.report(text.origin, message)
             .severity(if is_gross { Severity::Warning } else { Severity::Info })
             .help("check units: kilograms, and metres for the geometry")

@@ -38,7 +38,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             ("soft_lower_limit", &safety.soft_lower_limit, low < lower - ROUNDING, "below the lower", lower),
             ("soft_upper_limit", &safety.soft_upper_limit, up > upper + ROUNDING, "above the upper", upper),
         ];
-        let severity = if is_switched_off(lower - low, up - upper) { Severity::Info } else { Severity::Warning };
+        let severity =
+            if is_switched_off(lower - low, up - upper) { Severity::Info } else { Severity::Warning };
         for (name, text, _, side, hard) in outside.into_iter().filter(|(_, _, is_outside, ..)| *is_outside) {
             let Some(text) = text else { continue };
             let message =

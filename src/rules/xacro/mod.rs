@@ -5,6 +5,7 @@ mod duplicate_include;
 mod mentions;
 mod redefined_macro;
 mod redefined_property;
+mod shadowed_builtin;
 mod shadowed_property;
 mod source;
 mod string_bool_comparison;
@@ -24,6 +25,7 @@ use super::registry::Severity::{Error, Info, Warning};
 use super::registry::{Rule, page};
 
 pub(super) use mentions::Mentions;
+pub(super) use shadowed_builtin::is_news as shadowing_is_news;
 pub(super) use unprefixed_xacro_tag::is_unprefixed;
 
 /// The rules. Those without a file are found by the expander.

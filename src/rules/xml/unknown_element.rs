@@ -2,7 +2,7 @@
 
 use super::super::context::{DocumentCx, RootKind};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
-use super::super::schema::ElementSpec;
+use super::super::schema::{self, ElementSpec};
 use super::super::sink::Sink;
 use super::walk::{self, Seen};
 use crate::base::TextRange;
@@ -54,6 +54,9 @@ fn report(
     let message = format!("URDF knows no `{name}` in {around}");
     let report = out.report(tag_start(cx.expansion, id), message);
     let Some((near, sure)) = near else {
+        // a name of URDF in another place says something that readers do not hear
+        let is_misplaced = schema::is_urdf(name) && !(name == "material" && parent.name == "collision");
+        let report = report.severity(if is_misplaced { Severity::Warning } else { Severity::Hint });
         let children: Vec<String> = parent.children().map(|child| format!("`{}`", child.name)).collect();
         let help = if children.is_empty() {
             format!("`{}` has no content; readers skip this in silence", parent.name)
@@ -62,7 +65,9 @@ fn report(
         };
         return report.help(help).done();
     };
-    let report = report.help(format!("`{near}` is meant, it seems; readers skip `{name}` in silence"));
+    let report = report
+        .severity(Severity::Warning)
+        .help(format!("`{near}` is meant, it seems; readers skip `{name}` in silence"));
     let Some((file, names)) = names(cx, id) else { return report.done() };
     let safety = if sure { Safety::Safe } else { Safety::Unsafe };
     let edits = names.into_iter().map(|range| (range, near.to_owned()));
