@@ -18,11 +18,11 @@ pub struct Threshold {
 /// All thresholds, by name.
 pub static THRESHOLDS: &[Threshold] = &[
     MAX_COLLISION_TRIANGLES,
-    MAX_COLLISION_TRIANGLES_WARNING,
     MAX_EXTENT,
     MAX_JOINT_OFFSET,
     MAX_JOINT_VELOCITY,
     MIN_EXTENT,
+    WARN_COLLISION_TRIANGLES,
 ];
 
 /// The longest way from one joint to the next, metres.
@@ -48,8 +48,8 @@ pub(super) const MAX_COLLISION_TRIANGLES: Threshold = Threshold {
     docs: "Triangles that a collision mesh may have.",
 };
 
-pub(super) const MAX_COLLISION_TRIANGLES_WARNING: Threshold = Threshold {
-    name: "max-collision-triangles-warning",
+pub(super) const WARN_COLLISION_TRIANGLES: Threshold = Threshold {
+    name: "warn-collision-triangles",
     rule: "collision-mesh-too-detailed",
     default: 20_000.0,
     docs: "Triangles of a collision mesh above which the finding is a warning.",

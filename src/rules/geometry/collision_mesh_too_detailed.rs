@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::super::thresholds::{MAX_COLLISION_TRIANGLES, MAX_COLLISION_TRIANGLES_WARNING};
+use super::super::thresholds::{MAX_COLLISION_TRIANGLES, WARN_COLLISION_TRIANGLES};
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO011",
@@ -23,7 +23,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if is_too_detailed(cx, surface.triangles) {
             let (name, link, count) = (mesh.name(), mesh.link.shown(), surface.triangles);
             let message = format!("collision mesh `{name}` of link `{link}` has {count} triangles");
-            let many = surface.triangles as f64 > MAX_COLLISION_TRIANGLES_WARNING.value(cx.world.config);
+            let many = surface.triangles as f64 > WARN_COLLISION_TRIANGLES.value(cx.world.config);
             out.report(mesh.file.origin, message)
                 .severity(if many { Severity::Warning } else { Severity::Info })
                 .help("use its convex hull or a few boxes and cylinders")

@@ -143,5 +143,18 @@ mod tests {
         for (value, expected) in bad {
             assert_eq!(meant(value).as_deref(), Some(expected), "{value}");
         }
+        let is_read = |value: &str| defect(value).is_some_and(|defect| defect.is_read);
+        assert!(is_read("file:///a/b c.stl"));
+        assert!(
+            ["package://a/b c.stl", "http://x/b c.stl", "file://a/b c.stl"].iter().all(|uri| !is_read(uri))
+        );
+    }
+
+    #[test]
+    fn a_long_name_is_shown_with_its_end() {
+        let name = format!("package://arm/{}/base .stl", "m".repeat(200));
+        let shown = super::shortened(&name);
+        assert!(shown.starts_with("package://arm/") && shown.ends_with("base .stl") && shown.len() < 90);
+        assert_eq!(super::shortened("a\tb.stl"), "a b.stl");
     }
 }
