@@ -35,7 +35,7 @@ fn bad_blocks(docs: &str) -> Vec<Vec<(String, String)>> {
     let mut inside = false;
     for line in docs.lines() {
         if let Some(info) = line.strip_prefix("```") {
-            inside = info.ends_with(",bad");
+            inside = info.contains(",bad") && !info.contains("latin-1");
             if let Some((kind, _)) = info.split_once(',').filter(|_| inside) {
                 found.push(vec![(format!("robot.{kind}"), String::new())]);
             }

@@ -23,6 +23,8 @@ struct Block {
     /// `xacro` or `urdf`.
     kind: String,
     bad: bool,
+    /// The severity of its findings, where it is not the rule's own: ```urdf,bad,info
+    severity: Option<Severity>,
     /// Saved in Latin-1, not in UTF-8.
     latin_1: bool,
     /// Line of the page.
@@ -48,10 +50,21 @@ fn blocks(rule: &Rule) -> Vec<Block> {
                     info.split_once(",latin-1").map_or((info, false), |(info, _)| (info, true));
                 let (kind, verdict) =
                     info.split_once(',').unwrap_or_else(|| panic!("{}: `{info}`", rule.name));
+                let (verdict, severity) =
+                    verdict.split_once(',').map_or((verdict, None), |(verdict, name)| {
+                        (
+                            verdict,
+                            Some(
+                                Severity::from_name(name)
+                                    .unwrap_or_else(|| panic!("{}: `{info}`", rule.name)),
+                            ),
+                        )
+                    });
                 assert!(["bad", "good"].contains(&verdict), "{}: `{info}`", rule.name);
                 let block = Block {
                     kind: kind.to_owned(),
                     bad: verdict == "bad",
+                    severity,
                     latin_1,
                     line: i + 1,
                     lines: Vec::new(),
@@ -154,7 +167,11 @@ fn every_block_says_what_it_should() {
             if own != expected.iter().collect::<Vec<_>>() {
                 wrong.push(format!("{place}: found {own:?}, expected {expected:?}"));
             }
+            let expected = block.severity.unwrap_or(rule.severity);
             for (name, severity, at) in &findings {
+                if *name == rule.name && *severity != expected {
+                    wrong.push(format!("{place}: {severity} at {at:?}, expected {expected}"));
+                }
                 if *name != rule.name && *severity >= Severity::Warning {
                     wrong.push(format!("{place}: {name} at {at:?}"));
                 }

@@ -14,7 +14,7 @@ use crate::expand::{Expansion, FileUse, Focus, Limits, Read, Request, World, exp
 use crate::model::Robot;
 use crate::rules::{
     Activation, Chosen, Finding, RootKind, Rule, Selector, Suppressions, all, by_code, check_expansion,
-    check_files,
+    check_files, holds_for_semantic, is_semantic,
 };
 use crate::vfs::{LoadError, LoadErrorKind, SourceFile};
 
@@ -88,7 +88,8 @@ pub(super) fn judge(
     let around = session.surroundings(&settings.config);
     let kind = kind(expansion, robot, &job);
     let explicit = job.reason != Reason::Walked;
-    let rules = wanted(session, expansion, settings.clone());
+    let mut rules = wanted(session, expansion, settings.clone());
+    rules.retain(|rule| kind != RootKind::Semantic || holds_for_semantic(rule));
     let chosen = Chosen { rules: &rules, cancel };
     let mut findings = check_expansion(expansion, robot, (kind, explicit), around, chosen);
     findings.append(&mut check_files(expansion, around, chosen));
@@ -142,6 +143,9 @@ pub(super) fn kind(expansion: &Expansion, robot: Option<&Robot>, job: &Job) -> R
         |file: &FileUse| file.source.document.root().is_some_and(|root| root.attr("xmlns:xacro").is_some());
     let plain = job.file.extension().is_some_and(|ending| ending == "urdf")
         && !expansion.files.first().is_some_and(uses_xacro);
+    if is_semantic(expansion) {
+        return RootKind::Semantic;
+    }
     let by_itself = || robot.is_some_and(Robot::is_entry);
     let bare = || {
         plain && !is_of_a_simulator(expansion, robot) || is_bare(expansion) && !has_content(expansion, robot)

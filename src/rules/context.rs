@@ -1,6 +1,7 @@
 //! What rules see.
 
 use std::cell::OnceCell;
+use std::path::Path;
 
 use super::geometry::Resources;
 use super::package::{Manifests, Mention};
@@ -21,6 +22,8 @@ pub enum RootKind {
     Robot,
     /// Macros, properties or parts for other files.
     Library,
+    /// SRDF: about a robot, and none itself.
+    Semantic,
 }
 
 /// One source file.
@@ -43,8 +46,7 @@ impl FileCx<'_> {
     /// Whether the file is taken for plain URDF, which parsers that know no xacro read: by its name, and because
     /// nothing includes it.
     pub fn is_plain_urdf(&self) -> bool {
-        let name = self.source.path.file_name().map(|name| name.to_string_lossy()).unwrap_or_default();
-        name.ends_with(".urdf") && !name.contains(".xacro") && self.file == FileIdx(0)
+        is_plain_urdf(&self.source.path) && self.file == FileIdx(0)
     }
 
     /// All elements but the root, each with the offset its ranges count from.
@@ -56,6 +58,12 @@ impl FileCx<'_> {
     pub fn root_attrs(&self) -> impl Iterator<Item = Attr<'_>> {
         self.source.document.root().into_iter().flat_map(|root| root.attrs())
     }
+}
+
+/// Whether the name of a file calls it plain URDF.
+pub(super) fn is_plain_urdf(path: &Path) -> bool {
+    let name = path.file_name().map(|name| name.to_string_lossy().to_lowercase()).unwrap_or_default();
+    name.ends_with(".urdf") && !name.contains(".xacro")
 }
 
 /// The elements of a document but its root, with the offset their ranges count from.

@@ -23,6 +23,7 @@ mod registry;
 mod run;
 pub mod schema;
 mod selection;
+mod semantic;
 mod sink;
 mod structure;
 mod style;
@@ -45,6 +46,7 @@ pub use registry::{
 };
 pub use run::{Chosen, check_expansion, check_files, check_part, check_recovered};
 pub use selection::{Selection, SelectionOptions};
+pub use semantic::{holds_for_semantic, is_semantic};
 pub use sink::Sink;
 pub use style::LEFT_TO_DO;
 pub use thresholds::{THRESHOLDS, Threshold};

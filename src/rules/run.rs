@@ -5,19 +5,21 @@ use std::cell::OnceCell;
 
 use ecow::EcoString;
 
-use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings, elements};
+use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings, elements, is_plain_urdf};
 use super::finding::{Edit, Finding, Fix, Related};
 use super::mend;
 use super::package::is_news;
 use super::place;
 use super::registry::{Category, Check, Rule, Safety, Severity, all, by_code};
+use super::semantic::{holds_for_semantic, is_semantic};
 use super::sink::{Sink, limit_calls, span};
 use super::vocabulary::outside_free_zones;
-use super::xacro::is_unprefixed;
+use super::xacro::{is_unprefixed, shadowing_is_news};
 use crate::base::{CancelFlag, FastSet, FileId, Span, TextRange};
 use crate::expand::{Expansion, FileIdx, FileUse, Problem, Step};
 use crate::model::{Kinematics, Robot};
 use crate::vfs::Vfs;
+use crate::xml::{SyntaxError, SyntaxErrorKind};
 
 /// Problems after which links and joints may be missing from the expansion.
 const LOSES_CONTENT: [&str; 8] =
@@ -93,10 +95,12 @@ pub fn check_part(expansion: &Expansion, world: Surroundings<'_>) -> Vec<Finding
     excuse_packages(&mut findings, world);
     let Some(first) = all().next() else { return findings };
     let mut sink = Sink::new(expansion, first);
+    let semantic = is_semantic(expansion);
     let probes = expansion.probes.iter().map(|probe| probe.content);
     for element in expansion.tree.root().into_iter().chain(probes) {
         let document = DocumentCx::new(expansion, element, RootKind::Library, true, None, world);
-        for rule in all().filter(|rule| rule.category == Category::Xml) {
+        let holds = |rule: &&Rule| !semantic || holds_for_semantic(rule);
+        for rule in all().filter(|rule| rule.category == Category::Xml).filter(holds) {
             sink.set_rule(rule);
             if let Check::Document(check) = rule.check {
                 check(&document, &mut sink);
@@ -222,6 +226,9 @@ fn excuse_packages(findings: &mut Vec<Finding>, world: Surroundings<'_>) {
 /// A problem of the expander as a finding.
 fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Option<Finding> {
     let rule = by_code(problem.code)?;
+    if rule.code == "XAC018" && !shadowing_is_news(expansion, problem) {
+        return None;
+    }
     let Span { file, range } = span(expansion, problem.place)?;
     let document = &expansion.files.get(problem.place.file.0 as usize)?.source.document;
     let steps = problem.trace.iter().chain(&problem.more_calls);
@@ -245,14 +252,24 @@ fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Option<Findin
         edits: vec![Edit { span: Span { file, range }, content: content.clone() }],
     });
     let fix = fix.or_else(|| mend::fix(problem, document, place, vfs));
-    let new = Finding::new(rule, place, problem.message.clone());
+    let severity = if is_read_anyway(rule, expansion, file) { Severity::Warning } else { rule.severity };
     let mut finding = Finding {
+        severity,
         help: problem.help.clone(),
         fix,
         outside: problem.outside.clone(),
         probed: problem.probed,
-        ..new
+        ..Finding::new(rule, place, problem.message.clone())
     };
     limit_calls(&mut finding, calls);
     Some(finding)
+}
+
+/// Whether a file that is not well-formed has only prefixes that nothing declares, in a name that calls it plain URDF:
+/// readers of URDF do not mind.
+fn is_read_anyway(rule: &Rule, expansion: &Expansion, file: FileId) -> bool {
+    let used = expansion.files.iter().find(|used| used.source.id == file);
+    let Some(used) = used.filter(|_| rule.code == "XML001") else { return false };
+    let is_prefix = |error: &SyntaxError| error.kind == SyntaxErrorKind::UnboundPrefix;
+    is_plain_urdf(&used.source.path) && used.source.document.errors().iter().all(is_prefix)
 }

@@ -16,8 +16,14 @@ pub struct Threshold {
 }
 
 /// All thresholds, by name.
-pub static THRESHOLDS: &[Threshold] =
-    &[MAX_COLLISION_TRIANGLES, MAX_EXTENT, MAX_JOINT_OFFSET, MAX_JOINT_VELOCITY, MIN_EXTENT];
+pub static THRESHOLDS: &[Threshold] = &[
+    MAX_COLLISION_TRIANGLES,
+    MAX_EXTENT,
+    MAX_JOINT_OFFSET,
+    MAX_JOINT_VELOCITY,
+    MIN_EXTENT,
+    WARN_COLLISION_TRIANGLES,
+];
 
 /// The longest way from one joint to the next, metres.
 pub(super) const MAX_JOINT_OFFSET: Threshold = Threshold {
@@ -40,6 +46,13 @@ pub(super) const MAX_COLLISION_TRIANGLES: Threshold = Threshold {
     rule: "collision-mesh-too-detailed",
     default: 5000.0,
     docs: "Triangles that a collision mesh may have.",
+};
+
+pub(super) const WARN_COLLISION_TRIANGLES: Threshold = Threshold {
+    name: "warn-collision-triangles",
+    rule: "collision-mesh-too-detailed",
+    default: 20_000.0,
+    docs: "Triangles of a collision mesh above which the finding is a warning.",
 };
 
 pub(super) const MAX_EXTENT: Threshold = Threshold {

@@ -20,7 +20,7 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Defect> {
         Err(defect) if defect.kind == DefectKind::Corrupt => {
             let escaped = with_escaped_attributes(text);
             let Ok(document) = parse(&escaped) else { return Err(defect) };
-            draft.defect = Some(Defect::untidy(defect.message));
+            draft.defect = Some(Defect::unescaped(defect.message));
             document_of(&document, draft)
         }
         Err(defect) => Err(defect),

@@ -18,6 +18,8 @@ pub enum DefectKind {
     LfsPointer,
     /// It can be read, but strict readers refuse it.
     Untidy,
+    /// It has `<` in an attribute, as some exporters write it; most readers do not mind.
+    Unescaped,
     /// It takes more to read than a mesh of a robot should, and was given up.
     TooLarge,
     /// It may be good: it uses what is not read here.
@@ -31,6 +33,10 @@ impl Defect {
 
     pub(super) fn untidy(message: impl Into<String>) -> Self {
         Self { kind: DefectKind::Untidy, message: message.into() }
+    }
+
+    pub(super) fn unescaped(message: impl Into<String>) -> Self {
+        Self { kind: DefectKind::Unescaped, message: message.into() }
     }
 
     pub(super) fn too_large(message: impl Into<String>) -> Self {

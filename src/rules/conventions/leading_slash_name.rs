@@ -4,6 +4,9 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::names;
+use crate::base::FastSet;
+use crate::expand::BindingKind;
+use crate::model::Text;
 
 pub(super) const RULE: Rule = Rule {
     code: "CNV003",
@@ -20,6 +23,9 @@ pub(super) const RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (named, name) in cx.robot.into_iter().flat_map(names::names) {
         let Some(rest) = name.value.strip_prefix('/') else { continue };
+        if follows_empty_argument(cx, name) {
+            continue;
+        }
         let new = rest.trim_start_matches('/');
         let report = out
             .report(name.origin, format!("the name of {} `{}` begins with a slash", named.word(), name.value))
@@ -31,4 +37,23 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             None => report.done(),
         }
     }
+}
+
+/// Whether the text in front of the slash comes from an argument that is empty here: who runs the file gives it.
+fn follows_empty_argument(cx: &DocumentCx<'_>, name: &Text) -> bool {
+    let expansion = cx.expansion;
+    let first = name.pieces.iter().filter(|piece| piece.out.start == 0 && piece.out.is_empty());
+    let mut reads: Vec<u32> =
+        first.flat_map(|piece| expansion.read_in(piece.reads).iter().copied()).collect();
+    let mut seen = FastSet::default();
+    while let Some(read) = reads.pop() {
+        let Some(binding) = expansion.bindings.get(read as usize).filter(|_| seen.insert(read)) else {
+            continue;
+        };
+        if binding.kind == BindingKind::Argument {
+            return true;
+        }
+        reads.extend(expansion.read_in(binding.reads));
+    }
+    false
 }

@@ -10,7 +10,7 @@ pub(super) const RULE: Rule = Rule {
     code: "FRM008",
     name: "frame-has-geometry",
     category: Category::Frames,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     default: Activation::On,
     since: "0.1",
     fix: None,
@@ -39,10 +39,6 @@ fn is_frame(robot: &Robot, link: &Link) -> bool {
     let Some(name) = link.name.as_ref().and_then(|name| name.name()) else { return false };
     let has =
         |prefix: &str, other: &str| other != name && robot.link(other).is_some() && other.starts_with(prefix);
-    // mobile robots call their body `base`
-    if let Some(prefix) = prefix_of(name, "base") {
-        return has(prefix, &format!("{prefix}base_link"));
-    }
     let prefix = ["flange", "tool0"].iter().find_map(|frame| prefix_of(name, frame));
     prefix.is_some_and(|prefix| {
         prefix.is_empty() || COMPANY.iter().any(|other| has(prefix, &format!("{prefix}{other}")))

@@ -3,7 +3,6 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::names::prefix_of;
 use crate::model::JointType;
 
 pub(super) const RULE: Rule = Rule {
@@ -21,7 +20,7 @@ pub(super) const RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for joint in cx.joints() {
         let Some((_, child)) = joint.ends() else { continue };
-        let is_frame = ["tool0", "flange"].iter().any(|name| prefix_of(child, name).is_some());
+        let is_frame = ["tool0", "flange"].contains(&child.as_str());
         let Some(kind) = joint.kind.as_ref().filter(|_| is_frame) else { continue };
         if joint.joint_type().is_some_and(|kind| kind != JointType::Fixed) {
             out.report(

@@ -9,7 +9,7 @@ pub(super) const RULE: Rule = Rule {
     code: "GEO004",
     name: "ascii-stl",
     category: Category::Geometry,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     default: Activation::On,
     since: "0.1",
     fix: None,

@@ -3,13 +3,13 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::super::thresholds::MAX_COLLISION_TRIANGLES;
+use super::super::thresholds::{MAX_COLLISION_TRIANGLES, WARN_COLLISION_TRIANGLES};
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO011",
     name: "collision-mesh-too-detailed",
     category: Category::Geometry,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     default: Activation::On,
     since: "0.1",
     fix: None,
@@ -23,7 +23,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if is_too_detailed(cx, surface.triangles) {
             let (name, link, count) = (mesh.name(), mesh.link.shown(), surface.triangles);
             let message = format!("collision mesh `{name}` of link `{link}` has {count} triangles");
+            let many = surface.triangles as f64 > WARN_COLLISION_TRIANGLES.value(cx.world.config);
             out.report(mesh.file.origin, message)
+                .severity(if many { Severity::Warning } else { Severity::Info })
                 .help("use its convex hull or a few boxes and cylinders")
                 .done();
         }

@@ -24,6 +24,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             DefectKind::Corrupt => (Severity::Error, "export or copy it again"),
             DefectKind::LfsPointer => (Severity::Error, "fetch the file itself with `git lfs pull`"),
             DefectKind::Untidy => (Severity::Warning, "export it again: strict readers refuse it"),
+            DefectKind::Unescaped => (Severity::Info, "most readers take it; write `&lt;` for strict ones"),
             DefectKind::TooLarge => (Severity::Info, "it was not checked; a robot needs no such mesh"),
             DefectKind::Unread => continue,
         };

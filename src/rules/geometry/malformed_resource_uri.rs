@@ -24,14 +24,17 @@ const MOST_SHOWN: usize = 80;
 /// What is wrong with a URI, and how it was meant.
 pub(super) struct UriDefect {
     message: &'static str,
+    /// Whether common readers find the file all the same.
+    is_read: bool,
     meant: Option<String>,
 }
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for name in resource_names(cx).into_iter().filter(|name| name.is_known()) {
-        let Some(UriDefect { message, meant }) = defect(&name.value) else { continue };
+        let Some(UriDefect { message, is_read, meant }) = defect(&name.value) else { continue };
         let report = out
             .report(name.origin, format!("`{}`: {message}", shortened(&name.value)))
+            .severity(if is_read { Severity::Warning } else { Severity::Error })
             .help("URIs are written package://PACKAGE/PATH, with slashes and without spaces");
         match meant.filter(|meant| is_replaceable(name, meant) && leads_to_package(cx, name, meant)) {
             Some(meant) => report.replace_with(Safety::Safe, format!("write `{meant}`"), meant).done(),
@@ -53,7 +56,7 @@ fn leads_to_package(cx: &DocumentCx<'_>, name: &Text, meant: &str) -> bool {
 
 /// What is wrong with a URI or path.
 pub(super) fn defect(value: &str) -> Option<UriDefect> {
-    let found = |message, meant| Some(UriDefect { message, meant });
+    let found = |message, meant| Some(UriDefect { message, is_read: false, meant });
     let slashed = value.replace('\\', "/");
     if let Some(rest) = slashed.strip_prefix("package:") {
         let path = rest.trim_start_matches('/');
@@ -77,6 +80,9 @@ pub(super) fn defect(value: &str) -> Option<UriDefect> {
             let drive = value.get(1..2) == Some(":") || value.starts_with("\\\\");
             found("backslashes in a path", (!drive).then_some(slashed))
         }
+        _ if file.is_some() && has_space(value) => {
+            Some(UriDefect { message: "spaces in a URI", is_read: true, meant: None })
+        }
         _ if value.contains("://") && has_space(value) => found("spaces in a URI", None),
         _ if value.trim() != value => {
             found("spaces around a path", Some(value.trim().to_owned()).filter(|path| !path.is_empty()))
@@ -90,12 +96,14 @@ fn has_space(value: &str) -> bool {
 }
 
 fn shortened(value: &str) -> String {
-    let mut short: String =
-        value.chars().map(|c| if c.is_control() { ' ' } else { c }).take(MOST_SHOWN).collect();
-    if value.chars().count() > MOST_SHOWN {
-        short.push_str("...");
+    let plain: Vec<char> = value.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let left_out = plain.len().saturating_sub(MOST_SHOWN);
+    if left_out == 0 {
+        return plain.into_iter().collect();
     }
-    short
+    // the end names the file
+    let (head, tail) = plain.split_at(MOST_SHOWN / 2);
+    head.iter().chain(&['.', '.', '.']).chain(tail.iter().skip(left_out)).collect()
 }
 
 #[cfg(test)]
@@ -135,5 +143,18 @@ mod tests {
         for (value, expected) in bad {
             assert_eq!(meant(value).as_deref(), Some(expected), "{value}");
         }
+        let is_read = |value: &str| defect(value).is_some_and(|defect| defect.is_read);
+        assert!(is_read("file:///a/b c.stl"));
+        assert!(
+            ["package://a/b c.stl", "http://x/b c.stl", "file://a/b c.stl"].iter().all(|uri| !is_read(uri))
+        );
+    }
+
+    #[test]
+    fn a_long_name_is_shown_with_its_end() {
+        let name = format!("package://arm/{}/base .stl", "m".repeat(200));
+        let shown = super::shortened(&name);
+        assert!(shown.starts_with("package://arm/") && shown.ends_with("base .stl") && shown.len() < 90);
+        assert_eq!(super::shortened("a\tb.stl"), "a b.stl");
     }
 }

@@ -11,7 +11,7 @@ pub(super) const RULE: Rule = Rule {
     code: "GEO028",
     name: "material-redefinition",
     category: Category::Geometry,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     default: Activation::On,
     since: "0.1",
     fix: None,

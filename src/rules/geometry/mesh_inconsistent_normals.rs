@@ -8,13 +8,16 @@ pub(super) const RULE: Rule = Rule {
     code: "GEO009",
     name: "mesh-inconsistent-normals",
     category: Category::Geometry,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     default: Activation::On,
     since: "0.1",
     fix: None,
     docs: page!("mesh-inconsistent-normals"),
     check: Check::Document(check),
 };
+
+/// From this part of the edges on, it shows.
+const MANY: f64 = 0.05;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for mesh in cx.meshes() {
@@ -27,7 +30,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let (name, link) = (mesh.name(), mesh.link.shown());
             let message =
                 format!("mesh `{name}` of link `{link}`: neighbours at {wrong} edges face opposite ways");
-            out.report(mesh.file.origin, message).help("orient all faces coherently in a mesh editor").done();
+            let severity =
+                if wrong as f64 > MANY * edges.total as f64 { Severity::Warning } else { Severity::Info };
+            out.report(mesh.file.origin, message)
+                .severity(severity)
+                .help("orient all faces coherently in a mesh editor")
+                .done();
         }
     }
 }

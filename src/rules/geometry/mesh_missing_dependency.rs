@@ -9,7 +9,7 @@ pub(super) const RULE: Rule = Rule {
     code: "GEO022",
     name: "mesh-missing-dependency",
     category: Category::Geometry,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     default: Activation::On,
     since: "0.1",
     fix: None,
@@ -27,12 +27,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if missing.is_empty() {
             continue;
         }
-        let windows_only = missing.iter().all(|missing| missing.is_windows_path);
-        let severity = if windows_only { Severity::Info } else { Severity::Warning };
         let message =
             format!("mesh `{}` of link `{}` needs {}", mesh.name(), mesh.link.shown(), names(&missing));
         let help = "put it beside the mesh, or remove the reference from the mesh";
-        out.report(mesh.file.origin, message).severity(severity).help(help).done();
+        out.report(mesh.file.origin, message).help(help).done();
     }
 }
 

@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::bodies;
-use crate::model::tag_start;
+use crate::model::{ShapeKind, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO015",
@@ -21,7 +21,9 @@ pub(super) const RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, body, _) in bodies(cx) {
         let Some(geometry) = &body.geometry else { continue };
-        if let [first, second, ..] = geometry.shapes.as_slice() {
+        // a shape that URDF does not know has a rule of its own
+        let mut shapes = geometry.shapes.iter().filter(|shape| !matches!(shape.kind, ShapeKind::Other));
+        if let (Some(first), Some(second)) = (shapes.next(), shapes.next()) {
             let message = format!("link `{}`: a second shape in one `geometry`", link.shown());
             out.report(tag_start(cx.expansion, second.element), message)
                 .also(tag_start(cx.expansion, first.element), "parsers take this one")

@@ -10,7 +10,7 @@ pub(super) const RULE: Rule = Rule {
     code: "GEO013",
     name: "non-positive-dimension",
     category: Category::Geometry,
-    severity: Severity::Error,
+    severity: Severity::Warning,
     default: Activation::On,
     since: "0.1",
     fix: None,
@@ -35,10 +35,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 if numbers.iter().all(|&number| number > 0.0) {
                     continue;
                 }
-                // a box without height is drawn as a plane
-                let is_plane =
-                    !is_collision && numbers.len() == 3 && numbers.iter().all(|&number| number >= 0.0);
-                let severity = if is_plane { Severity::Warning } else { Severity::Error };
+                // readers accept a length of zero, and nothing is drawn or hit; a negative one is never meant
+                let is_negative = numbers.iter().any(|&number| number < 0.0);
+                let severity = if is_collision || is_negative { Severity::Warning } else { Severity::Info };
                 let message = format!("link `{}`: `{name}` of a shape is not positive", link.shown());
                 out.report(text.origin, message)
                     .severity(severity)

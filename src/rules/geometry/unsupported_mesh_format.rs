@@ -4,6 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::resources::Target;
+use crate::workspace::edit_distance;
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO003",
@@ -21,6 +22,9 @@ pub(super) const RULE: Rule = Rule {
 const READ: [&str; 12] =
     ["stl", "dae", "obj", "ply", "gltf", "glb", "mesh", "msh", "usd", "usda", "usdc", "usdz"];
 
+/// Those of which another ending may be a misspelling.
+const USUAL: [&str; 3] = ["stl", "dae", "obj"];
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for mesh in cx.meshes() {
         let name = mesh.name();
@@ -34,6 +38,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             "" => format!("mesh `{name}` of link `{link}` has no ending that tells its format"),
             _ => format!("mesh of link `{link}`: format `.{ending}` is read by few programs"),
         };
-        out.report(mesh.file.origin, message).help("convert it to STL, OBJ, DAE or GLB").done();
+        let near = USUAL.iter().find(|known| edit_distance(known, &ending.to_lowercase()) == 1);
+        let help = near.map_or_else(
+            || "convert it to STL, OBJ, DAE or GLB".to_owned(),
+            |near| {
+                format!("`.{near}` is meant, it seems; otherwise convert the mesh to STL, OBJ, DAE or GLB")
+            },
+        );
+        out.report(mesh.file.origin, message).help(help).done();
     }
 }

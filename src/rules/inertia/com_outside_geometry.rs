@@ -21,6 +21,8 @@ pub(super) const RULE: Rule = Rule {
 
 /// Distance that no centre of mass has from the frame of its link, metres.
 const FAR: f64 = 5.0;
+/// Nothing depends on where lighter links have their mass, kg.
+const LIGHT: f64 = 0.01;
 /// By how much of its size a box grows on each side.
 const GROWN: f64 = 0.5;
 /// And by how much besides, metres.
@@ -30,7 +32,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
         let Some(text) = inertial.origin.as_ref().and_then(|origin| origin.xyz.as_ref()) else { continue };
         let Some(centre) = text.numbers::<3>() else { continue };
-        if inertial.mass().is_some_and(|mass| mass <= 0.0) {
+        if inertial.mass().is_some_and(|mass| mass <= LIGHT) {
             continue;
         }
         let parts = [extent_of(cx, &link.collisions), extent_of(cx, &link.visuals)];

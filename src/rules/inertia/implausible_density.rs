@@ -1,16 +1,17 @@
 //! A mass that does not fit the volume of the link.
 
 use super::super::context::DocumentCx;
-use super::super::geometry::volume;
+use super::super::geometry::{Extent, extent_of, volume};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::moments::{inertials, short};
+use crate::model::Link;
 
 pub(super) const RULE: Rule = Rule {
     code: "INR007",
     name: "implausible-density",
     category: Category::Inertia,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     default: Activation::On,
     since: "0.1",
     fix: None,
@@ -25,6 +26,12 @@ const LIGHT: f64 = 5.0;
 /// Every metal is lighter, kg/m^3.
 const HEAVY: f64 = 25_000.0;
 
+/// No material comes near, kg/m^3.
+const FAR_TOO_LIGHT: f64 = 0.01;
+const FAR_TOO_HEAVY: f64 = 1e5;
+/// Links that weigh less have rough geometry or a mass that was made up, kg.
+const LEAST_MASS: f64 = 0.05;
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
         let Some(text) = &inertial.mass else { continue };
@@ -35,6 +42,16 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let message = format!("link `{}` has a density of {} kg/m^3", link.shown(), short(density));
-        out.report(text.origin, message).help("check units: kilograms, and metres for the geometry").done();
+        let is_gross =
+            !(FAR_TOO_LIGHT..FAR_TOO_HEAVY).contains(&density) && mass >= LEAST_MASS && is_known(cx, link);
+        out.report(text.origin, message)
+            .severity(if is_gross { Severity::Warning } else { Severity::Info })
+            .help("check units: kilograms, and metres for the geometry")
+            .done();
     }
+}
+
+/// Whether all shapes of a link could be read.
+fn is_known(cx: &DocumentCx<'_>, link: &Link) -> bool {
+    [&link.collisions, &link.visuals].into_iter().all(|bodies| extent_of(cx, bodies) != Extent::Unknown)
 }

@@ -5,12 +5,14 @@ use super::super::geometry::{Extent, extent};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::moments::{Verdict, inertia_tag, inertials, short, verdict};
+use super::placeholder_inertia::is_placeholder;
+use crate::model::Link;
 
 pub(super) const RULE: Rule = Rule {
     code: "INR006",
     name: "implausible-inertia",
     category: Category::Inertia,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     default: Activation::On,
     since: "0.1",
     fix: None,
@@ -20,28 +22,55 @@ pub(super) const RULE: Rule = Rule {
 
 /// Radius of gyration that no link without geometry has, metres.
 const FAR: f64 = 5.0;
+/// From this ratio to the greatest moment that the geometry admits on, it is no matter of rough shapes.
+const GROSS: f64 = 10.0;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
         let Some(mass) = inertial.mass().filter(|&mass| mass > 0.0) else { continue };
-        let Some(Verdict::Definite([_, _, most])) = inertial.entries().map(verdict) else { continue };
+        let Some(entries) = inertial.entries() else { continue };
+        let Verdict::Definite([_, _, most]) = verdict(entries) else { continue };
         let radius = (most / mass).sqrt();
-        let (wrong, beside) = match extent(cx, link) {
-            Extent::Unknown => continue,
-            Extent::Nothing => (radius > FAR, "no link is so large".to_owned()),
-            Extent::Known(bounds) => {
-                let half = bounds.diagonal() / 2.0;
-                let wrong = half > 0.0 && (radius > 2.0 * half || radius < half / 50.0);
-                (wrong, format!("its geometry has a radius of {} m", short(half)))
-            }
+        let Some(misfit) = misfit(cx, link, radius).filter(|_| !is_placeholder(cx, link, inertial)) else {
+            continue;
         };
-        if wrong {
-            let (name, radius) = (link.shown(), short(radius));
-            let message =
-                format!("inertia of link `{name}` means a radius of gyration of {radius} m; {beside}");
-            out.report(inertia_tag(cx.expansion, inertial), message)
-                .help("check units: kg m^2, not kg mm^2 or g mm^2")
-                .done();
+        let made_up = is_same_about_all_axes(entries);
+        let (severity, help) = match misfit.is_gross && !made_up {
+            true => (Severity::Warning, "check units: kg m^2, not kg mm^2 or g mm^2"),
+            false => (Severity::Info, "compute it from mass and shape"),
+        };
+        let (name, radius, beside) = (link.shown(), short(radius), misfit.beside);
+        let message = format!("inertia of link `{name}` means a radius of gyration of {radius} m; {beside}");
+        out.report(inertia_tag(cx.expansion, inertial), message).severity(severity).help(help).done();
+    }
+}
+
+/// How a radius of gyration does not fit a link.
+struct Misfit {
+    /// Whether no choice of the shape explains it.
+    is_gross: bool,
+    /// What to compare it with.
+    beside: String,
+}
+
+fn misfit(cx: &DocumentCx<'_>, link: &Link, radius: f64) -> Option<Misfit> {
+    match extent(cx, link) {
+        Extent::Unknown => None,
+        Extent::Nothing => {
+            (radius > FAR).then(|| Misfit { is_gross: true, beside: "no link is so large".to_owned() })
+        }
+        Extent::Known(bounds) => {
+            let half = bounds.diagonal() / 2.0;
+            let wrong = half > 0.0 && (radius > 2.0 * half || radius < half / 50.0);
+            // moments go with the square of the radius
+            let ratio = (radius / half).powi(2);
+            let beside = format!("its geometry has a radius of {} m", short(half));
+            wrong.then_some(Misfit { is_gross: !(1.0 / GROSS..GROSS).contains(&ratio), beside })
         }
     }
+}
+
+/// Whether the three moments are equal and there are no products, as in numbers that were made up.
+fn is_same_about_all_axes([xx, xy, xz, yy, yz, zz]: [f64; 6]) -> bool {
+    xx == yy && yy == zz && [xy, xz, yz] == [0.0; 3]
 }

@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::moments::{Verdict, inertia_tag, inertials, verdict};
+use super::moments::{NEGLIGIBLE_MASS, Verdict, inertia_tag, inertials, verdict};
 
 pub(super) const RULE: Rule = Rule {
     code: "INR004",
@@ -19,6 +19,9 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
+        if inertial.mass().is_some_and(|mass| mass <= NEGLIGIBLE_MASS) {
+            continue;
+        }
         let (severity, message) = match inertial.entries().map(verdict) {
             Some(Verdict::Negative) => (Severity::Error, "has a negative principal moment"),
             Some(Verdict::Singular) => {

@@ -28,7 +28,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if a + b >= c * (1.0 - ROUNDING) {
             continue;
         }
-        let severity = if a + b >= c * (1.0 - COARSE) { Severity::Warning } else { Severity::Error };
+        let severity = if a + b >= c * (1.0 - COARSE) { Severity::Info } else { Severity::Error };
         let message = format!(
             "inertia of link `{}`: principal moment {} is greater than {} and {} together",
             link.shown(),

@@ -4,7 +4,7 @@ use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use crate::base::FastSet;
-use crate::model::JointType;
+use crate::model::{JointType, Ros2Control, Text};
 use crate::workspace::config::Profile;
 
 pub(super) const RULE: Rule = Rule {
@@ -21,10 +21,11 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let robot = cx.robot;
-    let simulated = !robot.gazebo.is_empty() || !robot.controls.is_empty();
-    if !simulated && !cx.world.config.profiles.contains(&Profile::Gazebo) {
+    let simulated = is_simulated(cx) || cx.world.config.profiles.contains(&Profile::Gazebo);
+    if !simulated && robot.controls.is_empty() {
         return;
     }
+    let severity = if simulated { Severity::Warning } else { Severity::Info };
     for (index, link) in robot.links.iter().enumerate() {
         let Some(name) = link.name.as_ref().filter(|name| name.value != "world") else { continue };
         let above = cx.kinematics.up(index).first().and_then(|&joint| robot.joints.get(joint)?.joint_type());
@@ -32,10 +33,27 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         if moves && link.has_geometry() && link.inertial.is_none() && !carries_mass(cx, index) {
             let message = format!("link `{}` moves, but has no `inertial`", name.value);
             out.report(name.origin, message)
+                .severity(severity)
                 .help("Gazebo drops it, its joint and all below: give it mass and inertia")
                 .done();
         }
     }
+}
+
+/// Whether a simulator loads the robot: a Gazebo tag or hardware of a simulator says so. A ros2_control block for
+/// real hardware or for a mock does not.
+fn is_simulated(cx: &RobotCx<'_>) -> bool {
+    const SIMULATORS: [&str; 6] = ["gazebo", "gz_", "ign_", "isaac", "mujoco", "webots"];
+    let tree = &cx.expansion.tree;
+    let is_simulator = |control: &Ros2Control| {
+        let plugin = control.plugin(tree).and_then(|element| Text::content(tree, element));
+        // a plugin that is not known may be one
+        plugin.as_ref().is_some_and(|plugin| {
+            let name = plugin.value.to_lowercase();
+            !plugin.is_known() || SIMULATORS.iter().any(|word| name.contains(word))
+        })
+    };
+    !cx.robot.gazebo.is_empty() || cx.robot.controls.iter().any(is_simulator)
 }
 
 /// Whether a link fixed below has a mass: simulators join both to one body.

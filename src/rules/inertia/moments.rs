@@ -11,10 +11,17 @@ const ROUNDING: f64 = 7e-6;
 /// Moments smaller than this part of the greatest are zero but for our own rounding.
 const ZERO: f64 = 1e-13;
 
+/// Smaller moments and products are zero, kg m^2.
+const NOISE: f64 = 1e-15;
+/// Products smaller than this part of the trace are zero.
+const NOISE_OF_TRACE: f64 = 1e-12;
+/// Links that weigh less stand for frames: nothing depends on their inertia, kg.
+pub(super) const NEGLIGIBLE_MASS: f64 = 1e-5;
+
 /// What an inertia matrix is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Verdict {
-    /// Zero.
+    /// Zero, but for rounding.
     Zero,
     /// One of its principal moments is negative.
     Negative,
@@ -26,6 +33,7 @@ pub(super) enum Verdict {
 
 /// Judge `ixx ixy ixz iyy iyz izz`.
 pub(super) fn verdict(entries: [f64; 6]) -> Verdict {
+    let entries = without_noise(entries);
     let [xx, xy, xz, yy, yz, zz] = entries;
     let size = entries.into_iter().fold(0.0, |size: f64, entry| size.max(entry.abs()));
     if size == 0.0 {
@@ -44,6 +52,17 @@ pub(super) fn verdict(entries: [f64; 6]) -> Verdict {
     } else {
         Verdict::Definite(moments.map(|moment| moment * size))
     }
+}
+
+/// The entries with what is only rounding of the program that computed them taken for zero.
+fn without_noise(entries: [f64; 6]) -> [f64; 6] {
+    let [xx, _, _, yy, _, zz] = entries;
+    let product = NOISE.max(NOISE_OF_TRACE * (xx + yy + zz).abs());
+    let least = [NOISE, product, product, NOISE, product, NOISE];
+    std::array::from_fn(|i| match (entries.get(i), least.get(i)) {
+        (Some(&entry), Some(&least)) if entry.abs() >= least => entry,
+        _ => 0.0,
+    })
 }
 
 /// The links that have an inertial, with it.
@@ -72,12 +91,15 @@ mod tests {
     fn verdicts() {
         let is_definite = |entries| matches!(verdict(entries), Verdict::Definite(_));
         assert_eq!(verdict([0.0; 6]), Verdict::Zero);
+        assert_eq!(verdict([9e-16, 1e-22, -3e-18, 0.0, 0.0, -1e-19]), Verdict::Zero);
+        assert_eq!(verdict([0.0, 1e-3, 0.0, 0.0, 0.0, 0.0]), Verdict::Negative);
         assert_eq!(verdict([1.0, 0.0, 0.0, 1.0, 0.0, 0.0]), Verdict::Singular);
+        assert_eq!(verdict([1.0, 9e-13, 0.0, 1.0, 0.0, -9e-16]), Verdict::Singular);
         assert_eq!(verdict([1.0, 0.0, 0.0, 1.0, 0.0, -1e-9]), Verdict::Negative);
         assert_eq!(verdict([1.0, 1.1, 0.0, 1.0, 0.0, 1.0]), Verdict::Negative);
         // eigenvalues 2, 1 and -1e-6: an export with six digits
         assert!(is_definite([1.0, 1.000_001, 0.0, 1.0, 0.0, 1.0]));
-        assert!(is_definite([1e-200, 0.0, 0.0, 1e-200, 0.0, 1e-200]));
+        assert!(is_definite([1e-14, 0.0, 0.0, 1e-14, 0.0, 1e-14]));
         assert!(is_definite([1e200, 0.0, 0.0, 2e200, 0.0, 2e200]));
         let Verdict::Definite(moments) = verdict([2.0, 0.0, 0.0, 3.0, 1.0, 3.0]) else { panic!() };
         assert!(moments.iter().zip([2.0, 2.0, 4.0]).all(|(a, b)| (a - b).abs() < 1e-12));

@@ -5,6 +5,7 @@ use super::super::geometry::extent;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::moments::{inertia_tag, inertials};
+use crate::model::{Inertial, Link};
 
 pub(super) const RULE: Rule = Rule {
     code: "INR008",
@@ -20,24 +21,29 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
-        let Some([xx, xy, xz, yy, yz, zz]) = inertial.entries() else { continue };
-        let is_round = xx == yy && yy == zz && [xy, xz, yz] == [0.0; 3] && is_power_of_ten(xx);
-        if !is_round || inertial.mass().is_some_and(|mass| mass <= 0.0) {
-            continue;
-        }
-        let estimate = || {
-            let [x, y, z] = extent(cx, link).bounds()?.size();
-            // a full box of this size: the mean of its three moments
-            Some(inertial.mass()? * (x * x + y * y + z * z) / 18.0)
-        };
-        let is_off = |estimate: f64| estimate > 0.0 && !(0.1..=10.0).contains(&(xx / estimate));
-        if xx == 1.0 || estimate().is_some_and(is_off) {
+        if is_placeholder(cx, link, inertial) {
             let message = format!("inertia of link `{}` looks like a placeholder", link.shown());
             out.report(inertia_tag(cx.expansion, inertial), message)
                 .help("compute it from mass and shape")
                 .done();
         }
     }
+}
+
+/// Whether the inertia of a link is a round number that does not come from its mass and shape.
+pub(super) fn is_placeholder(cx: &DocumentCx<'_>, link: &Link, inertial: &Inertial) -> bool {
+    let Some([xx, xy, xz, yy, yz, zz]) = inertial.entries() else { return false };
+    let is_round = xx == yy && yy == zz && [xy, xz, yz] == [0.0; 3] && is_power_of_ten(xx);
+    if !is_round || inertial.mass().is_some_and(|mass| mass <= 0.0) {
+        return false;
+    }
+    let estimate = || {
+        let [x, y, z] = extent(cx, link).bounds()?.size();
+        // a full box of this size: the mean of its three moments
+        Some(inertial.mass()? * (x * x + y * y + z * z) / 18.0)
+    };
+    let is_off = |estimate: f64| estimate > 0.0 && !(0.1..=10.0).contains(&(xx / estimate));
+    xx == 1.0 || estimate().is_some_and(is_off)
 }
 
 /// Whether a number is 1, 0.1, 0.01 and so on.

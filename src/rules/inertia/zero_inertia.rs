@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::moments::{inertia_tag, inertials};
+use super::moments::{Verdict, inertia_tag, inertials, verdict};
 
 pub(super) const RULE: Rule = Rule {
     code: "INR003",
@@ -20,7 +20,7 @@ pub(super) const RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
         let heavy = inertial.mass().is_some_and(|mass| mass > 0.0);
-        if heavy && inertial.entries() == Some([0.0; 6]) {
+        if heavy && inertial.entries().map(verdict) == Some(Verdict::Zero) {
             let message = format!("link `{}` has a mass, but its inertia is zero", link.shown());
             out.report(inertia_tag(cx.expansion, inertial), message)
                 .help("simulators become unstable: compute it from mass and shape")

@@ -3,8 +3,8 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::moments::inertials;
-use crate::model::element_range;
+use super::moments::{Verdict, inertials, verdict};
+use crate::model::{JointType, Link, element_range};
 
 pub(super) const RULE: Rule = Rule {
     code: "INR002",
@@ -22,8 +22,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
         let Some(text) = inertial.mass.as_ref().filter(|text| text.number() == Some(0.0)) else { continue };
         // a frame that says that it weighs nothing is harmless
-        let is_frame = !link.has_geometry() && inertial.entries().is_none_or(|entries| entries == [0.0; 6]);
-        let severity = if is_frame { Severity::Info } else { Severity::Warning };
+        let is_frame = !link.has_geometry()
+            && inertial.entries().map(verdict).is_none_or(|verdict| verdict == Verdict::Zero);
+        let severity = if is_frame || is_fixed_end(cx, link) { Severity::Info } else { Severity::Warning };
         let message = format!("mass of link `{}` is zero", link.shown());
         let report = out
             .report(text.origin, message)
@@ -37,4 +38,15 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             None => report.done(),
         }
     }
+}
+
+/// Whether a link is fixed to another one and carries none: simulators join it to the one above.
+fn is_fixed_end(cx: &DocumentCx<'_>, link: &Link) -> bool {
+    let Some(name) = link.name.as_ref().and_then(|name| name.name()) else { return false };
+    let ends = |joint: &'_ crate::model::Joint, child: bool| {
+        joint.ends().is_some_and(|(above, below)| if child { below == name } else { above == name })
+    };
+    let carries = cx.joints().iter().any(|joint| ends(joint, false));
+    let mut above = cx.joints().iter().filter(|joint| ends(joint, true)).peekable();
+    !carries && above.peek().is_some() && above.all(|joint| joint.is(&[JointType::Fixed]))
 }

@@ -23,10 +23,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(limit) = &joint.limit else { continue };
         for (name, text) in [("effort", &limit.effort), ("velocity", &limit.velocity)] {
             let Some(text) = text else { continue };
-            if text.number().is_some_and(|value| value < 0.0) {
+            if let Some(value) = text.number().filter(|&value| value < 0.0) {
+                // SDFormat reads -1 as "no limit"
+                let severity = if value == -1.0 { Severity::Warning } else { Severity::Error };
                 let message = format!("joint `{}` has the negative {name} {}", joint.shown(), text.value);
-                let report =
-                    out.report(text.origin, message).help("write its magnitude: it holds in both directions");
+                let report = out
+                    .report(text.origin, message)
+                    .severity(severity)
+                    .help("write its magnitude: it holds in both directions");
                 rewrite(report, Safety::Unsafe, text, text.value.trim().trim_start_matches('-').to_owned())
                     .done();
             }

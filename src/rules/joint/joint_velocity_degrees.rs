@@ -19,6 +19,9 @@ pub(super) const RULE: Rule = Rule {
     check: Check::Document(check),
 };
 
+/// Velocities that are round in degrees per second. Others are as likely those of a fast motor.
+const IN_DEGREES: [f64; 4] = [90.0, 120.0, 180.0, 360.0];
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let most = MAX_JOINT_VELOCITY.value(cx.world.config);
     let joints: Vec<&Joint> = cx.joints().iter().filter(|joint| joint.is(&[JointType::Revolute])).collect();
@@ -30,7 +33,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if text.number().is_some_and(|value| is_everywhere(&joints, value)) {
             continue;
         }
-        if text.number().is_some_and(|value| value > most && value < UNLIMITED) {
+        if text.number().is_some_and(|value| value > most && IN_DEGREES.contains(&value)) {
             let message = format!("revolute joint `{}` may turn at {} rad/s", joint.shown(), text.value);
             let report = out
                 .report(text.origin, message)

@@ -4,19 +4,22 @@ use super::super::context::DocumentCx;
 use super::super::edits::delete_attrs;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use crate::model::{JointType, tag_start};
+use crate::model::{JointType, Limit, Text, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT017",
     name: "limit-on-continuous",
     category: Category::Joint,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),
     docs: page!("limit-on-continuous"),
     check: Check::Document(check),
 };
+
+/// One turn, with what rounding pi takes away, rad.
+const FULL_TURN: f64 = std::f64::consts::TAU - 0.01;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for joint in cx.joints().iter().filter(|joint| joint.is(&[JointType::Continuous])) {
@@ -27,7 +30,6 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if written.is_empty() {
             continue;
         }
-        let zero = written.iter().all(|(_, text)| text.number() == Some(0.0));
         let names: Vec<&str> = written.iter().map(|(name, _)| *name).collect();
         let message = format!(
             "continuous joint `{}` has {}, which most programs ignore",
@@ -36,8 +38,15 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         );
         let report = out
             .report(tag_start(cx.expansion, limit.element), message)
-            .severity(if zero { Severity::Info } else { Severity::Warning })
+            .severity(if restricts(limit) { Severity::Warning } else { Severity::Info })
             .help("a joint with limits is revolute; of a continuous one, only effort and velocity count");
         delete_attrs(report, cx.expansion, limit.element, &names).done();
     }
+}
+
+/// Whether the limits leave less than a full turn: they are meant, and ignored. Limits of zero say nothing.
+fn restricts(limit: &Limit) -> bool {
+    let number = |text: &Option<Text>| text.as_ref().and_then(Text::number);
+    let range = number(&limit.lower).zip(number(&limit.upper));
+    range.is_some_and(|(lower, upper)| lower != upper && (upper - lower).abs() < FULL_TURN)
 }

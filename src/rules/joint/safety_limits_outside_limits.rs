@@ -38,11 +38,21 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             ("soft_lower_limit", &safety.soft_lower_limit, low < lower - ROUNDING, "below the lower", lower),
             ("soft_upper_limit", &safety.soft_upper_limit, up > upper + ROUNDING, "above the upper", upper),
         ];
+        let severity =
+            if is_switched_off(lower - low, up - upper) { Severity::Info } else { Severity::Warning };
         for (name, text, _, side, hard) in outside.into_iter().filter(|(_, _, is_outside, ..)| *is_outside) {
             let Some(text) = text else { continue };
             let message =
                 format!("joint `{}`: {name} {} is {side} limit {}", joint.shown(), text.value, short(hard));
-            out.report(text.origin, message).help("a soft limit works only inside of the hard one").done();
+            out.report(text.origin, message)
+                .severity(severity)
+                .help("a soft limit works only inside of the hard one")
+                .done();
         }
     }
+}
+
+/// Whether both soft limits are outside by the same amount: somebody put them out of the way.
+fn is_switched_off(below: f64, above: f64) -> bool {
+    below > ROUNDING && (below - above).abs() <= ROUNDING
 }

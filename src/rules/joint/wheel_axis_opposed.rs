@@ -12,7 +12,7 @@ pub(super) const RULE: Rule = Rule {
     code: "JNT014",
     name: "wheel-axis-opposed",
     category: Category::Joint,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),

@@ -6,9 +6,8 @@ use super::super::context::{DocumentCx, RootKind};
 use super::super::finding::Edit;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::manifest;
+use super::launch::{self, is_launch};
 use crate::base::{Span, TextRange};
-use crate::expand::FileIdx;
 
 pub(super) const RULE: Rule = Rule {
     code: "PKG007",
@@ -33,20 +32,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if is_launch(&root) {
         return check_file(cx, &root, out);
     }
-    let manifest =
-        manifest::of_file(cx.world, cx.expansion, FileIdx(0)).filter(|_| cx.kind == RootKind::Robot);
-    let Some(folder) = manifest.map(|manifest| manifest.folder.join("launch")) else { return };
-    for entry in cx.world.vfs.list_dir(&folder).iter() {
-        let path = folder.join(&entry.name);
-        if is_launch(&path) {
-            check_file(cx, &path, out);
-        }
+    if cx.kind == RootKind::Robot {
+        launch::files(cx.world, &root).iter().for_each(|path| check_file(cx, path, out));
     }
-}
-
-fn is_launch(path: &Path) -> bool {
-    let name = path.file_name().map(|name| name.to_string_lossy()).unwrap_or_default();
-    [".launch", ".launch.xml", ".py"].iter().any(|ending| name.ends_with(ending))
 }
 
 fn check_file(cx: &DocumentCx<'_>, path: &Path, out: &mut Sink<'_>) {

@@ -3,6 +3,7 @@
 mod deprecated_xacro_cli;
 mod description_package_name;
 mod invalid_package_name;
+mod launch;
 mod manifest;
 mod mentions;
 mod missing_package_dependency;
@@ -12,6 +13,7 @@ mod xacro_not_in_package;
 
 use super::registry::Rule;
 
+pub(super) use launch::reads_as_it_stands;
 pub use manifest::Manifests;
 pub(super) use mentions::Mention;
 pub(super) use package_not_found::is_news;

@@ -35,7 +35,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let mut seen: FastSet<Place> = FastSet::default();
     for later in inclusions.iter().filter(always).filter(|found| seen.insert(found.tag)) {
         let first = *first_of.entry((later.target, later.namespace.as_str())).or_insert(later);
-        if first.tag == later.tag {
+        if first.tag == later.tag || depends_on_arguments(first, later) {
             continue;
         }
         let one_file = first.tag.file == later.tag.file && first.within == later.within;
@@ -47,6 +47,17 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         }
         report(cx, first, later, one_file, emits, out);
     }
+}
+
+/// Whether two tags name one file only because of the arguments that are given now.
+fn depends_on_arguments(first: &Inclusion<'_>, later: &Inclusion<'_>) -> bool {
+    const ARGUMENTS: [&str; 4] = ["$(arg ", "$(optenv ", "$(env ", "xacro.arg("];
+    let name = |inclusion: &Inclusion<'_>| inclusion.node.attr("filename").map(|name| name.raw().to_owned());
+    let (first, later) = (name(first), name(later));
+    let is_given = |name: &Option<String>| {
+        name.as_ref().is_some_and(|name| ARGUMENTS.iter().any(|word| name.contains(word)))
+    };
+    first != later && (is_given(&first) || is_given(&later))
 }
 
 /// The frames of includes that give elements.

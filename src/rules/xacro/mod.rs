@@ -5,6 +5,7 @@ mod duplicate_include;
 mod mentions;
 mod redefined_macro;
 mod redefined_property;
+mod shadowed_builtin;
 mod shadowed_property;
 mod source;
 mod string_bool_comparison;
@@ -24,6 +25,7 @@ use super::registry::Severity::{Error, Info, Warning};
 use super::registry::{Rule, page};
 
 pub(super) use mentions::Mentions;
+pub(super) use shadowed_builtin::is_news as shadowing_is_news;
 pub(super) use unprefixed_xacro_tag::is_unprefixed;
 
 /// The rules. Those without a file are found by the expander.
@@ -57,9 +59,9 @@ pub(super) static RULES: &[Rule] = &[
     Rule::found("XAC026", "unclosed-expression", Xacro, Error, page!("unclosed-expression")),
     Rule::found("XAC027", "invalid-condition", Xacro, Error, page!("invalid-condition")),
     string_bool_comparison::RULE,
-    Rule::found("XAC029", "deprecated-builtin-call", Xacro, Warning, page!("deprecated-builtin-call")).fixed(Safe),
+    Rule::found("XAC029", "deprecated-builtin-call", Xacro, Info, page!("deprecated-builtin-call")).fixed(Safe),
     Rule::found("XAC030", "macro-name-with-prefix", Xacro, Warning, page!("macro-name-with-prefix")).fixed(Safe),
-    Rule::found("XAC031", "unknown-xacro-attribute", Xacro, Warning, page!("unknown-xacro-attribute")).fixed(Unsafe),
+    Rule::found("XAC031", "unknown-xacro-attribute", Xacro, Info, page!("unknown-xacro-attribute")).fixed(Unsafe),
     Rule::found("XAC032", "missing-xacro-attribute", Xacro, Error, page!("missing-xacro-attribute")),
     Rule::found("XAC033", "include-children-ignored", Xacro, Warning, page!("include-children-ignored")).fixed(Safe),
     Rule::found("XAC034", "infinite-macro-recursion", Xacro, Error, page!("infinite-macro-recursion")),

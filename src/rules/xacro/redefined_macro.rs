@@ -6,6 +6,7 @@ use super::super::sink::Sink;
 use super::source::{self, Inclusion};
 use crate::base::{FastMap, FastSet};
 use crate::expand::{FileIdx, Place, SymbolKind};
+use crate::xml::Node;
 
 pub(super) const RULE: Rule = Rule {
     code: "XAC017",
@@ -25,7 +26,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
     let inclusions = source::inclusions(cx.expansion, cx.world.vfs);
     let spaces = namespaces(&inclusions);
-    let mut first: FastMap<(&str, &str), Place> = FastMap::default();
+    let mut first: FastMap<(&str, &str), (Place, Node<'_>)> = FastMap::default();
     for (_, definition) in cx.expansion.symbols.iter().filter(|(_, found)| found.kind == SymbolKind::Macro) {
         let node = source::definition_tag(cx.expansion, definition);
         let place = source::place(cx.expansion, definition.place);
@@ -35,14 +36,19 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let name = definition.name.as_str();
-        let earlier = first.insert((space.as_str(), name), place);
-        if let Some(earlier) = earlier {
+        let earlier = first.insert((space.as_str(), name), (place, node));
+        if let Some((earlier, _)) = earlier.filter(|(_, earlier)| !is_same(*earlier, node)) {
             out.report_in(place.file, place.range, format!("macro `{name}` is defined again"))
                 .also_at(earlier, "the first definition is here")
                 .help("calls below use the second one: rename one of them, or include a file with ns=\"...\"")
                 .done();
         }
     }
+}
+
+/// Whether two macros are written with the same words.
+fn is_same(a: Node<'_>, b: Node<'_>) -> bool {
+    a.raw().split_whitespace().eq(b.raw().split_whitespace())
 }
 
 /// The namespace that each file's macros go into; files that are included into several, or only sometimes,

@@ -8,7 +8,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::source;
-use crate::base::{FastMap, TextRange};
+use crate::base::{FastMap, FastSet, TextRange};
 use crate::expand::{Definition, DefinitionId, Place, SourceRange, SrcId, SymbolKind, UseKind};
 use crate::expr::ast::{CmpOp, Const, Expr, ExprKind};
 use crate::expr::{Code, Token, split, visit};
@@ -80,8 +80,11 @@ fn comparisons(text: &str) -> Vec<(Comparison, u32)> {
     let mut found = Vec::new();
     for token in split(text).tokens {
         if let Token::Expr { inner, code: Code::Static(parsed), .. } = token {
+            let mut truths = FastSet::default();
+            visit_all(&parsed.expr, &mut |expr| truths.extend(compared_with_truth(expr)));
+            let is_news = |found: &Comparison| !truths.contains(found.name.as_str());
             visit_all(&parsed.expr, &mut |expr| {
-                found.extend(comparison(expr).map(|found| (found, inner.start)))
+                found.extend(comparison(expr).filter(is_news).map(|found| (found, inner.start)))
             });
         }
     }
@@ -91,6 +94,22 @@ fn comparisons(text: &str) -> Vec<(Comparison, u32)> {
 fn visit_all(expr: &Expr, f: &mut dyn FnMut(&Expr)) {
     f(expr);
     visit::children(expr, &mut |child| visit_all(child, f));
+}
+
+/// The name that is compared with `True` or `False`: who writes `x == 'true' or x == True` knows both.
+fn compared_with_truth(expr: &Expr) -> Option<String> {
+    let ExprKind::Compare(left, rest) = &expr.kind else { return None };
+    let [(CmpOp::Eq | CmpOp::Ne | CmpOp::Is | CmpOp::IsNot, right)] = rest.as_slice() else { return None };
+    let is_truth = |expr: &Expr| match &expr.kind {
+        ExprKind::Const(Const::Bool(_)) => true,
+        ExprKind::Name(name) => matches!(name.as_str(), "True" | "False"),
+        _ => false,
+    };
+    match (&left.kind, &right.kind) {
+        (ExprKind::Name(name), _) if is_truth(right) => Some(name.to_string()),
+        (_, ExprKind::Name(name)) if is_truth(left) => Some(name.to_string()),
+        _ => None,
+    }
 }
 
 fn comparison(expr: &Expr) -> Option<Comparison> {
@@ -205,6 +224,8 @@ mod tests {
             ("x${1 if 'False' != b else 2}", "'False' != b"),
             ("${a == 'yes'}", ""),
             ("${a == true}", ""),
+            ("${a == 'true' or a == True}", ""),
+            ("${a == 'true' or b == True}", "a == 'true'"),
             ("${a.b == 'true'}", ""),
             ("${a < b == 'true'}", ""),
             ("a == 'true'", ""),

@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     code: "XAC015",
     name: "unused-macro-param",
     category: Category::Xacro,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     default: Activation::On,
     since: "0.1",
     fix: None,
@@ -116,12 +116,14 @@ impl Forwards {
 fn report(cx: &DocumentCx<'_>, of: DefinitionId, param: &Definition, out: &mut Sink<'_>) {
     let Some(place) = source::place(cx.expansion, param.place) else { return };
     let owner = cx.expansion.symbols.get(of).map_or("", |owner| owner.name.as_str());
-    let (what, verb) = match param.kind {
-        SymbolKind::BlockParameter => ("block", "inserted"),
-        _ => ("parameter", "used"),
+    // with a block, what callers write is lost, such as a pose
+    let (what, verb, severity) = match param.kind {
+        SymbolKind::BlockParameter => ("block", "inserted", Severity::Warning),
+        _ => ("parameter", "used", Severity::Info),
     };
     let message = format!("{what} `{}` of macro `{owner}` is never {verb}", param.name);
     out.report_in(place.file, place.range, message)
+        .severity(severity)
         .help(
             "remove it from the macro and its calls; a parameter whose name begins with `_` is not reported",
         )

@@ -5,7 +5,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::walk;
 use crate::base::FastMap;
-use crate::expand::XId;
+use crate::expand::{XId, XKind, XTree};
 use crate::model::tag_start;
 
 pub(super) const RULE: Rule = Rule {
@@ -47,7 +47,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             }
             if let Some(&earlier) = first.get(name) {
                 let message = format!("{} has a second `{name}`", walk::described(cx, id));
+                let equal = is_same(tree, earlier, child);
                 out.report(tag_start(cx.expansion, child), message)
+                    .severity(if equal { Severity::Info } else { Severity::Warning })
                     .also(tag_start(cx.expansion, earlier), "the first one is here")
                     .help("urdfdom takes the first one, other readers refuse the file: keep one")
                     .done();
@@ -56,4 +58,21 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             }
         }
     }
+}
+
+/// Whether two elements say the same, comments and blanks left out.
+fn is_same(tree: &XTree, a: XId, b: XId) -> bool {
+    words(tree, a).eq(words(tree, b))
+}
+
+/// What an element says, piece by piece.
+fn words(tree: &XTree, element: XId) -> impl Iterator<Item = (&str, Vec<(&str, &str)>)> {
+    let nodes = std::iter::once(element).chain(tree.below(element)).map(|id| tree.get(id));
+    let says = |kind| matches!(kind, XKind::Element | XKind::Text | XKind::CData);
+    nodes.filter(move |node| says(node.kind) && !node.text.trim().is_empty()).map(|node| {
+        let mut attrs: Vec<_> =
+            node.attrs.iter().map(|attr| (attr.name.as_str(), attr.value.as_str())).collect();
+        attrs.sort_unstable();
+        (node.text.trim(), attrs)
+    })
 }

@@ -2,7 +2,7 @@
 
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
-use super::super::schema::ElementSpec;
+use super::super::schema::{self, ElementSpec};
 use super::super::sink::Sink;
 use super::walk;
 use crate::expand::{Origin, XAttr, XId};
@@ -12,7 +12,7 @@ pub(super) const RULE: Rule = Rule {
     code: "XML007",
     name: "unknown-attribute",
     category: Category::Xml,
-    severity: Severity::Warning,
+    severity: Severity::Hint,
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),
@@ -66,6 +66,7 @@ fn report(
         Some((near, sure)) => {
             let safety = if sure { Safety::Safe } else { Safety::Unsafe };
             report
+                .severity(Severity::Warning)
                 .help(format!("`{near}` is meant, it seems; readers skip `{name}` in silence"))
                 .replace_with(safety, format!("rename it to `{near}`"), near)
                 .done();
@@ -75,9 +76,16 @@ fn report(
         }
         None => {
             let help = format!("readers skip it in silence; `{}` has {}", spec.name, taken.join(", "));
-            report.help(help).done();
+            let severity = if is_of_other_shape(spec, name) { Severity::Warning } else { Severity::Hint };
+            report.severity(severity).help(help).done();
         }
     }
+}
+
+/// Whether another shape has an attribute of this name.
+fn is_of_other_shape(spec: &ElementSpec, name: &str) -> bool {
+    let is_shape = |spec: &ElementSpec| spec.parents.contains(&"geometry");
+    is_shape(spec) && schema::elements().any(|other| is_shape(other) && other.attribute(name).is_some())
 }
 
 /// The name of an attribute in the source; its value, where the name stands somewhere else.

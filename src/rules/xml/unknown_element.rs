@@ -2,7 +2,7 @@
 
 use super::super::context::{DocumentCx, RootKind};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
-use super::super::schema::ElementSpec;
+use super::super::schema::{self, ElementSpec};
 use super::super::sink::Sink;
 use super::walk::{self, Seen};
 use crate::base::TextRange;
@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     code: "XML006",
     name: "unknown-element",
     category: Category::Xml,
-    severity: Severity::Warning,
+    severity: Severity::Hint,
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),
@@ -54,19 +54,34 @@ fn report(
     let message = format!("URDF knows no `{name}` in {around}");
     let report = out.report(tag_start(cx.expansion, id), message);
     let Some((near, sure)) = near else {
-        let children: Vec<String> = parent.children().map(|child| format!("`{}`", child.name)).collect();
-        let help = if children.is_empty() {
-            format!("`{}` has no content; readers skip this in silence", parent.name)
-        } else {
-            format!("readers skip it in silence; `{}` may hold {}", parent.name, children.join(", "))
-        };
-        return report.help(help).done();
+        let (severity, help) = unlike_all(name, parent);
+        return report.severity(severity).help(help).done();
     };
-    let report = report.help(format!("`{near}` is meant, it seems; readers skip `{name}` in silence"));
+    let report = report
+        .severity(Severity::Warning)
+        .help(format!("`{near}` is meant, it seems; readers skip `{name}` in silence"));
     let Some((file, names)) = names(cx, id) else { return report.done() };
     let safety = if sure { Safety::Safe } else { Safety::Unsafe };
     let edits = names.into_iter().map(|range| (range, near.to_owned()));
     report.fix(safety, format!("rename it to `{near}`"), file, edits).done();
+}
+
+/// The severity and the advice for a name that is close to none that may stand there.
+fn unlike_all(name: &str, parent: &ElementSpec) -> (Severity, String) {
+    if name == "pose" && parent.child("origin").is_some() {
+        let help = "SDF calls it `pose`, URDF `origin`, with attributes `xyz` and `rpy`; readers skip this in silence";
+        return (Severity::Warning, help.to_owned());
+    }
+    // an element of URDF in the wrong place has no effect; other names are meant for other programs
+    let is_misplaced = schema::is_urdf(name) && !(name == "material" && parent.name == "collision");
+    let severity = if is_misplaced { Severity::Warning } else { Severity::Hint };
+    let children: Vec<String> = parent.children().map(|child| format!("`{}`", child.name)).collect();
+    let help = if children.is_empty() {
+        format!("`{}` has no content; readers skip this in silence", parent.name)
+    } else {
+        format!("readers skip it in silence; `{}` may hold {}", parent.name, children.join(", "))
+    };
+    (severity, help)
 }
 
 /// Where the name stands in the start tag and in the end tag, when the source spells it.

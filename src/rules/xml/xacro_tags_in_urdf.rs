@@ -1,6 +1,7 @@
 //! xacro tags in a file that calls itself plain URDF.
 
 use super::super::context::FileCx;
+use super::super::package::reads_as_it_stands;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use crate::base::TextRange;
@@ -9,7 +10,7 @@ pub(super) const RULE: Rule = Rule {
     code: "XML017",
     name: "xacro-tags-in-urdf",
     category: Category::Xml,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     default: Activation::On,
     since: "0.1",
     fix: None,
@@ -30,6 +31,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         TextRange::new(name.start - 1, name.end),
         format!("`{}` in a file that ends in `.urdf`", node.name()),
     )
+    .severity(if reads_as_it_stands(cx) { Severity::Warning } else { Severity::Info })
     .help("readers of plain URDF skip it in silence: rename the file to `.urdf.xacro`, and expand it")
     .done();
 }

@@ -1,0 +1,43 @@
+//! A property that hides a built-in symbol: whether that is news.
+
+use super::source;
+use crate::expand::{Expansion, Place, Problem};
+use crate::expr::{Value, global_symbol};
+use crate::model::decimal;
+use crate::xml::Node;
+
+/// Whether a name that hides a built-in symbol means something else from there on. A parameter does so in its macro
+/// only, where everybody sees it, and a property with the very value of the symbol changes nothing.
+pub(in super::super) fn is_news(expansion: &Expansion, problem: &Problem) -> bool {
+    let Some(file) = expansion.files.get(problem.place.file.0 as usize) else { return true };
+    let document = &file.source.document;
+    let item = document.item_at(problem.place.range.start);
+    let Some(node) = item.item.all_nodes().find(|node| {
+        let tag = node.start_tag_range().shift(item.start);
+        tag.contains_range(problem.place.range)
+    }) else {
+        return true;
+    };
+    match node.name() {
+        "xacro:property" => !is_same_value(expansion, problem.place, node),
+        "xacro:include" => true,
+        _ => false,
+    }
+}
+
+/// Whether a property has the value of the symbol that it hides, as doubles.
+fn is_same_value(expansion: &Expansion, place: Place, node: Node<'_>) -> bool {
+    let name = node.attr("name").map(|name| name.raw().to_owned()).unwrap_or_default();
+    let Some(Value::Float(known)) = global_symbol(&name) else { return false };
+    let written = node.attr("value").and_then(|value| decimal(value.raw().trim()));
+    let computed = expansion.bindings.iter().find_map(|binding| {
+        let definition = expansion.symbols.get(binding.definition?)?;
+        match binding.value {
+            Some(Value::Float(value)) => {
+                (source::place(expansion, definition.place) == Some(place)).then_some(value)
+            }
+            _ => None,
+        }
+    });
+    written.or(computed) == Some(known)
+}
