@@ -2,6 +2,7 @@
 
 mod belonging;
 pub mod config;
+mod install;
 mod manifest;
 mod memo;
 mod namesakes;
@@ -16,6 +17,7 @@ mod uri;
 mod tests;
 
 pub use belonging::Vicinity;
+pub use install::{BUILD_FILES, Build, Built};
 pub use packages::{Entry, Found, NotFound, Package, PackageOptions, Packages, Target};
 pub use root::is_built;
 pub use similar::{edit_distance, nearest};

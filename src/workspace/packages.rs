@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
+use super::install::Build;
 use super::manifest::{MANIFEST, is_package_name, package_name};
 use super::memo::Memo;
 use super::namesakes::Index;
@@ -112,6 +113,9 @@ pub struct Packages {
     roots: Memo<PathBuf, Option<PathBuf>>,
     installed: Memo<Prefix, Arc<Vec<String>>>,
     pub(super) indexes: Memo<PathBuf, Arc<Index>>,
+    pub(super) builds: Memo<PathBuf, Arc<Build>>,
+    /// Names of packages without a manifest, by folder.
+    pub(super) unlisted: Memo<PathBuf, Option<String>>,
 }
 
 impl Packages {
@@ -126,6 +130,8 @@ impl Packages {
             roots: Memo::default(),
             installed: Memo::default(),
             indexes: Memo::default(),
+            builds: Memo::default(),
+            unlisted: Memo::default(),
         }
     }
 
@@ -184,6 +190,8 @@ impl Packages {
         self.roots.clear();
         self.installed.clear();
         self.indexes.clear();
+        self.builds.clear();
+        self.unlisted.clear();
     }
 
     fn order(&self) -> Vec<Step> {
@@ -209,9 +217,14 @@ impl Packages {
             return (owner.name == name).then_some(owner.folder);
         }
         for (top, rules) in self.tree_tops(step, from) {
-            let found = self.tree(&top, rules).get(name).map(Path::to_owned);
-            if found.is_some() {
-                return found;
+            let tree = self.tree(&top, rules);
+            let found = tree.get(name).map(Path::to_owned);
+            let unlisted = || {
+                let is_it = |folder: &&PathBuf| self.unlisted_name(folder).is_some_and(|own| own == name);
+                tree.unlisted().iter().find(is_it).cloned()
+            };
+            if let Some(found) = found.or_else(unlisted) {
+                return Some(found);
             }
             tried.push((step, top));
         }
