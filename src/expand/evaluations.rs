@@ -4,9 +4,10 @@ use std::sync::OnceLock;
 
 use super::machine::Expander;
 use super::origin::{FrameId, Origin};
+use super::resolve::BindingKind;
 use super::symbols::SourceRange;
 use crate::base::limits::EVALUATIONS;
-use crate::base::{FastMap, TextRange};
+use crate::base::{FastMap, FastSet, TextRange};
 use crate::expr::Value;
 
 /// A value that an expression gave.
@@ -92,5 +93,24 @@ impl Expander<'_> {
         let reads = self.keep_reads(mark);
         self.reads.truncate(mark);
         reads
+    }
+
+    /// Whether what was read since there were `mark` reads comes from the default of an argument. These reads are
+    /// forgotten.
+    pub fn reads_default(&mut self, mark: usize) -> bool {
+        let mut open = self.reads.split_off(mark.min(self.reads.len()));
+        let mut seen: FastSet<u32> = FastSet::default();
+        while let Some(binding) = open.pop() {
+            let Some(info) = self.result.bindings.get(binding as usize).filter(|_| seen.insert(binding))
+            else {
+                continue;
+            };
+            if info.kind == BindingKind::Argument && info.origin.is_some() {
+                return true;
+            }
+            let TextRange { start, end } = info.reads;
+            open.extend(self.result.reads.get(start as usize..end as usize).unwrap_or_default());
+        }
+        false
     }
 }

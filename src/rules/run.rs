@@ -247,6 +247,9 @@ fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Option<Findin
     let fix = fix.or_else(|| mend::fix(problem, document, place, vfs));
     let new = Finding::new(rule, place, problem.message.clone());
     let mut finding = Finding { help: problem.help.clone(), fix, ..new };
+    if problem.excused {
+        finding.severity = Severity::Info;
+    }
     limit_calls(&mut finding, calls);
     Some(finding)
 }
