@@ -44,6 +44,7 @@ impl FileCx<'_> {
     /// nothing includes it.
     pub fn is_plain_urdf(&self) -> bool {
         let name = self.source.path.file_name().map(|name| name.to_string_lossy()).unwrap_or_default();
+        let name = name.to_ascii_lowercase();
         name.ends_with(".urdf") && !name.contains(".xacro") && self.file == FileIdx(0)
     }
 

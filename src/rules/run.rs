@@ -8,7 +8,7 @@ use ecow::EcoString;
 use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings, elements};
 use super::finding::{Edit, Finding, Fix, Related};
 use super::mend;
-use super::package::is_news;
+use super::package::{is_news, warn_once};
 use super::place;
 use super::registry::{Category, Check, Rule, Safety, Severity, all, by_code};
 use super::sink::{Sink, limit_calls, span};
@@ -83,6 +83,9 @@ pub fn check_expansion(
     let broken = |file: &&FileUse| !file.source.document.errors().is_empty();
     let broken: Vec<FileId> = expansion.files.iter().filter(broken).map(|file| file.source.id).collect();
     findings.extend(sink.finish().into_iter().filter(|finding| !broken.contains(&finding.span.file)));
+    if kind == RootKind::Robot && !world.has_ros {
+        warn_once(&mut findings, expansion, world);
+    }
     findings
 }
 

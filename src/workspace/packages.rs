@@ -10,7 +10,7 @@ use super::memo::Memo;
 use super::namesakes::Index;
 use super::root::workspace_root;
 use super::scan::{Rules, Tree, scan};
-use super::similar::nearest;
+use super::similar::{edit_distance, has_part, nearest};
 use super::steps::{Layout, Prefix, Step, distributions, overlays};
 use crate::base::FastSet;
 use crate::vfs::{Environment, Vfs};
@@ -76,7 +76,7 @@ pub struct NotFound {
     pub name: String,
     /// The places asked, in order.
     pub tried: Vec<(Step, PathBuf)>,
-    /// A known package of almost the same name.
+    /// A known package that seems to be meant: see [`Packages::find`].
     pub nearest: Option<String>,
 }
 
@@ -138,7 +138,9 @@ impl Packages {
     /// The folder of package `name` for a reference in `from_file`.
     ///
     /// # Errors
-    /// When no place has it. A text that cannot be the name of a package is found nowhere.
+    /// When no place has it. A text that cannot be the name of a package is found nowhere. Another package seems to be
+    /// meant when at most two letters differ, or when one name is the other with words in front or behind; but not
+    /// when the asking package depends on the one that is missing.
     pub fn find(&self, name: &str, from_file: &Path) -> Result<Found, NotFound> {
         let mut tried = Vec::new();
         if is_package_name(name) {
@@ -148,9 +150,39 @@ impl Packages {
                 }
             }
         }
-        let known = self.all(from_file);
-        let nearest = nearest(name, known.iter().map(|entry| entry.name.as_str())).map(str::to_owned);
+        let nearest = self.meant(name, from_file);
         Err(NotFound { name: name.to_owned(), tried, nearest })
+    }
+
+    /// The known package that `name` seems to mean.
+    fn meant(&self, name: &str, from: &Path) -> Option<String> {
+        /// Letters that a slip of the fingers changes.
+        const SLIP: usize = 2;
+        let owner = self.containing(from);
+        let manifest = owner.and_then(|owner| self.vfs.text(&owner.folder.join(MANIFEST)).ok());
+        if manifest.is_some_and(|manifest| manifest.text.contains(&format!(">{name}<"))) {
+            return None;
+        }
+        let known = self.all(from);
+        let near = nearest(name, known.iter().map(|entry| entry.name.as_str()));
+        let near = near.filter(|near| edit_distance(name, near) <= SLIP);
+        // only among sources: of all that is installed, something always begins alike
+        let sources = known.iter().filter(|entry| entry.step <= Step::Workspace);
+        let longer = || {
+            let alike =
+                sources.clone().filter(|entry| has_part(&entry.name, name) || has_part(name, &entry.name));
+            alike
+                .filter(|entry| !self.is_metapackage(&entry.path))
+                .map(|entry| entry.name.as_str())
+                .min_by_key(|other| other.len().abs_diff(name.len()))
+        };
+        near.or_else(longer).map(str::to_owned)
+    }
+
+    /// Whether a package is only there for what it depends on: no file of it can be meant.
+    fn is_metapackage(&self, folder: &Path) -> bool {
+        let manifest = self.vfs.text(&self.env.cwd.join(folder).join(MANIFEST));
+        manifest.is_ok_and(|manifest| manifest.text.contains("<metapackage"))
     }
 
     /// Every package that can be named from `from_file`, in the order of the look-up.

@@ -14,7 +14,8 @@ use super::registry::Rule;
 
 pub use manifest::Manifests;
 pub(super) use mentions::Mention;
-pub(super) use package_not_found::is_news;
+pub use package_not_found::NONE_FOUND;
+pub(super) use package_not_found::{is_news, warn_once};
 
 /// The rules.
 pub(super) static RULES: &[Rule] = &[

@@ -207,6 +207,8 @@ impl Reader<'_> {
                     self.file(&path, Here { depth: here.depth + 1, ..here });
                 }
             }
+            // what it installs is written elsewhere
+            name if name.contains("install") && !name.contains("python") => self.build.is_opaque = true,
             _ => {}
         }
     }

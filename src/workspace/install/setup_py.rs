@@ -17,9 +17,10 @@ pub(super) fn read(vfs: &Vfs, folder: &Path, build: &mut Build) {
     let path = folder.join(SETUP_PY);
     build.files.push(path.clone());
     let Ok(file) = vfs.text(&path) else { return };
-    build.is_opaque |=
-        ["walk(", "rglob", "**", "listdir", "for "].iter().any(|word| file.text.contains(word));
-    for (destination, files) in data_files(&file.text) {
+    let (found, is_all) = data_files(&file.text);
+    let walks = ["walk(", "rglob", "**", "listdir", "for "].iter().any(|word| file.text.contains(word));
+    build.is_opaque |= walks || !is_all;
+    for (destination, files) in found {
         for file in files {
             let path = tidy(&folder.join(&file));
             let to = tidy(Path::new(&destination));
@@ -32,12 +33,12 @@ pub(super) fn read(vfs: &Vfs, folder: &Path, build: &mut Build) {
     }
 }
 
-/// Destinations below `share` with their files; names of files may be patterns.
-fn data_files(text: &str) -> Vec<(String, Vec<String>)> {
+/// Destinations below `share` with their files, and whether these are all; names of files may be patterns.
+fn data_files(text: &str) -> (Vec<(String, Vec<String>)>, bool) {
     let tokens = tokens(text);
     let mut names: FastMap<&str, Value> = FastMap::default();
     let mut found = Vec::new();
-    let left = Cell::new(BUILD_BYTES as usize);
+    let (mut is_all, left) = (true, Cell::new(BUILD_BYTES as usize));
     for at in 0..tokens.len() {
         let mut reader = Reader { tokens: &tokens, at, names: &names, left: &left, depth: 0 };
         match (tokens.get(at), tokens.get(at + 1)) {
@@ -53,14 +54,15 @@ fn data_files(text: &str) -> Vec<(String, Vec<String>)> {
                 if !(to.starts_with("share/") && reader.skip(',')) {
                     continue;
                 }
-                if let Some(Value::List(files)) = reader.value() {
-                    found.push((to, files));
+                match reader.value() {
+                    Some(Value::List(files)) => found.push((to, files)),
+                    _ => is_all = false,
                 }
             }
             _ => {}
         }
     }
-    found
+    (found, is_all)
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -256,7 +258,7 @@ mod tests {
         ];
         for (text, expected) in table {
             let found: Vec<String> =
-                data_files(text).iter().map(|(to, files)| format!("{to}: {}", files.join(" "))).collect();
+                data_files(text).0.iter().map(|(to, files)| format!("{to}: {}", files.join(" "))).collect();
             assert_eq!(found.join("; "), expected, "{text}");
         }
     }
