@@ -27,6 +27,9 @@ mod trial;
 mod walk;
 mod world;
 
+#[cfg(test)]
+mod package_tests;
+
 pub use analyzed::Analyzed;
 pub use baseline::{Baseline, fingerprint};
 pub use check::CheckOptions;

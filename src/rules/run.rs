@@ -14,7 +14,7 @@ use super::registry::{Category, Check, Rule, Safety, Severity, all, by_code};
 use super::sink::{Sink, limit_calls, span};
 use super::vocabulary::outside_free_zones;
 use super::xacro::is_unprefixed;
-use crate::base::{CancelFlag, FastSet, FileId, Span, TextRange};
+use crate::base::{CancelFlag, FastMap, FastSet, FileId, Span, TextRange};
 use crate::expand::{Expansion, FileIdx, FileUse, Problem, Step};
 use crate::model::{Kinematics, Robot};
 use crate::vfs::Vfs;
@@ -208,18 +208,29 @@ impl Unprefixed {
     }
 }
 
-/// Where no ROS is, a missing package is a note, once for each name and file.
+/// A missing package is reported once for each name and file; where no ROS is, as a note.
 fn excuse_packages(findings: &mut Vec<Finding>, world: Surroundings<'_>) {
-    let mut said = FastSet::default();
-    findings.retain_mut(|finding| {
-        // the expander offers a replacement when a package has almost the same name
-        let near = finding.fix.as_ref().map(|_| "");
-        if finding.rule.code != "PKG001" || is_news(world, near) {
-            return true;
+    let mut first: FastMap<(FileId, String), usize> = FastMap::default();
+    let mut kept: Vec<Finding> = Vec::with_capacity(findings.len());
+    for mut finding in findings.drain(..) {
+        if finding.rule.code == "PKG001" {
+            let known = first.entry((finding.span.file, finding.message.clone())).or_insert(kept.len());
+            if let Some(known) = kept.get_mut(*known) {
+                let message = "named here too".to_owned();
+                known.related.push(Related { span: finding.span, message, is_call: false });
+                if let (Some(fix), Some(more)) = (&mut known.fix, finding.fix) {
+                    fix.edits.extend(more.edits);
+                }
+                continue;
+            }
+            // the expander offers a replacement when another package seems to be meant
+            if !is_news(world, finding.fix.as_ref().map(|_| "")) {
+                finding.severity = Severity::Info;
+            }
         }
-        finding.severity = Severity::Info;
-        said.insert((finding.span.file, finding.message.clone()))
-    });
+        kept.push(finding);
+    }
+    *findings = kept;
 }
 
 /// A problem of the expander as a finding.

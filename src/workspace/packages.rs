@@ -167,14 +167,15 @@ impl Packages {
         let near = nearest(name, known.iter().map(|entry| entry.name.as_str()));
         let near = near.filter(|near| edit_distance(name, near) <= SLIP);
         // only among sources: of all that is installed, something always begins alike
-        let sources = known.iter().filter(|entry| entry.step <= Step::Workspace);
+        let is_source = |entry: &&Entry| entry.step <= Step::Workspace;
+        let sources = known.iter().filter(is_source);
         let longer = || {
-            let alike =
-                sources.clone().filter(|entry| has_part(&entry.name, name) || has_part(name, &entry.name));
-            alike
-                .filter(|entry| !self.is_metapackage(&entry.path))
-                .map(|entry| entry.name.as_str())
-                .min_by_key(|other| other.len().abs_diff(name.len()))
+            let is_alike = |entry: &&Entry| has_part(&entry.name, name) || has_part(name, &entry.name);
+            let alike = sources.clone().filter(is_alike).filter(|entry| !self.is_metapackage(&entry.path));
+            // the own package first, then the name that has the fewest letters more
+            let nearness =
+                |entry: &&Entry| (entry.step != Step::OwnPackage, entry.name.len().abs_diff(name.len()));
+            Some(alike.min_by_key(nearness)?.name.as_str())
         };
         near.or_else(longer).map(str::to_owned)
     }

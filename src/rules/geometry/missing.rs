@@ -60,7 +60,13 @@ fn report(
     let is_one_folder = |found: &&PathBuf| {
         namesakes.iter().all(|other| other.as_ref().and_then(|other| other.parent()) == found.parent())
     };
-    let Some(found) = namesakes.first().and_then(Option::as_ref).filter(is_one_folder) else {
+    // beside files that are there, one that is missing is not another one in a folder elsewhere
+    let is_moved = |found: &&PathBuf| {
+        let other = found.parent().unwrap_or(found);
+        !cx.world.vfs.is_dir(folder) || other.starts_with(folder) || folder.starts_with(other)
+    };
+    let found = namesakes.first().and_then(Option::as_ref).filter(is_one_folder).filter(is_moved);
+    let Some(found) = found else {
         return report.help("correct the path, or add the file").done();
     };
     let place = found.parent().map_or_else(String::new, |folder| shown(cx, first.name, folder));

@@ -108,11 +108,20 @@ impl<'t> Reader<'t> {
     }
 
     fn plain(&mut self) -> String {
-        let text = self.take(|c| !c.is_whitespace() && !matches!(c, '(' | ')' | '#' | '"'));
+        let mut text = String::new();
+        loop {
+            text.push_str(self.take(|c| !c.is_whitespace() && !matches!(c, '(' | ')' | '#' | '"' | '\\')));
+            if !self.rest.starts_with('\\') {
+                break;
+            }
+            self.skip_char();
+            text.extend(self.rest.chars().next());
+            self.skip_char();
+        }
         if text.is_empty() {
             self.skip_char();
         }
-        text.to_owned()
+        text
     }
 
     /// `[[text]]` or `[==[text]==]`.
@@ -141,6 +150,7 @@ mod tests {
             ("if(NOT (A OR B)) endif()", "if: NOT|A|OR|B; endif: "),
             ("set(a \"x\\\"y\" [=[z]]=])", "set: a|'x\"y'|'z]'"),
             ("set(a [0-9])", "set: a|[0-9]"),
+            ("list(APPEND a \\\"b\\\") project(p)", "list: APPEND|a|\"b\"; project: p"),
             ("set(a \"open", "set: a|'open'"),
             ("half(a", "half: a"),
             ("+ x y(z)", "y: z"),
