@@ -688,6 +688,43 @@ fn manifest_nodes() {
     assert_eq!((found(1000), found(MANIFEST_NODES as usize)), (true, true));
 }
 
+/// Whether a mesh is found where a `CMakeLists.txt` installs it that says something else before.
+fn installed_behind(before: &str) -> bool {
+    let folder = folder();
+    let install = "install(DIRECTORY description/meshes DESTINATION share/near)";
+    write(&folder, "package.xml", MANIFEST.replace("far", "near"));
+    write(&folder, "CMakeLists.txt", before.replace("INSTALL", install));
+    write(&folder, "description/meshes/a.stl", "");
+    let env = Environment { vars: BTreeMap::new(), cwd: folder.clone() };
+    let vfs = Arc::new(Vfs::with_cwd(1 << 24, folder.clone()));
+    Packages::new(vfs, &env, PackageOptions::default()).built(&folder.join("meshes/a.stl")).is_some()
+}
+
+#[test]
+fn build_bytes() {
+    let behind = |count: usize| installed_behind(&format!("{} INSTALL", "set(a bbbbbbb)\n".repeat(count)));
+    assert_eq!((behind(100), behind(BUILD_BYTES as usize / 10)), (true, false));
+}
+
+#[test]
+fn build_depth() {
+    let below = |levels: usize| {
+        installed_behind(&format!(
+            "{} INSTALL {}",
+            "foreach(a b)\n".repeat(levels),
+            "endforeach()\n".repeat(levels)
+        ))
+    };
+    assert_eq!((below(BUILD_DEPTH as usize), below(BUILD_DEPTH as usize + 1)), (true, false));
+    let nested = format!("share/near', {}", "[".repeat(1_000_000));
+    let folder = folder();
+    write(&folder, "package.xml", MANIFEST.replace("far", "near"));
+    write(&folder, "setup.py", format!("x = ('{nested}"));
+    let env = Environment { vars: BTreeMap::new(), cwd: folder.clone() };
+    let vfs = Arc::new(Vfs::with_cwd(1 << 24, folder.clone()));
+    assert!(Packages::new(vfs, &env, PackageOptions::default()).built(&folder.join("a.stl")).is_none());
+}
+
 /// Makes a hundred thousand folders and twenty thousand files: run it by `cargo test --test limits -- --ignored`.
 #[test]
 #[ignore = "makes 100,000 folders"]

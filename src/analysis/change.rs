@@ -12,6 +12,7 @@ use super::session::Session;
 use super::walk::is_description;
 use crate::base::{FastSet, FileId};
 use crate::rules::{Category, Check, Finding, Severity};
+use crate::workspace::{BUILD_FILES, Package};
 
 /// The files that changed.
 pub(super) struct Change<'a> {
@@ -84,11 +85,15 @@ impl<'a> Change<'a> {
     }
 
     /// Whether an expansion read a changed file, looked for one that is gone, or belongs to a package whose
-    /// manifest changed.
+    /// manifest or build file changed.
     pub(super) fn is_read_by(&self, outcome: &Outcome) -> bool {
         let package = self.session.packages.containing(&outcome.job.file);
-        let manifest = package.map(|package| package.folder.join("package.xml"));
-        let read = std::iter::once(&outcome.job.file).chain(&outcome.reads).chain(&manifest);
+        let of_package = |package: Package| {
+            let names = std::iter::once("package.xml").chain(BUILD_FILES);
+            names.map(|name| package.folder.join(name)).collect::<Vec<_>>()
+        };
+        let of_package = package.map_or_else(Vec::new, of_package);
+        let read = std::iter::once(&outcome.job.file).chain(&outcome.reads).chain(&of_package);
         read.into_iter().any(|path| self.holds(path))
     }
 

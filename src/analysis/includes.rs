@@ -110,7 +110,19 @@ fn pattern(name: &str, from: &Path, packages: &Packages) -> Option<Pattern> {
     let folder = from.parent()?;
     let file = pattern.rsplit('/').next().unwrap_or("");
     let says_something = file.chars().any(|c| !matches!(c, '*' | '.'));
-    says_something.then(|| Pattern::new(&tidy(&format!("./{pattern}"), pattern.starts_with('/')), folder))
+    says_something.then(|| {
+        let pattern = tidy(&format!("./{pattern}"), pattern.starts_with('/'));
+        Pattern::new(&installed(&pattern, folder, packages).unwrap_or(pattern), folder)
+    })
+}
+
+/// A pattern whose folders only the build makes, as a pattern of the source tree.
+fn installed(pattern: &str, folder: &Path, packages: &Packages) -> Option<String> {
+    let end = pattern.find('*').map_or(Some(pattern.len()), |star| pattern.get(..star)?.rfind('/'))?;
+    let (start, rest) = pattern.split_at_checked(end)?;
+    let start = folder.join(start);
+    let present = packages.present(&start);
+    (*present != *start).then(|| format!("{}{rest}", present.display()))
 }
 
 /// An absolute path without `folder/..`, by its text alone.

@@ -141,7 +141,7 @@ fn suppressed(expansion: &Expansion) -> Vec<Selector> {
 pub(super) fn kind(expansion: &Expansion, robot: Option<&Robot>, job: &Job) -> RootKind {
     let uses_xacro =
         |file: &FileUse| file.source.document.root().is_some_and(|root| root.attr("xmlns:xacro").is_some());
-    let plain = job.file.extension().is_some_and(|ending| ending == "urdf")
+    let plain = job.file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("urdf"))
         && !expansion.files.first().is_some_and(uses_xacro);
     if is_semantic(expansion) {
         return RootKind::Semantic;

@@ -29,6 +29,9 @@ mod trial;
 mod walk;
 mod world;
 
+#[cfg(test)]
+mod package_tests;
+
 pub use analyzed::Analyzed;
 pub use baseline::{Baseline, fingerprint};
 pub use check::CheckOptions;

@@ -79,10 +79,12 @@ fn walk(folder: &Path, env: &Environment) -> ignore::Walk {
     walk.build()
 }
 
-/// Whether a file is a description, by its name: `.urdf` and `.xacro`, alone or in front of `.xml`.
+/// Whether a file is a description, by its name: `.urdf` and `.xacro`, alone or in front of `.xml`, in letters of any
+/// case.
 pub(super) fn is_description(path: &Path) -> bool {
     let Some(name) = path.file_name().and_then(|name| name.to_str()) else { return false };
-    let name = name.strip_suffix(".xml").unwrap_or(name);
+    let name = name.to_ascii_lowercase();
+    let name = name.strip_suffix(".xml").unwrap_or(&name);
     [".urdf", ".xacro"].iter().any(|ending| name.ends_with(ending))
 }
 
@@ -107,6 +109,10 @@ mod tests {
             ("a.urdf.xacro", true),
             ("a.urdf.xml", true),
             ("a.xacro.xml", true),
+            ("a.URDF", true),
+            ("a.Xacro", true),
+            ("a.URDF.xacro", true),
+            ("a.XACRO.XML", true),
             ("package.xml", false),
             ("a.srdf.xacro", true),
             ("a.sdf", false),

@@ -22,6 +22,7 @@ use crate::base::{CancelFlag, FastMap, TextRange};
 use crate::expand::Read;
 use crate::rules::check_recovered;
 use crate::vfs::{Environment, SourceFile, Vfs};
+use crate::workspace::BUILD_FILES;
 use crate::workspace::config::{self, Config};
 
 /// The state of a language server.
@@ -275,6 +276,7 @@ impl World {
         let about_packages = |path: &PathBuf| {
             let name = path.file_name().and_then(|name| name.to_str()).unwrap_or("");
             ["package.xml", "COLCON_IGNORE", "xacro-lint.toml", ".xacro-lint.toml"].contains(&name)
+                || BUILD_FILES.contains(&name)
         };
         if paths.iter().any(about_packages) {
             self.reload();

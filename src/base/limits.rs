@@ -157,6 +157,10 @@ limits! {
         NAMESAKE_DEPTH: usize = 24, "no file is suggested";
         /// Nodes of a `package.xml`.
         MANIFEST_NODES: u32 = 100_000, "its name is looked for as plain text, its dependencies are not known";
+        /// Bytes of arguments that are read of the build files of a package, each time a loop runs.
+        BUILD_BYTES: u32 = 200_000, "what the rest installs is not known";
+        /// Levels of folders and loops in the build files of a package.
+        BUILD_DEPTH: u32 = 16, "what deeper ones install is not known";
     }
     "Meshes" {
         /// Triangles of a mesh, instances counted.

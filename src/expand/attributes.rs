@@ -67,7 +67,7 @@ impl Expander<'_> {
             let reference = format!(
                 "Xacro conditional \"{raw}\" evaluated to \"{shown}\", which is not a boolean expression."
             );
-            let argument = self.empty_argument().map(Outside::Argument);
+            let argument = self.empty_argument(0).map(Outside::Argument);
             let problem = self
                 .problem("XAC027", at, message)
                 .says(reference)

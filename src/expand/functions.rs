@@ -11,7 +11,7 @@ use super::text::CodeSite;
 use super::yaml_value::file_value;
 use crate::base::TextRange;
 use crate::expr::{ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display, literal};
-use crate::vfs::{LoadError, YamlFile};
+use crate::vfs::{LoadError, LoadErrorKind, YamlFile};
 use crate::yaml::{Kind, Node, YamlError};
 
 /// The host of one expression.
@@ -157,8 +157,15 @@ impl ExprHost<'_, '_, '_> {
         let name = text_argument("load_yaml", "filename", args, keywords)?;
         let name = self.machine.absolute_name(&name);
         // load_yaml opens relative to the working directory, whatever --root-dir says
-        let path: PathBuf = self.machine.world.env.cwd.join(&name);
-        let loaded = match self.machine.world.vfs.yaml(&path, &name) {
+        let mut path: PathBuf = self.machine.world.env.cwd.join(&name);
+        let mut loaded = self.machine.world.vfs.yaml(&path, &name);
+        if loaded.as_ref().is_err_and(|error| error.kind == LoadErrorKind::NotFound)
+            && let Some(built) = self.machine.built(&path)
+        {
+            path = built.path;
+            loaded = self.machine.world.vfs.yaml(&path, &name);
+        }
+        let loaded = match loaded {
             Ok(loaded) => loaded,
             Err(error) => {
                 self.machine.result.record.add(Read::Missing(path));

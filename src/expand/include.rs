@@ -7,7 +7,7 @@ use ecow::EcoString;
 
 use super::element::Tag;
 use super::expansion::FileUse;
-use super::machine::{Cx, Expander, OpenFile, raise};
+use super::machine::{Cx, Expander, OpenFile, World, raise};
 use super::origin::{FileIdx, FrameKind, Origin, Source, SrcId};
 use super::problem::Outside;
 use super::record::Read;
@@ -19,14 +19,17 @@ use crate::base::TextRange;
 use crate::base::limits::{GLOB_ENTRIES, GLOB_FILES};
 use crate::expr::{Value, display, literal};
 use crate::vfs::{LoadError, LoadErrorKind, SourceFile, TooMany};
+use crate::workspace::Built;
 use crate::xml::{NodeKind, SyntaxError, SyntaxErrorKind};
 
 /// What every tag of an include knows.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 struct Inclusion {
     optional: bool,
     /// The file name is computed or stands under a condition: it can end a recursion.
     computed: bool,
+    /// The file name is computed from this argument, which is empty by default: callers give it.
+    argument: Option<EcoString>,
     /// The `filename` value.
     at: Origin,
     /// The tag.
@@ -41,7 +44,10 @@ impl Expander<'_> {
         let inner = self.include_scope(tag, cx);
         let Some(optional) = self.optional_flag(tag, cx) else { return };
         self.warn_about_children(tag, cx);
+        let mark = self.reads.len();
         let value = self.eval_text(&text, place, cx.scope);
+        let argument = self.empty_argument(mark);
+        self.reads.truncate(mark);
         let Some(name) = display::to_str(&value) else {
             self.include_missing = true;
             self.result.complete = false;
@@ -51,21 +57,22 @@ impl Expander<'_> {
         let inclusion = Inclusion {
             optional,
             computed: text.contains('$'),
+            argument,
             at: place.origin,
             tag: self.tag_origin(tag, cx),
         };
         let content = self.container(place.origin);
         for name in names {
-            self.include_file(&name, inclusion, content, out, inner);
+            self.include_file(&name, &inclusion, content, out, inner);
         }
         self.drop_comments(out, has_next);
         self.splice(content, out);
     }
 
-    fn include_file(&mut self, name: &str, inclusion: Inclusion, content: XId, parent: XId, cx: Cx) {
+    fn include_file(&mut self, name: &str, inclusion: &Inclusion, content: XId, parent: XId, cx: Cx) {
         self.result.includes.push(name.to_owned());
         self.optional_includes.push(inclusion.optional);
-        if let Some(file) = self.load(name, inclusion.at)
+        if let Some(file) = self.load(name, inclusion.at, inclusion.argument.as_ref())
             && !self.is_include_cycle(file, inclusion)
         {
             let conditions = self.conditions;
@@ -199,10 +206,27 @@ impl Expander<'_> {
         self.push(problem);
     }
 
-    /// Load a file for the include (or the request) at `at`; reports why it cannot be.
-    pub fn load(&mut self, name: &str, at: Origin) -> Option<FileIdx> {
+    /// Load a file for the include (or the request) at `at`; reports why it cannot be; `argument` is
+    /// one that callers give and that the name is computed from.
+    pub fn load(&mut self, name: &str, at: Origin, argument: Option<&EcoString>) -> Option<FileIdx> {
         let path = self.file_path(name);
-        match self.world.vfs.document(&path) {
+        let (path, loaded) = match self.world.vfs.document(&path) {
+            Err(error) if error.kind == LoadErrorKind::NotFound && at != Origin::NOWHERE => {
+                match self.built(&path) {
+                    Some(built) if built.is_template && has_placeholders(&self.world, &built.path) => {
+                        self.generated(name, &built.path, at);
+                        return None;
+                    }
+                    Some(built) => {
+                        let loaded = self.world.vfs.document(&built.path);
+                        (built.path, loaded)
+                    }
+                    None => (path, Err(error)),
+                }
+            }
+            loaded => (path, loaded),
+        };
+        match loaded {
             Ok(source) => {
                 self.result.record.add(Read::File(path, source.hash));
                 if let Some(&file) = self.by_path.get(&source.path) {
@@ -217,10 +241,40 @@ impl Expander<'_> {
             }
             Err(error) => {
                 self.result.record.add(Read::Missing(path));
-                self.not_loaded(name, error, at);
+                self.not_loaded(name, error, at, argument);
                 None
             }
         }
+    }
+
+    /// What the build of a package puts at a path that does not exist. The result depends on the path and on the
+    /// build files.
+    pub fn built(&mut self, path: &Path) -> Option<Built> {
+        let World { vfs, packages, .. } = self.world;
+        self.result.record.add(Read::Missing(path.to_owned()));
+        for file in packages.build_around(path).iter().flat_map(|build| &build.files) {
+            self.result.record.add(match vfs.document_hash(file) {
+                Some(hash) => Read::File(file.clone(), hash),
+                None => Read::Missing(file.clone()),
+            });
+        }
+        packages.built(path)
+    }
+
+    /// The content of a file is known to the build only.
+    fn generated(&mut self, name: &str, template: &Path, at: Origin) {
+        self.include_missing = true;
+        self.result.complete = false;
+        if self.optional_includes.iter().any(|&optional| optional) {
+            return;
+        }
+        let message =
+            format!("included file `{name}` is generated by the build from `{}`", template.display());
+        let problem = self.problem("XAC008", at, message).excused();
+        self.push(
+            problem
+                .help("only the build knows the values of its placeholders: what it defines is not checked"),
+        );
     }
 
     /// The reference reads every file as UTF-8.
@@ -252,7 +306,7 @@ impl Expander<'_> {
         });
     }
 
-    fn not_loaded(&mut self, name: &str, error: LoadError, at: Origin) {
+    fn not_loaded(&mut self, name: &str, error: LoadError, at: Origin, argument: Option<&EcoString>) {
         if at == Origin::NOWHERE {
             self.result.root_error = Some(error);
             self.result.complete = false;
@@ -281,7 +335,7 @@ impl Expander<'_> {
         let problem = self
             .problem("XAC008", at, message)
             .says(format!("{strerror}: {shown} [Errno {errno}] {strerror}: '{shown}'"))
-            .depends_on(Outside::File)
+            .depends_on(argument.cloned().map_or(Outside::File, Outside::Argument))
             .help(help);
         self.push(problem);
     }
@@ -332,7 +386,7 @@ impl Expander<'_> {
     }
 
     /// Whether including `file` once more can never end; reports it.
-    fn is_include_cycle(&mut self, file: FileIdx, inclusion: Inclusion) -> bool {
+    fn is_include_cycle(&mut self, file: FileIdx, inclusion: &Inclusion) -> bool {
         let most = self.request.limits.include_depth;
         let open = self.open_files.iter().rev().find(|f| f.file == Some(file));
         let endless = open.is_some_and(|f| f.conditions == self.conditions && !inclusion.computed);
@@ -361,4 +415,12 @@ impl Expander<'_> {
         }
         true
     }
+}
+
+/// Whether a template has places that the build fills in: `@NAME@`, or those of a template language.
+fn has_placeholders(world: &World<'_>, template: &Path) -> bool {
+    let Ok(file) = world.vfs.text(template) else { return true };
+    let is_name = |text: &str| !text.is_empty() && text.chars().all(|c| c.is_alphanumeric() || c == '_');
+    let mut parts = file.text.split('@').skip(1);
+    ["@(", "{{", "{%"].iter().any(|sign| file.text.contains(sign)) || parts.any(is_name)
 }

@@ -327,7 +327,7 @@ impl<'w> Expander<'w> {
     fn expand_root(&mut self) {
         let name = self.request.file.clone();
         self.open_files.push(OpenFile { name: name.clone(), file: None, conditions: 0 });
-        let Some(file) = self.load(&name, Origin::NOWHERE) else { return };
+        let Some(file) = self.load(&name, Origin::NOWHERE, None) else { return };
         if let Some(open) = self.open_files.last_mut() {
             open.file = Some(file);
         }

@@ -65,6 +65,8 @@ pub struct Problem {
     pub outside: Option<Outside>,
     /// Found in a macro that nothing calls: the document does not suffer from it.
     pub probed: bool,
+    /// An error of this run only: other arguments, or the build of the package, give what is missing.
+    pub excused: bool,
     /// The text that is wrong.
     pub place: Place,
     /// How expansion came there, innermost step first.
@@ -85,6 +87,7 @@ impl Problem {
             replacement: None,
             outside: None,
             probed: false,
+            excused: false,
             place,
             trace: Vec::new(),
             more_calls: Vec::new(),
@@ -95,6 +98,13 @@ impl Problem {
     #[must_use]
     pub fn warning(mut self) -> Self {
         self.severity = Severity::Warning;
+        self
+    }
+
+    /// As an error of this run only.
+    #[must_use]
+    pub fn excused(mut self) -> Self {
+        self.excused = true;
         self
     }
 

@@ -207,11 +207,11 @@ impl Expander<'_> {
         self.push_undefined(NameKind::Property, name, scope, problem);
     }
 
-    /// An argument that was read for what is evaluated now and that is empty by default: whoever expands the file is to
-    /// give it.
-    pub fn empty_argument(&self) -> Option<EcoString> {
+    /// An argument that was read since `mark` for what is evaluated now and that is empty by default: whoever expands the
+    /// file is to give it.
+    pub fn empty_argument(&self, mark: usize) -> Option<EcoString> {
         let mut seen = FastSet::default();
-        let mut open: Vec<u32> = self.reads.iter().rev().copied().take(MOST_READS).collect();
+        let mut open: Vec<u32> = self.reads.iter().skip(mark).rev().copied().take(MOST_READS).collect();
         while let Some(id) = open.pop() {
             if seen.len() > MOST_READS || !seen.insert(id) {
                 continue;

@@ -290,7 +290,7 @@ impl Expander<'_> {
         };
         let mut problem = self.problem(code, place, message).says(reference);
         if code == "XAC025" {
-            let argument = || self.empty_argument().map_or(Outside::Includer, Outside::Argument);
+            let argument = || self.empty_argument(0).map_or(Outside::Includer, Outside::Argument);
             let outside = if error.kind == ErrorKind::Io { Outside::File } else { argument() };
             problem = problem.depends_on(outside);
         }

@@ -127,7 +127,12 @@ fn beside(cx: &Cx<'_>, world: Surroundings<'_>, name: &str) -> FileTarget {
 }
 
 fn existing(world: Surroundings<'_>, path: PathBuf) -> FileTarget {
-    if world.vfs.exists(&path) { FileTarget::Found(path) } else { FileTarget::Missing(vec![path]) }
+    let present = world.packages.present(&path);
+    if world.vfs.exists(&present) {
+        FileTarget::Found(present.into_owned())
+    } else {
+        FileTarget::Missing(vec![path])
+    }
 }
 
 /// The path without `folder/..`, for people to read.

@@ -39,7 +39,7 @@ pub use geometry::{FileTarget, factors, link_bounds, resolve_file};
 pub use linter::{
     Directive, Malformed, Selector, Suppression, Suppressions, invalid_config, unused_suppression,
 };
-pub use package::Manifests;
+pub use package::{Manifests, NONE_FOUND};
 pub use registry::{
     Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector,
     unknown_selector,

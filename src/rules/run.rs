@@ -8,14 +8,14 @@ use ecow::EcoString;
 use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings, elements, is_plain_urdf};
 use super::finding::{Edit, Finding, Fix, Related};
 use super::mend;
-use super::package::is_news;
+use super::package::{is_news, warn_once};
 use super::place;
 use super::registry::{Category, Check, Rule, Safety, Severity, all, by_code};
 use super::semantic::{holds_for_semantic, is_semantic};
 use super::sink::{Sink, limit_calls, span};
 use super::vocabulary::outside_free_zones;
 use super::xacro::{is_unprefixed, shadowing_is_news};
-use crate::base::{CancelFlag, FastSet, FileId, Span, TextRange};
+use crate::base::{CancelFlag, FastMap, FastSet, FileId, Span, TextRange};
 use crate::expand::{Expansion, FileIdx, FileUse, Problem, Step};
 use crate::model::{Kinematics, Robot};
 use crate::vfs::Vfs;
@@ -85,6 +85,9 @@ pub fn check_expansion(
     let broken = |file: &&FileUse| !file.source.document.errors().is_empty();
     let broken: Vec<FileId> = expansion.files.iter().filter(broken).map(|file| file.source.id).collect();
     findings.extend(sink.finish().into_iter().filter(|finding| !broken.contains(&finding.span.file)));
+    if kind == RootKind::Robot && !world.has_ros {
+        warn_once(&mut findings, expansion, world);
+    }
     findings
 }
 
@@ -209,18 +212,29 @@ impl Unprefixed {
     }
 }
 
-/// Where no ROS is, a missing package is a note, once for each name and file.
+/// A missing package is reported once for each name and file; where no ROS is, as a note.
 fn excuse_packages(findings: &mut Vec<Finding>, world: Surroundings<'_>) {
-    let mut said = FastSet::default();
-    findings.retain_mut(|finding| {
-        // the expander offers a replacement when a package has almost the same name
-        let near = finding.fix.as_ref().map(|_| "");
-        if finding.rule.code != "PKG001" || is_news(world, near) {
-            return true;
+    let mut first: FastMap<(FileId, String), usize> = FastMap::default();
+    let mut kept: Vec<Finding> = Vec::with_capacity(findings.len());
+    for mut finding in findings.drain(..) {
+        if finding.rule.code == "PKG001" {
+            let known = first.entry((finding.span.file, finding.message.clone())).or_insert(kept.len());
+            if let Some(known) = kept.get_mut(*known) {
+                let message = "named here too".to_owned();
+                known.related.push(Related { span: finding.span, message, is_call: false });
+                if let (Some(fix), Some(more)) = (&mut known.fix, finding.fix) {
+                    fix.edits.extend(more.edits);
+                }
+                continue;
+            }
+            // the expander offers a replacement when another package seems to be meant
+            if !is_news(world, finding.fix.as_ref().map(|_| "")) {
+                finding.severity = Severity::Info;
+            }
         }
-        finding.severity = Severity::Info;
-        said.insert((finding.span.file, finding.message.clone()))
-    });
+        kept.push(finding);
+    }
+    *findings = kept;
 }
 
 /// A problem of the expander as a finding.
@@ -252,7 +266,11 @@ fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Option<Findin
         edits: vec![Edit { span: Span { file, range }, content: content.clone() }],
     });
     let fix = fix.or_else(|| mend::fix(problem, document, place, vfs));
-    let severity = if is_read_anyway(rule, expansion, file) { Severity::Warning } else { rule.severity };
+    let severity = match problem.excused {
+        true => Severity::Info,
+        false if is_read_anyway(rule, expansion, file) => Severity::Warning,
+        false => rule.severity,
+    };
     let mut finding = Finding {
         severity,
         help: problem.help.clone(),

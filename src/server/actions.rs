@@ -80,7 +80,8 @@ impl Engine {
     fn renamed_to_xacro(&self, params: &CodeActionParams, path: &Path) -> Option<CodeAction> {
         let shown =
             params.context.diagnostics.iter().find(|shown| rule(shown) == Some("xacro-tags-in-urdf"))?;
-        let name = path.file_name()?.to_str()?.strip_suffix(".urdf")?;
+        let is_urdf = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("urdf"));
+        let name = path.file_stem().filter(|_| is_urdf)?.to_str()?;
         let new = path.with_file_name(format!("{name}.urdf.xacro"));
         if !self.is_ours(path) || self.world.session().vfs.exists(&new) {
             return None;

@@ -242,8 +242,9 @@ fn registration(method: &str, options: Value) -> Registration {
 
 fn watchers() -> Value {
     let patterns = [
-        "**/*.{xacro,urdf,srdf,sdf,yaml,yml}",
-        "**/package.xml",
+        "**/*.{xacro,urdf,srdf,sdf,yaml,yml,XACRO,URDF,Xacro,Urdf}",
+        "**/{package.xml,CMakeLists.txt,setup.py}",
+        "**/*.in",
         "**/*.{stl,STL,dae,DAE,obj,OBJ,glb,GLB,ply}",
         "**/{xacro-lint.toml,.xacro-lint.toml}",
         "**/COLCON_IGNORE",

@@ -17,7 +17,7 @@ pub(super) fn package_name(vfs: &Vfs, folder: &Path) -> Option<String> {
 }
 
 /// The name a manifest declares. One that is not well-formed is searched for the first `<name>`.
-fn name_in(text: &str) -> Option<String> {
+pub(super) fn name_in(text: &str) -> Option<String> {
     let options =
         ParsingOptions { allow_dtd: true, nodes_limit: MANIFEST_NODES, ..ParsingOptions::default() };
     let name = match Document::parse_with_options(text, options) {

@@ -3,6 +3,7 @@
 mod belonging;
 mod callers;
 pub mod config;
+mod install;
 mod manifest;
 mod memo;
 mod namesakes;
@@ -19,6 +20,7 @@ mod tests;
 
 pub use belonging::Vicinity;
 pub use callers::{Caller, Callers, GivenArg};
+pub use install::{BUILD_FILES, Build, Built};
 pub use packages::{Entry, Found, NotFound, Package, PackageOptions, Packages, Target};
 pub use root::is_built;
 pub use shell::RosVariable;

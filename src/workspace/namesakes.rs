@@ -15,7 +15,7 @@ pub(super) struct Index(FastMap<String, Vec<PathBuf>>);
 
 impl Packages {
     /// A file of the name of `missing`, whatever the case of its letters, in `package` (a folder), else in the
-    /// workspace around `from`: the one whose folders are most like those of `missing`.
+    /// workspace around `from`: the one whose folders are most like those of `missing`, if there is only one.
     pub fn namesake(&self, missing: &Path, package: Option<&Path>, from: &Path) -> Option<PathBuf> {
         let name = missing.file_name()?.to_str()?.to_lowercase();
         let own = self.containing(from).map(|package| package.folder);
@@ -23,8 +23,15 @@ impl Packages {
         let folders = package.map(Path::to_owned).into_iter().chain(own).chain(around);
         folders.into_iter().find_map(|folder| {
             let index = self.indexes.get(folder.clone(), || Arc::new(Index::of(&self.vfs, &folder)));
-            let likeness = |path: &&PathBuf| (common_tail(path, missing), std::cmp::Reverse((*path).clone()));
-            index.0.get(&name)?.iter().filter(|path| *path != missing).max_by_key(likeness).cloned()
+            let others = index.0.get(&name)?.iter().filter(|path| *path != missing);
+            let mut by_likeness: Vec<_> = others.map(|path| (common_tail(path, missing), path)).collect();
+            by_likeness.sort_by_key(|(likeness, _)| std::cmp::Reverse(*likeness));
+            match by_likeness.as_slice() {
+                [(best, path), rest @ ..] if rest.first().is_none_or(|(next, _)| next < best) => {
+                    Some((*path).clone())
+                }
+                _ => None,
+            }
         })
     }
 }

@@ -4,12 +4,13 @@ use std::borrow::Cow;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
+use super::install::Build;
 use super::manifest::{MANIFEST, is_package_name, package_name};
 use super::memo::Memo;
 use super::namesakes::Index;
 use super::root::workspace_root;
 use super::scan::{Rules, Tree, scan};
-use super::similar::nearest;
+use super::similar::{edit_distance, has_part, nearest};
 use super::steps::{Layout, Prefix, Step, distributions, overlays};
 use crate::base::FastSet;
 use crate::vfs::{Environment, Vfs};
@@ -75,7 +76,7 @@ pub struct NotFound {
     pub name: String,
     /// The places asked, in order.
     pub tried: Vec<(Step, PathBuf)>,
-    /// A known package of almost the same name.
+    /// A known package that seems to be meant: see [`Packages::find`].
     pub nearest: Option<String>,
 }
 
@@ -112,6 +113,9 @@ pub struct Packages {
     roots: Memo<PathBuf, Option<PathBuf>>,
     installed: Memo<Prefix, Arc<Vec<String>>>,
     pub(super) indexes: Memo<PathBuf, Arc<Index>>,
+    pub(super) builds: Memo<PathBuf, Arc<Build>>,
+    /// Names of packages without a manifest, by folder.
+    pub(super) unlisted: Memo<PathBuf, Option<String>>,
 }
 
 impl Packages {
@@ -126,13 +130,17 @@ impl Packages {
             roots: Memo::default(),
             installed: Memo::default(),
             indexes: Memo::default(),
+            builds: Memo::default(),
+            unlisted: Memo::default(),
         }
     }
 
     /// The folder of package `name` for a reference in `from_file`.
     ///
     /// # Errors
-    /// When no place has it. A text that cannot be the name of a package is found nowhere.
+    /// When no place has it. A text that cannot be the name of a package is found nowhere. Another package seems to be
+    /// meant when at most two letters differ, or when one name is the other with words in front or behind; but not
+    /// when the asking package depends on the one that is missing.
     pub fn find(&self, name: &str, from_file: &Path) -> Result<Found, NotFound> {
         let mut tried = Vec::new();
         if is_package_name(name) {
@@ -142,9 +150,40 @@ impl Packages {
                 }
             }
         }
-        let known = self.all(from_file);
-        let nearest = nearest(name, known.iter().map(|entry| entry.name.as_str())).map(str::to_owned);
+        let nearest = self.meant(name, from_file);
         Err(NotFound { name: name.to_owned(), tried, nearest })
+    }
+
+    /// The known package that `name` seems to mean.
+    fn meant(&self, name: &str, from: &Path) -> Option<String> {
+        /// Letters that a slip of the fingers changes.
+        const SLIP: usize = 2;
+        let owner = self.containing(from);
+        let manifest = owner.and_then(|owner| self.vfs.text(&owner.folder.join(MANIFEST)).ok());
+        if manifest.is_some_and(|manifest| manifest.text.contains(&format!(">{name}<"))) {
+            return None;
+        }
+        let known = self.all(from);
+        let near = nearest(name, known.iter().map(|entry| entry.name.as_str()));
+        let near = near.filter(|near| edit_distance(name, near) <= SLIP);
+        // only among sources: of all that is installed, something always begins alike
+        let is_source = |entry: &&Entry| entry.step <= Step::Workspace;
+        let sources = known.iter().filter(is_source);
+        let longer = || {
+            let is_alike = |entry: &&Entry| has_part(&entry.name, name) || has_part(name, &entry.name);
+            let alike = sources.clone().filter(is_alike).filter(|entry| !self.is_metapackage(&entry.path));
+            // the own package first, then the name that has the fewest letters more
+            let nearness =
+                |entry: &&Entry| (entry.step != Step::OwnPackage, entry.name.len().abs_diff(name.len()));
+            Some(alike.min_by_key(nearness)?.name.as_str())
+        };
+        near.or_else(longer).map(str::to_owned)
+    }
+
+    /// Whether a package is only there for what it depends on: no file of it can be meant.
+    fn is_metapackage(&self, folder: &Path) -> bool {
+        let manifest = self.vfs.text(&self.env.cwd.join(folder).join(MANIFEST));
+        manifest.is_ok_and(|manifest| manifest.text.contains("<metapackage"))
     }
 
     /// Every package that can be named from `from_file`, in the order of the look-up.
@@ -184,6 +223,8 @@ impl Packages {
         self.roots.clear();
         self.installed.clear();
         self.indexes.clear();
+        self.builds.clear();
+        self.unlisted.clear();
     }
 
     fn order(&self) -> Vec<Step> {
@@ -209,9 +250,14 @@ impl Packages {
             return (owner.name == name).then_some(owner.folder);
         }
         for (top, rules) in self.tree_tops(step, from) {
-            let found = self.tree(&top, rules).get(name).map(Path::to_owned);
-            if found.is_some() {
-                return found;
+            let tree = self.tree(&top, rules);
+            let found = tree.get(name).map(Path::to_owned);
+            let unlisted = || {
+                let is_it = |folder: &&PathBuf| self.unlisted_name(folder).is_some_and(|own| own == name);
+                tree.unlisted().iter().find(is_it).cloned()
+            };
+            if let Some(found) = found.or_else(unlisted) {
+                return Some(found);
             }
             tried.push((step, top));
         }

@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 
+use super::install::BUILD_FILES;
 use super::manifest::{self, MANIFEST};
 use super::root::is_built;
 use crate::base::limits::{SCAN_DEPTH, SCAN_FOLDERS};
@@ -42,12 +43,18 @@ impl Rules {
 pub(super) struct Tree {
     packages: Vec<(String, PathBuf)>,
     by_name: FastMap<String, PathBuf>,
+    unlisted: Vec<PathBuf>,
 }
 
 impl Tree {
     /// The first package of that name.
     pub(super) fn get(&self, name: &str) -> Option<&Path> {
         self.by_name.get(name).map(PathBuf::as_path)
+    }
+
+    /// Folders that have no manifest and may be packages all the same: see [`super::packages::Packages::find`].
+    pub(super) fn unlisted(&self) -> &[PathBuf] {
+        &self.unlisted
     }
 
     /// Names and folders of all packages.
@@ -78,6 +85,8 @@ pub(super) fn scan(vfs: &Vfs, top: &Path, rules: Rules) -> Tree {
         if let Some(name) = is_package.then(|| manifest::package_name(vfs, &folder)).flatten() {
             tree.by_name.entry(name.clone()).or_insert_with(|| folder.clone());
             tree.packages.push((name, folder.clone()));
+        } else if names.iter().any(|entry| entry.name == BUILD_FILES[0]) {
+            tree.unlisted.push(folder.clone());
         }
         let closed = rules == Rules::RosPackagePath
             && (is_package || names.iter().any(|entry| entry.name == "rospack_nosubdirs"));

@@ -68,6 +68,13 @@ fn far(mut counts: Counts, other: &[char]) -> usize {
     counts.iter().map(|count| usize::from(count.unsigned_abs())).sum()
 }
 
+/// Whether a name is `part` with further words in front or behind, joined by `_`.
+pub(super) fn has_part(name: &str, part: &str) -> bool {
+    let rest = |rest: Option<&str>, joint: fn(&str) -> bool| !part.is_empty() && rest.is_some_and(joint);
+    rest(name.strip_prefix(part), |rest| rest.starts_with('_'))
+        || rest(name.strip_suffix(part), |rest| rest.ends_with('_'))
+}
+
 /// How many letters of `a` are to be inserted, removed, replaced or swapped with their neighbour to get `b`.
 pub fn edit_distance(a: &str, b: &str) -> usize {
     let letters = |text: &str| text.chars().collect::<Vec<char>>();

@@ -128,6 +128,37 @@ fn failures_list_the_places_and_a_near_name() {
 }
 
 #[test]
+fn the_package_that_is_meant() {
+    let tree = Tree::new();
+    package(&tree, "ws/src/arm", "arm_description");
+    package(&tree, "ws/src/cell", "cell");
+    tree.write(
+        "ws/src/cell/package.xml",
+        "<package><name>cell</name><export><metapackage/></export></package>",
+    );
+    let own = "<package><name>own</name><depend>far_arm_description</depend></package>";
+    tree.write("ws/src/own/package.xml", own);
+    let packages = packages(&tree, &[], options(&tree));
+    for (name, expected) in [
+        ("arm_descripton", Some("arm_description")),
+        ("arm_decsripton", Some("arm_description")),
+        ("am_desription3", None),
+        ("arm", Some("arm_description")),
+        ("description", Some("arm_description")),
+        ("my_arm_description", Some("arm_description")),
+        ("arm_des", None),
+        ("tool_description", None),
+        // the asking package depends on it: it exists elsewhere
+        ("far_arm_description", None),
+        // a package without files
+        ("cell_gazebo", None),
+    ] {
+        let error = packages.find(name, &tree.path("ws/src/own/a.xacro")).unwrap_err();
+        assert_eq!(error.nearest.as_deref(), expected, "{name}");
+    }
+}
+
+#[test]
 fn strange_names_are_found_nowhere() {
     let tree = full_tree();
     let packages = packages(&tree, &FULL, options(&tree));

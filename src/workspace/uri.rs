@@ -126,11 +126,12 @@ impl Packages {
         self.first_existing(UriKind::File, places)
     }
 
-    /// The first place that exists, else the first one as missing.
+    /// The first place that exists or that the build puts something at, else the first one as missing.
     fn first_existing(&self, kind: UriKind, places: Vec<PathBuf>) -> UriResult {
-        let found = places.iter().find(|place| self.vfs.exists(place));
-        let outcome = match (found, places.first()) {
-            (Some(found), _) => UriOutcome::Found(found.clone()),
+        let found = places.iter().find(|place| self.vfs.exists(place)).cloned();
+        let built = || places.iter().find_map(|place| self.built(place)).map(|built| built.path);
+        let outcome = match (found.or_else(built), places.first()) {
+            (Some(found), _) => UriOutcome::Found(found),
             (None, Some(first)) => UriOutcome::Missing(first.clone()),
             (None, None) => UriOutcome::Elsewhere,
         };

@@ -6,6 +6,9 @@ vim.filetype.add({
     srdf = 'urdf',
   },
   pattern = {
+    -- in letters of any case, as some CAD exporters write them
+    ['.*%.[xX][aA][cC][rR][oO]'] = 'xacro',
+    ['.*%.[uU][rR][dD][fF]'] = 'urdf',
     -- templates that a build step fills in
     ['.*%.urdf%.xacro%.in'] = 'xacro',
     ['.*%.urdf%.in'] = 'urdf',

@@ -90,7 +90,7 @@ fn listed(scope: &Scope<'_>, typed: &Typed, folder: Option<&str>) -> Option<Path
         }
         None => own.parent()?.join(folder.strip_prefix("file://").unwrap_or(&folder)),
     };
-    let path = tidy(&path);
+    let path = scope.sources.packages.present(&tidy(&path)).into_owned();
     scope.may_list(&path).then_some(path)
 }
 

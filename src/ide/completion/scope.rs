@@ -155,6 +155,7 @@ impl<'a> Scope<'a> {
         path.push_str(rest);
         let plain = !path.contains(['$', '*', '?', '[']);
         let path = plain.then(|| tidy(&from.parent().unwrap_or(from).join(path)))?;
+        let path = self.sources.packages.present(&path).into_owned();
         self.sources.vfs.is_file(&path).then_some(path)
     }
 

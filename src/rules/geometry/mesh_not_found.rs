@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::absolute_mesh_path::is_absolute;
-use super::missing::report;
+use super::missing::MissingFiles;
 use super::resources::Target;
 
 pub(super) const RULE: Rule = Rule {
@@ -20,6 +20,7 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let mut missing = MissingFiles::default();
     for mesh in cx.meshes() {
         let link = mesh.link.shown();
         match mesh.target {
@@ -27,7 +28,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             Target::Missing(..) if is_absolute(&mesh) => {}
             Target::Missing(path, package) => {
                 let what = format!("mesh `{}` of link `{link}`", mesh.name());
-                report(cx, out, mesh.file, &what, path, package.as_deref());
+                missing.add(mesh.file, what, path, package.as_deref());
             }
             Target::NoFile(path) => {
                 let message = format!("mesh of link `{link}`: `{}` is no file", path.display());
@@ -36,4 +37,5 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             _ => {}
         }
     }
+    missing.report(cx, out);
 }

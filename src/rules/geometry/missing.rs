@@ -1,80 +1,153 @@
-//! Reporting a file that is not there.
+//! Reporting files that are not there: one finding for those of a robot that are missing in one folder of a package.
 
 use std::path::{Path, PathBuf};
 
+use indexmap::IndexMap;
+
 use super::super::context::DocumentCx;
+use super::super::finding::Edit;
 use super::super::registry::{Safety, Severity};
-use super::super::sink::Sink;
+use super::super::sink::{Reported, Sink, span};
 use super::shapes::is_replaceable;
+use crate::base::FastSet;
 use crate::model::Text;
 
-/// Report that the file `name` leads to is missing; `what` is what needs it.
-///
-/// Installed packages may be laid out otherwise than their sources. So a file of that name is looked for in the
-/// package and around it.
-pub(super) fn report(
+/// The missing files of a robot by package and folder.
+#[derive(Default)]
+pub(super) struct MissingFiles<'a>(IndexMap<(Option<PathBuf>, PathBuf), Vec<MissingFile<'a>>>);
+
+/// A file that is not there.
+struct MissingFile<'a> {
+    /// The text that names it.
+    name: &'a Text,
+    /// What needs it, for the message.
+    what: String,
+    /// Where it would be.
+    path: PathBuf,
+}
+
+impl<'a> MissingFiles<'a> {
+    /// Add the file at `path`, in the folder of a package if any; `what` needs it.
+    pub(super) fn add(&mut self, name: &'a Text, what: String, path: &Path, package: Option<&Path>) {
+        let folder = path.parent().unwrap_or(path).to_owned();
+        let group = self.0.entry((package.map(Path::to_owned), folder)).or_default();
+        group.push(MissingFile { name, what, path: path.to_owned() });
+    }
+
+    /// Report each group at its first file, with the others beside it.
+    pub(super) fn report(self, cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+        for ((package, folder), files) in self.0 {
+            report(cx, out, &files, &folder, package.as_deref());
+        }
+    }
+}
+
+/// Report the missing files of one folder.
+fn report(
     cx: &DocumentCx<'_>,
     out: &mut Sink<'_>,
-    name: &Text,
-    what: &str,
-    missing: &Path,
+    files: &[MissingFile<'_>],
+    folder: &Path,
     package: Option<&Path>,
 ) {
-    let inside = package.and_then(|package| missing.strip_prefix(package).ok());
-    let message = match (inside, package_name(&name.value)) {
-        (Some(inside), Some(package)) => {
-            format!("{what} is not found: package `{package}` has no `{}`", inside.display())
-        }
-        _ => format!("{what} is not found at `{}`", missing.display()),
+    let Some((first, others)) = files.split_first() else { return };
+    let mut report = out.report(first.name.origin, message(files, first, folder, package));
+    for other in others {
+        let file = other.path.file_name().unwrap_or_default().to_string_lossy();
+        report = report.also(other.name.origin, format!("`{file}` is not found either"));
+    }
+    let namesakes: Vec<Option<PathBuf>> = files.iter().map(|file| namesake(cx, file, package)).collect();
+    let is_one_folder = |found: &&PathBuf| {
+        namesakes.iter().all(|other| other.as_ref().and_then(|other| other.parent()) == found.parent())
     };
-    let report = out.report(name.origin, message);
-    let Some(found) = found_elsewhere(cx, name, missing, package) else {
+    // beside files that are there, one that is missing is not another one in a folder elsewhere
+    let is_moved = |found: &&PathBuf| {
+        let other = found.parent().unwrap_or(found);
+        !cx.world.vfs.is_dir(folder) || other.starts_with(folder) || folder.starts_with(other)
+    };
+    let found = namesakes.first().and_then(Option::as_ref).filter(is_one_folder).filter(is_moved);
+    let Some(found) = found else {
         return report.help("correct the path, or add the file").done();
     };
-    let uri = uri_of(cx, name, &found);
-    let shown = shown(cx, name, &found);
-    let points_to = missing.display();
-    if inside.zip(package).is_some_and(|(inside, package)| is_installed(cx, &found, inside, package)) {
-        let help = format!(
-            "the file is `{shown}`, which the package installs to where the URI points, `{points_to}`"
-        );
+    let place = found.parent().map_or_else(String::new, |folder| shown(cx, first.name, folder));
+    if is_installed(cx, found, &first.path, package) {
+        let help = format!("found in `{place}`: the build seems to install it to where the URI points");
         return report.severity(Severity::Info).help(help).done();
     }
-    let report = report.help(format!("a file of this name is `{shown}`; the URI points to `{points_to}`"));
-    match uri.filter(|uri| is_replaceable(name, uri)) {
-        Some(uri) => report.replace_with(Safety::Unsafe, format!("write `{uri}`"), uri).done(),
-        None => report.done(),
+    with_fix(cx, report.help(format!("found in `{place}` instead")), files, &namesakes).done();
+}
+
+fn message(
+    files: &[MissingFile<'_>],
+    first: &MissingFile<'_>,
+    folder: &Path,
+    package: Option<&Path>,
+) -> String {
+    let inside = |path: &Path| Some(path.strip_prefix(package?).ok()?.display().to_string());
+    let what = &first.what;
+    let mut message = match (inside(&first.path), package_name(&first.name.value)) {
+        (Some(inside), Some(package)) => {
+            format!("{what} is not found: package `{package}` has no `{inside}`")
+        }
+        _ => format!("{what} is not found at `{}`", first.path.display()),
+    };
+    let distinct: FastSet<&Path> = files.iter().map(|file| file.path.as_path()).collect();
+    let more = distinct.len() - 1;
+    if more > 0 {
+        let folder = inside(folder).unwrap_or_else(|| folder.display().to_string());
+        let noun = if more == 1 { "file" } else { "files" };
+        message.push_str(&format!(" (and {more} more {noun} in `{folder}`)"));
     }
+    message
 }
 
 fn package_name(uri: &str) -> Option<&str> {
     uri.strip_prefix("package://")?.split('/').next()
 }
 
-fn found_elsewhere(
+/// A fix that names the files where they are, if the source spells one of the names.
+fn with_fix<'s, 'a>(
     cx: &DocumentCx<'_>,
-    name: &Text,
-    missing: &Path,
-    package: Option<&Path>,
-) -> Option<PathBuf> {
-    let place = cx.expansion.place(name.origin)?;
+    report: Reported<'s, 'a>,
+    files: &[MissingFile<'_>],
+    namesakes: &[Option<PathBuf>],
+) -> Reported<'s, 'a> {
+    let mut edits: Vec<Edit> = Vec::new();
+    for (file, found) in files.iter().zip(namesakes) {
+        let uri = found.as_ref().and_then(|found| uri_of(cx, file.name, found));
+        let place = cx.expansion.place(file.name.origin).and_then(|place| span(cx.expansion, place));
+        if let (Some(content), Some(span)) = (uri.filter(|uri| is_replaceable(file.name, uri)), place)
+            && !edits.iter().any(|edit| edit.span == span)
+        {
+            edits.push(Edit { span, content });
+        }
+    }
+    let message = match edits.as_slice() {
+        [] => return report,
+        [edit] => format!("write `{}`", edit.content),
+        edits => format!("correct the paths of {} files", edits.len()),
+    };
+    report.edits(Safety::Unsafe, message, edits)
+}
+
+fn namesake(cx: &DocumentCx<'_>, file: &MissingFile<'_>, package: Option<&Path>) -> Option<PathBuf> {
+    let place = cx.expansion.place(file.name.origin)?;
     let from = cx.expansion.files.get(place.file.0 as usize)?.source.path.clone();
-    cx.world.packages.namesake(missing, package, &from)
+    cx.world.packages.namesake(&file.path, package, &from)
 }
 
-/// Whether installing seems to move a file to where it is looked for: it lies there but for folders in front, and
-/// the build files speak of the first of these.
-fn is_installed(cx: &DocumentCx<'_>, found: &Path, inside: &Path, package: &Path) -> bool {
-    let Ok(source) = found.strip_prefix(package) else { return false };
-    let first = source.components().next().map(|first| first.as_os_str().to_string_lossy().into_owned());
-    let Some(first) = first.filter(|_| source.ends_with(inside)) else { return false };
-    ["CMakeLists.txt", "setup.py"].iter().any(|file| {
-        let text = cx.world.vfs.text(&package.join(file));
-        text.is_ok_and(|file| file.text.contains(&first))
-    })
+/// Whether the build may move a file to where it is looked for: it is there but for folders in front, and the build
+/// installs files by rules that cannot be worked out.
+fn is_installed(cx: &DocumentCx<'_>, found: &Path, missing: &Path, package: Option<&Path>) -> bool {
+    let Some(package) = package else { return false };
+    let (Ok(source), Ok(inside)) = (found.strip_prefix(package), missing.strip_prefix(package)) else {
+        return false;
+    };
+    source.ends_with(inside) && cx.world.packages.build_around(missing).is_some_and(|build| build.is_opaque)
 }
 
-/// A file as messages call it where `name` stands: as that text would name it, else from its package, else whole.
+/// A file or folder as messages call it where `name` is: as that text would name it, else from its package, else
+/// whole.
 pub(super) fn shown(cx: &DocumentCx<'_>, name: &Text, file: &Path) -> String {
     let in_package = || {
         let package = cx.world.packages.containing(file)?;
@@ -96,5 +169,6 @@ fn uri_of(cx: &DocumentCx<'_>, name: &Text, file: &Path) -> Option<String> {
     }
     let place = cx.expansion.place(name.origin)?;
     let source = &cx.expansion.files.get(place.file.0 as usize)?.source.path;
-    Some(file.strip_prefix(source.parent()?).ok()?.to_str()?.to_owned())
+    let inside = file.strip_prefix(source.parent()?).ok()?.to_str()?;
+    Some(if inside.is_empty() { ".".to_owned() } else { inside.to_owned() })
 }

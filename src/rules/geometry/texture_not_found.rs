@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::missing::{report, shown};
+use super::missing::{MissingFiles, shown};
 use super::resources::{Target, resolve};
 use super::shapes::materials;
 
@@ -20,13 +20,14 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let mut missing = MissingFiles::default();
     for material in materials(cx) {
         let Some(file) = material.texture_file.as_ref().filter(|file| file.is_known()) else { continue };
         let name = material.name.as_ref().map_or("", |name| name.value.as_str());
         match resolve(cx.expansion, cx.world, file) {
             Target::Missing(path, package) => {
                 let what = format!("texture of material `{name}`");
-                report(cx, out, file, &what, &path, package.as_deref());
+                missing.add(file, what, &path, package.as_deref());
             }
             Target::OtherCase(found) => {
                 let message = format!("texture of material `{name}` is spelled otherwise on disk");
@@ -37,4 +38,5 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             _ => {}
         }
     }
+    missing.report(cx, out);
 }

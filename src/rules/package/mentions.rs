@@ -7,7 +7,7 @@ use memchr::memmem::Finder;
 
 use super::super::context::FileCx;
 use crate::base::TextRange;
-use crate::xml::NodeKind;
+use crate::xml::{Node, NodeKind};
 
 /// A package that a text names.
 #[derive(Debug)]
@@ -16,6 +16,8 @@ pub struct Mention {
     pub name: String,
     /// Where the name stands, absolute.
     pub range: TextRange,
+    /// Whether a condition in the file decides whether it is read.
+    pub is_conditional: bool,
     /// Of a `package://` URI: what follows the slash behind the name, as far as it is written out.
     pub path: Option<(String, TextRange)>,
 }
@@ -26,9 +28,10 @@ pub(super) fn packages<'a>(cx: &'a FileCx<'_>) -> &'a [Mention] {
 }
 
 fn of_file(cx: &FileCx<'_>) -> Vec<Mention> {
-    let mut found = Vec::new();
+    let mut found: Vec<Mention> = Vec::new();
     for (base, item) in cx.source.document.parts() {
         for node in item.all_nodes() {
+            let known = found.len();
             match node.kind() {
                 NodeKind::Element => {
                     for attr in node.attrs() {
@@ -40,9 +43,17 @@ fn of_file(cx: &FileCx<'_>) -> Vec<Mention> {
                 }
                 _ => {}
             }
+            if found.len() > known && is_conditional(node) {
+                found.iter_mut().skip(known).for_each(|mention| mention.is_conditional = true);
+            }
         }
     }
     found
+}
+
+fn is_conditional(node: Node<'_>) -> bool {
+    let around = std::iter::successors(node.parent(), |node| node.parent());
+    around.into_iter().any(|node| matches!(node.name(), "xacro:if" | "xacro:unless"))
 }
 
 static URI: LazyLock<Finder<'_>> = LazyLock::new(|| Finder::new("package://"));
@@ -72,7 +83,7 @@ fn in_text(text: &str, base: u32, found: &mut Vec<Mention>) {
                 (path.get(..length).unwrap_or_default().to_owned(), range(from, from + length))
             });
             let name = rest.get(..end).unwrap_or_default().to_owned();
-            found.push(Mention { name, range: range(start, start + end), path });
+            found.push(Mention { name, range: range(start, start + end), is_conditional: false, path });
         }
     }
 }

@@ -4,7 +4,8 @@ use super::super::context::FileCx;
 use super::super::finding::Edit;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::{manifest, mentions};
+use super::manifest;
+use super::mentions::{self, Mention};
 use crate::base::FastSet;
 
 pub(super) const RULE: Rule = Rule {
@@ -26,22 +27,26 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     }
     let Some(manifest) = manifest::of_file(cx.world, cx.expansion, cx.file) else { return };
     let mut said: FastSet<&str> = FastSet::default();
-    for mention in mentions {
+    let (maybe, always): (Vec<&Mention>, Vec<&Mention>) =
+        mentions.iter().partition(|mention| mention.is_conditional);
+    for mention in always.into_iter().chain(maybe) {
         let name = mention.name.as_str();
         let declared = name == manifest.name || manifest.runtime.iter().any(|known| known == name);
-        if declared || !said.insert(name) || is_misspelt(cx, name) {
+        if declared || !said.insert(name) || is_unknown(cx, name) {
             continue;
         }
         let (span, content) = manifest.addition(name);
+        // what a condition brings in may be optional
+        let severity = if mention.is_conditional { Severity::Info } else { RULE.severity };
         out.report_in(cx.file, mention.range, format!("`{}` does not depend on `{name}`", manifest.name))
+            .severity(severity)
             .help("what is not declared is not installed along: add it to package.xml")
             .edits(Safety::Safe, "declare it in package.xml", vec![Edit { span, content }])
             .done();
     }
 }
 
-/// Whether the package is unknown and another one has almost its name: that is said elsewhere.
-fn is_misspelt(cx: &FileCx<'_>, name: &str) -> bool {
-    let found = cx.world.packages.find(name, &cx.source.path);
-    found.is_err_and(|error| error.nearest.is_some())
+/// Whether no such package is known: that is said elsewhere.
+fn is_unknown(cx: &FileCx<'_>, name: &str) -> bool {
+    cx.world.packages.find(name, &cx.source.path).is_err()
 }

@@ -3,10 +3,11 @@
 use indexmap::IndexMap;
 
 use super::super::context::{DocumentCx, Surroundings};
+use super::super::finding::Finding;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use crate::base::TextRange;
-use crate::expand::{FileIdx, Origin, XAttr, XId};
+use crate::expand::{Expansion, FileIdx, Origin, Read, XAttr, XId};
 use crate::workspace::NotFound;
 
 pub(super) const RULE: Rule = Rule {
@@ -25,7 +26,11 @@ pub(super) const RULE: Rule = Rule {
 /// Further places listed with a finding.
 const MOST_PLACES: usize = 10;
 
-/// Whether a missing package is a defect: without any ROS, packages of others are missing everywhere.
+/// What is said where not one package is found.
+pub const NONE_FOUND: &str = "no package that this robot names is found";
+
+/// Whether a missing package is a defect: without any ROS, packages of others are missing everywhere, and only a name
+/// that seems misspelled is one.
 pub(in super::super) fn is_news(world: Surroundings<'_>, nearest: Option<&str>) -> bool {
     world.has_ros || nearest.is_some()
 }
@@ -38,24 +43,63 @@ struct Missing {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let mut missing: IndexMap<(FileIdx, String), Option<Missing>> = IndexMap::new();
-    let mut open = vec![cx.element];
-    while let Some(element) = open.pop() {
-        let node = cx.expansion.tree.get(element);
-        if matches!(node.text.as_str(), "mesh" | "texture") {
-            look_up(cx, element, &mut missing);
-        }
-        let start = open.len();
-        open.extend(cx.expansion.tree.elements(element));
-        open.get_mut(start..).into_iter().for_each(<[XId]>::reverse);
+    for attr in file_names(cx.expansion, cx.element) {
+        look_up(cx, attr, &mut missing);
     }
     for Missing { error, places } in missing.into_values().flatten() {
         report(cx, &error, &places, out);
     }
 }
 
+/// Where a robot names packages and not one of them is found, that is one warning, at the first of these names: the
+/// packages are not looked for where they are.
+pub(in super::super) fn warn_once(findings: &mut [Finding], expansion: &Expansion, world: Surroundings<'_>) {
+    let mut missing: Vec<&str> = Vec::new();
+    for read in expansion.record.iter() {
+        match read {
+            Read::Package(_, Some(_)) => return,
+            Read::Package(name, None) => missing.push(name),
+            _ => {}
+        }
+    }
+    let from = expansion.files.first().map(|file| file.source.path.clone());
+    for attr in expansion.tree.root().into_iter().flat_map(|root| file_names(expansion, root)) {
+        let Some(name) = package(attr).filter(|name| !missing.contains(name)) else { continue };
+        if from.as_ref().is_some_and(|from| world.packages.find(name, from).is_ok()) {
+            return;
+        }
+        missing.push(name);
+    }
+    let first = findings.iter_mut().find(|finding| finding.rule.code == RULE.code);
+    let Some(first) = first.filter(|first| first.severity == Severity::Info) else { return };
+    let names =
+        missing.iter().take(MOST_PLACES).map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+    first.severity = Severity::Warning;
+    first.message = NONE_FOUND.to_owned();
+    first.help = Some(format!(
+        "looked for {names}: packages are found in the workspace, in the folders of --package-path (or `package-path` \
+         in xacro-lint.toml) and in a sourced ROS"
+    ));
+}
+
+/// The `filename` attributes of meshes and textures, in document order.
+fn file_names(expansion: &Expansion, root: XId) -> Vec<&XAttr> {
+    let mut found = Vec::new();
+    let mut open = vec![root];
+    while let Some(element) = open.pop() {
+        let node = expansion.tree.get(element);
+        if matches!(node.text.as_str(), "mesh" | "texture") {
+            found.extend(expansion.tree.attr(element, "filename"));
+        }
+        let start = open.len();
+        open.extend(expansion.tree.elements(element));
+        open.get_mut(start..).into_iter().for_each(<[XId]>::reverse);
+    }
+    found
+}
+
 /// Look for the package that an element names, once for each file and name.
-fn look_up(cx: &DocumentCx<'_>, element: XId, missing: &mut IndexMap<(FileIdx, String), Option<Missing>>) {
-    let Some(attr) = cx.expansion.tree.attr(element, "filename") else { return };
+fn look_up(cx: &DocumentCx<'_>, attr: &XAttr, missing: &mut IndexMap<(FileIdx, String), Option<Missing>>) {
     let Some(name) = package(attr) else { return };
     let Some(place) = cx.expansion.place(attr.origin) else { return };
     let slot = missing.entry((place.file, name.to_owned())).or_insert_with(|| {

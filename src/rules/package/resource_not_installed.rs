@@ -24,140 +24,22 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         return;
     };
     let own = mentions.iter().filter(|mention| mention.name == package.name);
-    let mut installed = None;
+    let mut folders = own.filter_map(|mention| mention.path.as_ref()).filter_map(|(path, range)| {
+        let (folder, _) = path.rsplit_once('/').filter(|(folder, _)| !folder.is_empty())?;
+        Some((folder, TextRange::new(range.start, range.start + folder.len() as u32)))
+    });
+    let Some(first) = folders.next() else { return };
+    // what is installed by rules that cannot be worked out may be anything
+    let build = cx.world.packages.build_around(&cx.source.path).filter(|build| !build.is_opaque);
+    let Some(build) = build else { return };
+    let Some(file) = build.files.iter().find(|file| cx.world.vfs.is_file(file)) else { return };
+    let file = file.file_name().unwrap_or_default().to_string_lossy();
     let mut said: FastSet<&str> = FastSet::default();
-    for (path, range) in own.filter_map(|mention| mention.path.as_ref()) {
-        let Some((folder, _)) = path.rsplit_once('/').filter(|(folder, _)| !folder.is_empty()) else {
-            continue;
-        };
-        let installed = installed.get_or_insert_with(|| Installed::by(cx, &package.folder));
-        if said.insert(folder) && !installed.covers(folder) {
-            let range = TextRange::new(range.start, range.start + folder.len() as u32);
+    for (folder, range) in std::iter::once(first).chain(folders) {
+        if said.insert(folder) && !build.covers(&package.name, folder) {
             out.report_in(cx.file, range, format!("`{}` does not install `{folder}`", package.name))
-                .help(format!("add it to the install rules of {}", installed.file))
+                .help(format!("add it to the install rules of {file}"))
                 .done();
         }
-    }
-}
-
-/// What the build of a package installs.
-struct Installed {
-    /// The file that says so.
-    file: &'static str,
-    /// Folders and files; none when that cannot be told.
-    paths: Option<Vec<String>>,
-}
-
-impl Installed {
-    fn by(cx: &FileCx<'_>, folder: &std::path::Path) -> Self {
-        let read = |name: &str| cx.world.vfs.text(&folder.join(name)).ok();
-        if let Some(file) = read("CMakeLists.txt") {
-            return Self { file: "CMakeLists.txt", paths: cmake(&file.text) };
-        }
-        let python = read("setup.py").and_then(|file| python(&file.text));
-        Self { file: "setup.py", paths: python }
-    }
-
-    fn covers(&self, folder: &str) -> bool {
-        let inside = |path: &String| {
-            path == "."
-                || folder == path
-                || folder.strip_prefix(path.as_str()).is_some_and(|rest| rest.starts_with('/'))
-        };
-        let Some(paths) = &self.paths else { return true };
-        paths.iter().any(|path| inside(path) || path.starts_with(&format!("{folder}/")))
-    }
-}
-
-/// The folders and files of the `install` commands; none when some of them are computed.
-fn cmake(text: &str) -> Option<Vec<String>> {
-    let lines = text.lines().map(|line| line.split('#').next().unwrap_or_default());
-    let text = lines.collect::<Vec<_>>().join("\n");
-    let mut paths = Vec::new();
-    for word in ["ament_auto_package", "install_", "_install", "add_subdirectory"] {
-        // the first installs common folders by itself, the others may install anything
-        if text.contains(word) && !text.contains("ament_package_install") {
-            return None;
-        }
-    }
-    for (at, _) in text.match_indices("install") {
-        let rest = text.get(at + "install".len()..)?.trim_start();
-        let Some(arguments) = rest.strip_prefix('(').and_then(|rest| rest.split(')').next()) else {
-            continue;
-        };
-        let mut words = arguments.split_whitespace().map(|word| word.trim_matches('"'));
-        if !words.next().is_some_and(|kind| matches!(kind, "DIRECTORY" | "FILES" | "PROGRAMS")) {
-            continue;
-        }
-        for word in words.take_while(|word| !is_keyword(word)) {
-            let own = word.strip_prefix("${CMAKE_CURRENT_SOURCE_DIR}/");
-            let own = own.or_else(|| word.strip_prefix("${PROJECT_SOURCE_DIR}/")).unwrap_or(word);
-            if own.contains(['$', '*']) {
-                return None;
-            }
-            let path = own.trim_start_matches("./").trim_end_matches('/');
-            paths.push(if path.is_empty() { ".".to_owned() } else { path.to_owned() });
-        }
-    }
-    Some(paths)
-}
-
-fn is_keyword(word: &str) -> bool {
-    const WORDS: [&str; 9] = [
-        "DESTINATION",
-        "TYPE",
-        "PATTERN",
-        "REGEX",
-        "FILES_MATCHING",
-        "USE_SOURCE_PERMISSIONS",
-        "OPTIONAL",
-        "COMPONENT",
-        "PERMISSIONS",
-    ];
-    WORDS.contains(&word)
-}
-
-/// The texts of a `setup.py` that look like paths; none when folders are walked.
-fn python(text: &str) -> Option<Vec<String>> {
-    if text.contains("walk(") || text.contains("rglob") || text.contains("for ") || text.contains("listdir") {
-        return None;
-    }
-    let texts = text.split(['\'', '"']).skip(1).step_by(2);
-    Some(texts.map(|text| text.split('*').next().unwrap_or(text).trim_matches('/').to_owned()).collect())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Installed, cmake, python};
-
-    fn covers(paths: Option<Vec<String>>, folder: &str) -> bool {
-        Installed { file: "", paths }.covers(folder)
-    }
-
-    #[test]
-    fn what_cmake_installs() {
-        let text = "install(DIRECTORY urdf meshes/visual/ # meshes/collision\n  DESTINATION share/${PROJECT_NAME})\n\
-                    install(TARGETS meshes/x)\ninstall( FILES \"config/a.yaml\" DESTINATION x)";
-        let table = [("urdf", true), ("urdf/inc", true), ("meshes/visual", true), ("meshes", true)];
-        for (folder, expected) in
-            table.into_iter().chain([("meshes/collision", false), ("mesh", false), ("config", true)])
-        {
-            assert_eq!(covers(cmake(text), folder), expected, "{folder}");
-        }
-        for text in [
-            "install(DIRECTORY . DESTINATION x)",
-            "install(DIRECTORY ${dir} DESTINATION x)",
-            "ament_auto_package()",
-        ] {
-            assert!(covers(cmake(text), "anything"), "{text}");
-        }
-        assert!(!covers(cmake("ament_package()"), "meshes"));
-    }
-
-    #[test]
-    fn what_setup_py_installs() {
-        let text = "data_files=[('share/' + name, ['package.xml']), ('share/x/urdf', glob('urdf/*.urdf'))]";
-        assert!(covers(python(text), "urdf") && !covers(python(text), "meshes"));
-        assert!(covers(python("for path in paths: pass"), "meshes"));
     }
 }

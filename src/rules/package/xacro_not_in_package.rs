@@ -21,7 +21,7 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let file = cx.expansion.files.first().map(|file| file.source.path.clone());
-    if file.is_none_or(|path| path.extension().is_none_or(|ending| ending != "xacro")) {
+    if file.is_none_or(|path| path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("xacro"))) {
         return;
     }
     let Some(manifest) = manifest::of_file(cx.world, cx.expansion, FileIdx(0)) else { return };

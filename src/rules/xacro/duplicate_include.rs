@@ -24,7 +24,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if !source::is_main(cx) {
         return;
     }
-    let inclusions = source::inclusions(cx.expansion, cx.world.vfs);
+    let inclusions = source::inclusions(cx.expansion, cx.world);
     let emitting = emitting(cx);
     let mut reported: FastSet<FileIdx> = FastSet::default();
     let mut first_of: FastMap<(FileIdx, &str), &Inclusion<'_>> = FastMap::default();

@@ -24,7 +24,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if !source::is_main(cx) {
         return;
     }
-    let inclusions = source::inclusions(cx.expansion, cx.world.vfs);
+    let inclusions = source::inclusions(cx.expansion, cx.world);
     let spaces = namespaces(&inclusions);
     let mut first: FastMap<(&str, &str), (Place, Node<'_>)> = FastMap::default();
     for (_, definition) in cx.expansion.symbols.iter().filter(|(_, found)| found.kind == SymbolKind::Macro) {

@@ -2,10 +2,9 @@
 
 use std::path::Path;
 
-use super::super::context::DocumentCx;
+use super::super::context::{DocumentCx, Surroundings};
 use crate::base::{FastMap, FileId, TextRange};
 use crate::expand::{Definition, Expansion, FileIdx, FrameKind, Place, SourceRange};
-use crate::vfs::Vfs;
 use crate::xml::{Document, Node};
 
 /// Whether a context is about the whole document, not about a macro that nothing calls.
@@ -81,7 +80,7 @@ pub(super) struct Inclusion<'a> {
 }
 
 /// The includes of an expansion, in order; of very many, the first ones.
-pub(super) fn inclusions<'a>(expansion: &'a Expansion, vfs: &Vfs) -> Vec<Inclusion<'a>> {
+pub(super) fn inclusions<'a>(expansion: &'a Expansion, world: Surroundings<'_>) -> Vec<Inclusion<'a>> {
     const MOST: usize = 10_000;
     let names = expansion.files.iter().map(|file| file.name.as_str());
     let mut by_name: FastMap<&str, Option<FileIdx>> = names.zip((0..).map(FileIdx).map(Some)).collect();
@@ -91,7 +90,10 @@ pub(super) fn inclusions<'a>(expansion: &'a Expansion, vfs: &Vfs) -> Vec<Inclusi
     let mut found = Vec::new();
     let frames = (0..).zip(&expansion.frames).filter(|(_, frame)| frame.kind == FrameKind::Include);
     for (number, frame) in frames.take(MOST) {
-        let load = || vfs.document(&vfs.absolute(Path::new(frame.name.as_str()))).ok();
+        let load = || {
+            let path = world.vfs.absolute(Path::new(frame.name.as_str()));
+            world.vfs.document(&world.packages.present(&path)).ok()
+        };
         let target = *by_name.entry(&frame.name).or_insert_with(|| by_id.get(&load()?.id).copied());
         let node = tag(expansion, frame.call.into()).map(|(_, node)| node);
         let (Some(target), Some(node), Some(tag)) = (target, node, expansion.place(frame.call)) else {

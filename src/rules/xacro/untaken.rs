@@ -13,7 +13,7 @@ use crate::xml::NodeKind;
 /// The files that further arguments could bring in; none when it cannot be told which.
 pub(super) fn files(cx: &DocumentCx<'_>) -> Option<Vec<Arc<SourceFile>>> {
     let taken: FastSet<Place> =
-        source::inclusions(cx.expansion, cx.world.vfs).into_iter().map(|inclusion| inclusion.tag).collect();
+        source::inclusions(cx.expansion, cx.world).into_iter().map(|inclusion| inclusion.tag).collect();
     let mut known: FastSet<FileId> = cx.expansion.files.iter().map(|file| file.source.id).collect();
     let mut open = Vec::new();
     for (number, file) in (0..).zip(&cx.expansion.files) {
@@ -61,5 +61,6 @@ fn load(cx: &DocumentCx<'_>, filename: &str, from: &Path) -> Option<Arc<SourceFi
     };
     let computed = path.to_string_lossy().contains(['$', '*']);
     let path = from.parent()?.join(path);
+    let path = cx.world.packages.present(&path);
     cx.world.vfs.document(&cx.world.vfs.absolute(&path)).ok().filter(|_| !computed)
 }

@@ -28,7 +28,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if !source::is_main(cx) || cx.kind != RootKind::Robot || !is_whole(cx.expansion) {
         return;
     }
-    let inclusions = source::inclusions(cx.expansion, cx.world.vfs);
+    let inclusions = source::inclusions(cx.expansion, cx.world);
     if inclusions.len() > MOST {
         return;
     }

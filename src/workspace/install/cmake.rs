@@ -1,0 +1,404 @@
+//! What a `CMakeLists.txt` installs. It is read, never run: both branches of a condition count, functions and macros
+//! are passed over, and what cannot be worked out from the text is left out.
+
+use std::path::{Path, PathBuf};
+
+use super::commands::{Argument, Command, commands};
+use super::{Build, Source, tidy};
+use crate::base::FastMap;
+use crate::base::limits::{BUILD_BYTES, BUILD_DEPTH, GLOB_ENTRIES};
+use crate::vfs::Vfs;
+
+/// Name of the build files of CMake.
+pub(super) const CMAKE_LISTS: &str = "CMakeLists.txt";
+
+/// In front of the folders that CMake builds in: a path that no file has.
+const BUILD_TREE: &str = "\0build";
+
+/// Words that end a list of files in `install` and `file(COPY)`.
+const KEYWORDS: [&str; 18] = [
+    "DESTINATION",
+    "TYPE",
+    "PATTERN",
+    "REGEX",
+    "FILES_MATCHING",
+    "USE_SOURCE_PERMISSIONS",
+    "NO_SOURCE_PERMISSIONS",
+    "FILE_PERMISSIONS",
+    "DIRECTORY_PERMISSIONS",
+    "PERMISSIONS",
+    "OPTIONAL",
+    "MESSAGE_NEVER",
+    "CONFIGURATIONS",
+    "COMPONENT",
+    "EXCLUDE_FROM_ALL",
+    "RENAME",
+    "EXCLUDE",
+    "FOLLOW_SYMLINK_CHAIN",
+];
+
+/// Read the build file of a folder into `build`.
+pub(super) fn read(vfs: &Vfs, folder: &Path, build: &mut Build) {
+    let (left, entries) = (BUILD_BYTES, GLOB_ENTRIES);
+    let mut reader = Reader { vfs, build, variables: FastMap::default(), left, entries };
+    for (name, value) in [
+        ("CMAKE_INSTALL_DATADIR", "share"),
+        ("CMAKE_INSTALL_DATAROOTDIR", "share"),
+        ("CMAKE_INSTALL_FULL_DATADIR", "share"),
+        ("CATKIN_GLOBAL_SHARE_DESTINATION", "share"),
+        ("SHARE_INSTALL_DIR", "share"),
+        ("CMAKE_INSTALL_PREFIX", ""),
+    ] {
+        reader.set(name, value.to_owned());
+    }
+    for name in ["CMAKE_SOURCE_DIR", "PROJECT_SOURCE_DIR"] {
+        reader.set(name, text(folder));
+    }
+    for name in ["CMAKE_BINARY_DIR", "PROJECT_BINARY_DIR"] {
+        reader.set(name, text(&build_folder(folder)));
+    }
+    reader.folder(folder, 0);
+}
+
+/// The name that the build file of a folder gives its project.
+pub(super) fn project(text: &str) -> Option<String> {
+    let project = commands(text).into_iter().find(|command| command.name == "project")?;
+    project.arguments.into_iter().next().map(|argument| argument.text)
+}
+
+/// An argument with its variables replaced; none when one of them is not known.
+type Word = Option<String>;
+
+struct Reader<'a> {
+    vfs: &'a Vfs,
+    build: &'a mut Build,
+    variables: FastMap<String, String>,
+    /// How much more is read, in bytes of arguments.
+    left: u32,
+    /// How many more entries of folders patterns may look at.
+    entries: usize,
+}
+
+/// The file that is read.
+#[derive(Clone, Copy)]
+struct Here<'a> {
+    folder: &'a Path,
+    depth: u32,
+}
+
+impl Reader<'_> {
+    fn set(&mut self, name: &str, value: String) {
+        self.variables.insert(name.to_owned(), value);
+    }
+
+    /// The build file of a folder.
+    fn folder(&mut self, folder: &Path, depth: u32) {
+        let outer = (self.variables.get("CMAKE_CURRENT_SOURCE_DIR").cloned(), self.current_build_folder());
+        self.set("CMAKE_CURRENT_SOURCE_DIR", text(folder));
+        self.set("CMAKE_CURRENT_LIST_DIR", text(folder));
+        self.set("CMAKE_CURRENT_BINARY_DIR", text(&build_folder(folder)));
+        self.file(&folder.join(CMAKE_LISTS), Here { folder, depth });
+        if let (Some(source), Some(build)) = outer {
+            self.set("CMAKE_CURRENT_LIST_DIR", source.clone());
+            self.set("CMAKE_CURRENT_SOURCE_DIR", source);
+            self.set("CMAKE_CURRENT_BINARY_DIR", build);
+        }
+    }
+
+    fn add(&mut self, to: PathBuf, source: Source) {
+        /// Of so many bytes of arguments, one rule: what is installed is searched once for each missing file.
+        const PRICE: u32 = 20;
+        if self.left >= PRICE {
+            self.left -= PRICE;
+            self.build.add(to, source);
+        }
+    }
+
+    fn current_build_folder(&self) -> Option<String> {
+        self.variables.get("CMAKE_CURRENT_BINARY_DIR").cloned()
+    }
+
+    fn file(&mut self, path: &Path, here: Here<'_>) {
+        if here.depth > BUILD_DEPTH || self.build.files.len() > BUILD_DEPTH as usize * 10 {
+            return;
+        }
+        self.build.files.push(path.to_owned());
+        if let Ok(file) = self.vfs.text(path) {
+            self.run(&commands(&file.text), here);
+        }
+    }
+
+    fn run(&mut self, commands: &[Command], here: Here<'_>) {
+        let mut rest = commands;
+        while let Some((command, behind)) = rest.split_first() {
+            rest = match command.name.as_str() {
+                "foreach" => {
+                    let (body, behind) = block(behind, "foreach", "endforeach");
+                    self.repeat(command, body, here);
+                    behind
+                }
+                "function" | "macro" => block(behind, &command.name, &format!("end{}", command.name)).1,
+                _ => {
+                    self.command(command, here);
+                    behind
+                }
+            };
+        }
+    }
+
+    fn repeat(&mut self, command: &Command, body: &[Command], here: Here<'_>) {
+        let words = self.words(&command.arguments);
+        let here = Here { depth: here.depth + 1, ..here };
+        let Some((Some(name), values)) = words.split_first().filter(|_| here.depth <= BUILD_DEPTH) else {
+            return;
+        };
+        let is_in = values.first().is_some_and(|word| word.as_deref() == Some("IN"));
+        let mut lists = false;
+        for value in values.iter().skip(usize::from(is_in)).flatten() {
+            match value.as_str() {
+                "LISTS" | "ITEMS" if is_in => lists = value == "LISTS",
+                _ if lists => {
+                    let list = self.variables.get(value).cloned().unwrap_or_default();
+                    for item in list.split(';').filter(|item| !item.is_empty()) {
+                        self.once(name, item, body, here);
+                    }
+                }
+                item => self.once(name, item, body, here),
+            }
+        }
+    }
+
+    fn once(&mut self, name: &str, item: &str, body: &[Command], here: Here<'_>) {
+        if self.left > 0 {
+            self.set(name, item.to_owned());
+            self.run(body, here);
+        }
+    }
+
+    fn command(&mut self, command: &Command, here: Here<'_>) {
+        if self.left == 0 {
+            return;
+        }
+        let words = self.words(&command.arguments);
+        match command.name.as_str() {
+            "project" => self.project(&words),
+            "set" => self.assign(&words),
+            "list" => self.append(&words),
+            "file" => self.file_command(&words, here),
+            "configure_file" => self.configured(&words, here),
+            "install" => match words.first() {
+                Some(Some(kind)) if matches!(kind.as_str(), "DIRECTORY" | "FILES" | "PROGRAMS") => {
+                    self.placed(words.get(1..).unwrap_or_default(), here, true);
+                }
+                _ => {}
+            },
+            "catkin_install_python" => self.placed(words.get(1..).unwrap_or_default(), here, true),
+            "ament_auto_package" => self.auto_package(&words, here),
+            "add_subdirectory" => {
+                if let Some(Some(folder)) = words.first() {
+                    self.folder(&tidy(&here.folder.join(folder)), here.depth + 1);
+                }
+            }
+            "include" => {
+                if let Some(Some(file)) =
+                    words.first().filter(|w| matches!(w, Some(w) if w.ends_with(".cmake")))
+                {
+                    let path = tidy(&here.folder.join(file));
+                    self.file(&path, Here { depth: here.depth + 1, ..here });
+                }
+            }
+            // what it installs is written elsewhere
+            name if name.contains("install") && !name.contains("python") => self.build.is_opaque = true,
+            _ => {}
+        }
+    }
+
+    fn project(&mut self, words: &[Word]) {
+        let Some(Some(name)) = words.first() else { return };
+        let current = |reader: &Self, of: &str| reader.variables.get(of).cloned().unwrap_or_default();
+        let (source, build) =
+            (current(self, "CMAKE_CURRENT_SOURCE_DIR"), current(self, "CMAKE_CURRENT_BINARY_DIR"));
+        for (place, value) in [("SOURCE_DIR", source), ("BINARY_DIR", build)] {
+            self.set(&format!("PROJECT_{place}"), value.clone());
+            self.set(&format!("{name}_{place}"), value);
+        }
+        for variable in ["PROJECT_NAME", "CMAKE_PROJECT_NAME"] {
+            self.set(variable, name.clone());
+        }
+        self.set("CATKIN_PACKAGE_SHARE_DESTINATION", format!("share/{name}"));
+    }
+
+    fn assign(&mut self, words: &[Word]) {
+        let Some((Some(name), values)) = words.split_first() else { return };
+        let is_value = |word: &&Word| !matches!(word.as_deref(), Some("CACHE" | "PARENT_SCOPE"));
+        let values: Option<Vec<String>> = values.iter().take_while(is_value).cloned().collect();
+        match values {
+            Some(values) => self.set(name, values.join(";")),
+            None => drop(self.variables.remove(name)),
+        }
+    }
+
+    fn append(&mut self, words: &[Word]) {
+        let [Some(mode), Some(name), values @ ..] = words else { return };
+        let values: Vec<&str> = values.iter().flatten().map(String::as_str).collect();
+        if mode == "APPEND" {
+            let old = self.variables.get(name).filter(|old| !old.is_empty());
+            let list: Vec<&str> = old.map(String::as_str).into_iter().chain(values).collect();
+            let list = list.join(";");
+            self.set(name, list);
+        }
+    }
+
+    fn file_command(&mut self, words: &[Word], here: Here<'_>) {
+        match words {
+            [Some(mode), rest @ ..] if mode == "COPY" || mode == "INSTALL" => self.placed(rest, here, false),
+            [Some(mode), Some(name), rest @ ..] if mode == "GLOB" => {
+                let found = self.globbed(rest, here);
+                self.set(name, found.join(";"));
+            }
+            _ => {}
+        }
+    }
+
+    fn globbed(&mut self, words: &[Word], here: Here<'_>) -> Vec<String> {
+        let mut words = words.iter().flatten();
+        let (mut found, mut base) = (Vec::new(), None);
+        while let Some(word) = words.next() {
+            match word.as_str() {
+                "RELATIVE" => base = words.next().map(PathBuf::from),
+                "LIST_DIRECTORIES" => drop(words.next()),
+                "CONFIGURE_DEPENDS" => {}
+                pattern => {
+                    let pattern = text(&here.folder.join(pattern));
+                    found.extend(self.vfs.glob(&pattern, here.folder, &mut self.entries).unwrap_or_default());
+                }
+            }
+        }
+        let relative = |path: PathBuf| match &base {
+            Some(base) => path.strip_prefix(base).map_or_else(|_| text(&path), text),
+            None => text(&path),
+        };
+        found.into_iter().map(relative).collect()
+    }
+
+    /// `configure_file(template target)`
+    fn configured(&mut self, words: &[Word], here: Here<'_>) {
+        let [Some(template), Some(target), ..] = words else { return };
+        let target = in_tree(&build_folder(here.folder), target);
+        self.add(target, Source::Template(in_tree(here.folder, template)));
+    }
+
+    /// `a b/ DESTINATION d`
+    fn placed(&mut self, words: &[Word], here: Here<'_>, is_install: bool) {
+        let after = |keyword: &str| {
+            let at = words.iter().position(|word| word.as_deref() == Some(keyword))?;
+            words.get(at + 1)
+        };
+        let Some(Some(destination)) = after("DESTINATION") else {
+            self.build.is_opaque |= after("DESTINATION").is_some();
+            return;
+        };
+        let to = match is_install {
+            true => tidy(Path::new(destination.trim_start_matches('/'))),
+            false => in_tree(&build_folder(here.folder), destination),
+        };
+        let renamed = after("RENAME").cloned().flatten();
+        let is_source = |word: &&Word| !word.as_deref().is_some_and(|word| KEYWORDS.contains(&word));
+        for word in words.iter().take_while(is_source) {
+            let Some(source) = word else {
+                self.build.is_opaque = true;
+                continue;
+            };
+            let path = in_tree(here.folder, source);
+            let name = renamed.as_deref().map(PathBuf::from);
+            let to = match name.or_else(|| path.file_name().map(PathBuf::from)) {
+                Some(name) if !source.ends_with('/') && source != "." => to.join(name),
+                _ => to.clone(),
+            };
+            self.add(to, Source::Path(path));
+        }
+    }
+
+    /// `ament_auto_package(INSTALL_TO_SHARE a b)`
+    fn auto_package(&mut self, words: &[Word], here: Here<'_>) {
+        let Some(project) = self.variables.get("PROJECT_NAME").cloned() else { return };
+        let is_list = |word: &Word| matches!(word.as_deref(), Some("INSTALL_TO_SHARE" | "INSTALL_TO_PATH"));
+        let mut is_share = false;
+        for word in words {
+            if is_list(word) {
+                is_share = word.as_deref() == Some("INSTALL_TO_SHARE");
+                continue;
+            }
+            let Some(source) = word.as_ref().filter(|_| is_share) else { continue };
+            let path = in_tree(here.folder, source);
+            let to = Path::new("share").join(&project);
+            let to = path.file_name().map_or_else(|| to.clone(), |name| to.join(name));
+            self.add(to, Source::Path(path));
+        }
+    }
+
+    fn words(&mut self, arguments: &[Argument]) -> Vec<Word> {
+        let mut words = Vec::new();
+        for argument in arguments {
+            let word = self.replaced(&argument.text);
+            let length = word.as_ref().map_or(0, String::len) as u32 + 1;
+            self.left = self.left.saturating_sub(length);
+            match word {
+                Some(list) if !argument.is_quoted && list.contains(';') => {
+                    let items = list.split(';').filter(|item| !item.is_empty());
+                    words.extend(items.map(|item| Some(item.to_owned())));
+                }
+                Some(empty) if !argument.is_quoted && empty.is_empty() => {}
+                word => words.push(word),
+            }
+        }
+        words
+    }
+
+    /// The text with its variables replaced, the innermost first.
+    fn replaced(&self, text: &str) -> Word {
+        let mut text = text.to_owned();
+        while let Some(start) = text.rfind("${") {
+            let end = start + text.get(start..)?.find('}')?;
+            let value = self.variables.get(text.get(start + 2..end)?)?;
+            if text.len() + value.len() > self.left as usize {
+                return None;
+            }
+            text.replace_range(start..=end, value);
+        }
+        (!text.contains("$<") && !text.contains("$ENV{")).then_some(text)
+    }
+}
+
+/// The commands up to the end of a block, and those behind it.
+fn block<'c>(commands: &'c [Command], start: &str, end: &str) -> (&'c [Command], &'c [Command]) {
+    let mut depth = 0_u32;
+    for (at, command) in commands.iter().enumerate() {
+        if command.name == start {
+            depth += 1;
+        } else if command.name == end {
+            if depth == 0 {
+                let (body, behind) = commands.split_at(at);
+                return (body, behind.get(1..).unwrap_or_default());
+            }
+            depth -= 1;
+        }
+    }
+    (commands, &[])
+}
+
+/// The folder that CMake builds a folder of the sources in.
+fn build_folder(source: &Path) -> PathBuf {
+    let inside = source.strip_prefix("/").unwrap_or(source);
+    Path::new(BUILD_TREE).join(inside)
+}
+
+/// A path of the sources or of the folder of the build.
+fn in_tree(folder: &Path, path: &str) -> PathBuf {
+    let path = Path::new(path);
+    tidy(&if path.starts_with(BUILD_TREE) { path.to_owned() } else { folder.join(path) })
+}
+
+fn text(path: &Path) -> String {
+    path.to_string_lossy().into_owned()
+}

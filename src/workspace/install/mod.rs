@@ -1,0 +1,204 @@
+//! Where files are once a package is built: `CMakeLists.txt` and `setup.py` move files of the source tree to other
+//! places below `share/PACKAGE`, and make files from templates.
+
+mod cmake;
+mod commands;
+mod setup_py;
+
+use std::borrow::Cow;
+use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
+
+use self::cmake::CMAKE_LISTS;
+use self::setup_py::SETUP_PY;
+use super::manifest::{MANIFEST, is_package_name, name_in};
+use super::packages::{Packages, without_parents};
+use crate::base::limits::GLOB_ENTRIES;
+use crate::vfs::Vfs;
+
+/// Names of build files: what they say decides where packages have their files.
+pub const BUILD_FILES: [&str; 2] = [CMAKE_LISTS, SETUP_PY];
+
+/// How a template is named beside the file that is made from it.
+const TEMPLATE: &str = ".in";
+
+/// How far above a package without build files one is looked for.
+const BUILD_FILE_LEVELS: usize = 3;
+
+/// A file or folder of the source tree that stands for one that only the build makes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Built {
+    /// Where it is now.
+    pub path: PathBuf,
+    /// Whether the build makes the file from it, with variables replaced.
+    pub is_template: bool,
+}
+
+/// What the build of a package does with the files of its source tree.
+#[derive(Debug, Default)]
+pub struct Build {
+    /// The build files that were read or looked for.
+    pub files: Vec<PathBuf>,
+    /// Whether it installs something by rules that could not be worked out.
+    pub is_opaque: bool,
+    /// Places of the installed package (`share/...`), of the folder of the build and of the sources, each with what
+    /// is put there.
+    rules: Vec<(PathBuf, Source)>,
+}
+
+/// Where something comes from.
+#[derive(Debug)]
+enum Source {
+    /// A file or folder.
+    Path(PathBuf),
+    /// The files that a pattern matches, without their folders.
+    Files(PathBuf),
+    /// A file with variables to be replaced.
+    Template(PathBuf),
+}
+
+impl Packages {
+    /// What stands for a path that does not exist, below the folder of a package, once that package is built: a
+    /// template beside it, or the file or folder that is installed there.
+    pub fn built(&self, missing: &Path) -> Option<Built> {
+        let missing = without_parents(&self.vfs.absolute(missing));
+        let beside = template_of(&missing);
+        if self.vfs.is_file(&beside) {
+            return Some(Built { path: beside, is_template: true });
+        }
+        let (name, folder) = self.package_around(&missing)?;
+        let build = self.build(&folder);
+        let share = Path::new("share").join(name).join(missing.strip_prefix(&folder).ok()?);
+        build.find(&self.vfs, &share, 0).or_else(|| build.find(&self.vfs, &missing, 0))
+    }
+
+    /// The path to open for `path`: itself where it exists, else what the build puts there, else itself.
+    pub fn present<'p>(&self, path: &'p Path) -> Cow<'p, Path> {
+        if self.vfs.exists(path) {
+            return path.into();
+        }
+        self.built(path).map_or(path.into(), |built| built.path.into())
+    }
+
+    /// The build of the package that a path lies in.
+    pub fn build_around(&self, path: &Path) -> Option<Arc<Build>> {
+        let (_, folder) = self.package_around(&without_parents(&self.vfs.absolute(path)))?;
+        Some(self.build(&folder))
+    }
+
+    /// Name and folder of the package that a path lies in, with or without a manifest.
+    fn package_around(&self, path: &Path) -> Option<(String, PathBuf)> {
+        if let Some(package) = self.containing(path) {
+            return Some((package.name, package.folder));
+        }
+        let name = |folder: &Path| Some((self.unlisted_name(folder)?, folder.to_owned()));
+        path.ancestors().skip(1).find_map(name)
+    }
+
+    /// The build of the package in `folder`. Where it has no build file, one above it may install it.
+    fn build(&self, folder: &Path) -> Arc<Build> {
+        self.builds.get(folder.to_owned(), || {
+            let mut build = Build::default();
+            for folder in folder.ancestors().take(1 + BUILD_FILE_LEVELS) {
+                if self.vfs.is_file(&folder.join(CMAKE_LISTS)) {
+                    cmake::read(&self.vfs, folder, &mut build);
+                    break;
+                }
+                build.files.push(folder.join(CMAKE_LISTS));
+                setup_py::read(&self.vfs, folder, &mut build);
+                if self.vfs.is_file(&folder.join(SETUP_PY)) {
+                    break;
+                }
+            }
+            Arc::new(build)
+        })
+    }
+
+    /// The name of a package whose manifest the build makes, or that has none: what the template of the manifest or
+    /// the project is called, if that project installs files for a package of its name.
+    pub(super) fn unlisted_name(&self, folder: &Path) -> Option<String> {
+        self.unlisted.get(folder.to_owned(), || {
+            let text = |name: &str| self.vfs.text(&folder.join(name)).ok();
+            let project = || cmake::project(&text(CMAKE_LISTS)?.text).filter(|name| !name.contains('$'));
+            let name = match text(&format!("{MANIFEST}{TEMPLATE}")) {
+                Some(manifest) => {
+                    name_in(&manifest.text).filter(|name| !name.contains(['@', '$'])).or_else(project)
+                }
+                None => project().filter(|name| self.build(folder).installs(name)),
+            };
+            name.filter(|name| is_package_name(name))
+        })
+    }
+}
+
+impl Build {
+    fn add(&mut self, to: PathBuf, source: Source) {
+        self.rules.push((to, source));
+    }
+
+    /// Whether it installs files that only a package of this name finds.
+    fn installs(&self, package: &str) -> bool {
+        let share = Path::new("share").join(package);
+        self.rules.iter().any(|(to, _)| to.starts_with(&share))
+    }
+
+    /// Whether anything is installed at, above or below a folder of a package.
+    pub fn covers(&self, package: &str, folder: &str) -> bool {
+        let folder = tidy(&Path::new("share").join(package).join(folder));
+        self.rules
+            .iter()
+            .any(|(to, _)| to.starts_with("share") && (folder.starts_with(to) || to.starts_with(&folder)))
+    }
+
+    /// What is put at `place`.
+    fn find(&self, vfs: &Vfs, place: &Path, depth: u32) -> Option<Built> {
+        /// From the sources to the folder of the build, from there to be installed, and one to spare.
+        const MOST: u32 = 3;
+        if depth > MOST {
+            return None;
+        }
+        let below = |(to, source)| Some((place.strip_prefix::<&PathBuf>(to).ok()?, source));
+        let rules = self.rules.iter().map(|(to, source)| (to, source)).filter_map(below);
+        rules.into_iter().find_map(|(rest, source)| self.taken(vfs, source, rest, depth))
+    }
+
+    fn taken(&self, vfs: &Vfs, source: &Source, rest: &Path, depth: u32) -> Option<Built> {
+        let whole = |path: &Path| if rest.as_os_str().is_empty() { path.to_owned() } else { path.join(rest) };
+        match source {
+            Source::Path(path) => {
+                let path = whole(path);
+                if vfs.exists(&path) {
+                    return Some(Built { path, is_template: false });
+                }
+                let template = template_of(&path);
+                let template = vfs.is_file(&template).then_some(Built { path: template, is_template: true });
+                template.or_else(|| self.find(vfs, &path, depth + 1))
+            }
+            Source::Files(pattern) => {
+                let name = rest.file_name().filter(|_| rest.components().count() == 1)?;
+                let mut left = GLOB_ENTRIES;
+                let found = vfs.glob(pattern.to_str()?, Path::new("/"), &mut left).ok()?;
+                let path = found.into_iter().find(|path| path.file_name() == Some(name))?;
+                Some(Built { path, is_template: false })
+            }
+            Source::Template(path) if rest.as_os_str().is_empty() && vfs.is_file(path) => {
+                Some(Built { path: path.clone(), is_template: true })
+            }
+            Source::Template(_) => None,
+        }
+    }
+}
+
+fn template_of(path: &Path) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(TEMPLATE);
+    name.into()
+}
+
+/// The path without `.` and `folder/..`, by its text alone.
+fn tidy(path: &Path) -> PathBuf {
+    without_parents(path).components().filter(|part| *part != Component::CurDir).collect()
+}
+
+#[cfg(test)]
+mod tests;
