@@ -1,13 +1,9 @@
 //! Many expansions, one list of findings.
 
-use std::path::PathBuf;
-
-use indexmap::IndexMap;
-
 use super::contexts::{Contexts, Run};
 use super::job::Outcome;
-use crate::base::{FastMap, FileId, Span};
-use crate::rules::{Edit, Finding, Related, Severity};
+use crate::base::{FastMap, Span};
+use crate::rules::{Finding, Severity};
 
 /// A finding, and where it occurred.
 struct Merged {
@@ -45,52 +41,6 @@ pub(super) fn merge(outcomes: Vec<Outcome>) -> Vec<Finding> {
     let contexts = Contexts::of(runs);
     merged.into_iter().filter_map(|merged| merged.finish(&contexts)).collect()
 }
-
-/// A finding that stands for those of a whole package.
-struct Shared {
-    /// Its place in the list.
-    at: usize,
-    /// Where the others are.
-    others: Vec<Related>,
-    /// What mends the others.
-    edits: Vec<Edit>,
-}
-
-/// Of findings that whole packages share, keep the first of each package, with the others beside it.
-pub(super) fn once_per_package(findings: &mut Vec<Finding>, package: impl Fn(FileId) -> Option<PathBuf>) {
-    const RULES: [&str; 1] = ["XML003"];
-    let mut groups: IndexMap<(&str, PathBuf), Shared> = IndexMap::new();
-    let mut at = 0;
-    findings.retain_mut(|finding| {
-        let package = RULES.contains(&finding.rule.code).then(|| package(finding.span.file)).flatten();
-        let Some(package) = package else {
-            at += 1;
-            return true;
-        };
-        if let Some(shared) = groups.get_mut(&(finding.rule.code, package.clone())) {
-            let message = "here too".to_owned();
-            shared.others.push(Related { span: finding.span, message, is_call: false });
-            shared.edits.extend(finding.fix.take().into_iter().flat_map(|fix| fix.edits));
-            return false;
-        }
-        let first = Shared { at, others: Vec::new(), edits: Vec::new() };
-        groups.insert((finding.rule.code, package), first);
-        at += 1;
-        true
-    });
-    for Shared { at, others, edits } in groups.into_values() {
-        if let (Some(finding), false) = (findings.get_mut(at), others.is_empty()) {
-            finding.message.push_str(&format!(", in {} files of this package", others.len() + 1));
-            if let Some(fix) = &mut finding.fix {
-                fix.edits.extend(edits);
-            }
-            finding.related.extend(others.into_iter().take(MOST_PLACES));
-        }
-    }
-}
-
-/// Further places listed with a finding.
-const MOST_PLACES: usize = 10;
 
 impl Merged {
     fn new(finding: Finding, number: usize) -> Self {

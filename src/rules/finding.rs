@@ -2,6 +2,7 @@
 
 use ecow::EcoString;
 
+use super::grouping::Group;
 use super::registry::{Rule, Safety, Severity};
 use crate::base::Span;
 
@@ -26,6 +27,10 @@ pub struct Finding {
     pub ways: Vec<Way>,
     /// Whether it holds in some calls of that macro only, because the text reads differently in others.
     pub partial: bool,
+    /// What it shares with other findings that are the same defect; none: what the rule says.
+    pub group: Option<Group>,
+    /// The further places, once findings are [grouped](crate::analysis::Report::grouped).
+    pub places: Vec<Related>,
 }
 
 /// A macro call in which a finding holds.
@@ -56,6 +61,8 @@ impl Finding {
             fix: None,
             ways: Vec::new(),
             partial: false,
+            group: None,
+            places: Vec::new(),
         }
     }
 }

@@ -24,6 +24,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let (name, link, count) = (mesh.name(), mesh.link.shown(), surface.triangles);
             let message = format!("collision mesh `{name}` of link `{link}` has {count} triangles");
             out.report(mesh.file.origin, message)
+                .group(mesh.group())
                 .help("use its convex hull or a few boxes and cylinders")
                 .done();
         }

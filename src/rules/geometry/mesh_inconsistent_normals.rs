@@ -27,7 +27,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let (name, link) = (mesh.name(), mesh.link.shown());
             let message =
                 format!("mesh `{name}` of link `{link}`: neighbours at {wrong} edges face opposite ways");
-            out.report(mesh.file.origin, message).help("orient all faces coherently in a mesh editor").done();
+            out.report(mesh.file.origin, message)
+                .group(mesh.group())
+                .help("orient all faces coherently in a mesh editor")
+                .done();
         }
     }
 }

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::super::context::DocumentCx;
+use super::super::grouping::Group;
 use super::super::registry::{Safety, Severity};
 use super::super::sink::Sink;
 use super::shapes::is_replaceable;
@@ -27,7 +28,8 @@ pub(super) fn report(
         }
         _ => format!("{what} is not found at `{}`", missing.display()),
     };
-    let report = out.report(name.origin, message);
+    let folder = missing.parent().unwrap_or(missing);
+    let report = out.report(name.origin, message).group(Group::Value(folder.to_string_lossy().into()));
     let Some(found) = found_elsewhere(cx, name, missing, package) else {
         return report.help("correct the path, or add the file").done();
     };

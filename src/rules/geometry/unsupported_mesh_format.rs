@@ -34,6 +34,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             "" => format!("mesh `{name}` of link `{link}` has no ending that tells its format"),
             _ => format!("mesh of link `{link}`: format `.{ending}` is read by few programs"),
         };
-        out.report(mesh.file.origin, message).help("convert it to STL, OBJ, DAE or GLB").done();
+        out.report(mesh.file.origin, message)
+            .group(mesh.group())
+            .help("convert it to STL, OBJ, DAE or GLB")
+            .done();
     }
 }
