@@ -81,9 +81,45 @@ fn groups(findings: &[Finding], by_file: bool, text: impl Fn(Span) -> Option<Str
             groups.entry(key).or_default().push(number);
         }
     }
-    groups.retain(|key, members| members.len() >= key.group.least());
-    groups.into_values().collect()
+    if by_file {
+        groups.retain(|key, members| members.len() >= key.group.least());
+        return groups.into_values().collect();
+    }
+    copies(findings, groups)
 }
+
+/// Join groups and single findings of which the first ones say the very same: robots are made by copying files.
+fn copies(findings: &[Finding], groups: IndexMap<Key, Vec<usize>>) -> Vec<Vec<usize>> {
+    let mut joined: IndexMap<(&str, Severity, &str), Joined> = IndexMap::new();
+    for (key, members) in groups {
+        let is_group = members.len() >= key.group.least();
+        let units = if is_group { vec![members] } else { members.into_iter().map(|one| vec![one]).collect() };
+        for unit in units {
+            let Some(first) = unit.first().and_then(|&first| findings.get(first)) else { continue };
+            let place = (first.rule.code, first.severity, first.message.as_str());
+            let joined = joined.entry(place).or_default();
+            joined.is_group |= is_group;
+            joined.members.extend(unit);
+        }
+    }
+    let groups = joined.into_values().filter(|joined| joined.is_group || joined.members.len() >= COPIES);
+    let sorted = |mut joined: Joined| {
+        joined.members.sort_unstable();
+        joined.members
+    };
+    groups.map(sorted).collect()
+}
+
+/// The members of groups that say the same.
+#[derive(Default)]
+struct Joined {
+    members: Vec<usize>,
+    /// Whether one of them is a group already.
+    is_group: bool,
+}
+
+/// How many copies of a finding are one.
+const COPIES: usize = 3;
 
 fn key(finding: &Finding, by_file: bool, text: impl Fn(Span) -> Option<String>) -> Option<Key> {
     let group = finding.group.clone().unwrap_or_else(|| finding.rule.group());

@@ -102,18 +102,14 @@ impl<'a> Listing<'a> {
 
     /// The same below findings of a line each: nothing where they speak for themselves.
     pub(super) fn note(&self, could: &str) -> Vec<String> {
-        let not_shown = self.not_shown();
+        let summary = if self.is_many() { summary(self.report) } else { String::new() };
+        let next = if self.is_many() { vec![could.to_owned(), self.next()] } else { Vec::new() };
         let mut lines = Vec::new();
-        if self.is_many() {
-            lines.push(summary(self.report));
-        }
-        if !not_shown.is_empty() {
-            lines.push(not_shown);
-        }
-        if self.is_many() {
-            let next = [could.to_owned(), self.next()];
-            let next: Vec<String> = next.into_iter().filter(|part| !part.is_empty()).collect();
-            lines.push(next.join("; "));
+        for parts in [vec![summary, self.not_shown()], next] {
+            let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+            if !parts.is_empty() {
+                lines.push(parts.join("; "));
+            }
         }
         lines
     }
