@@ -30,9 +30,9 @@ impl Report {
         let mut findings: Vec<Option<Finding>> = self.findings.into_iter().map(Some).collect();
         for group in groups {
             let mut members = group.iter().filter_map(|&i| findings.get_mut(i).and_then(Option::take));
-            if let (Some(first), Some(&at)) = (members.next(), group.first()) {
-                let joined = join(first, members.collect());
-                findings.get_mut(at).into_iter().for_each(|place| *place = Some(joined.clone()));
+            let joined = members.next().map(|first| join(first, members.collect()));
+            if let Some(place) = group.first().and_then(|&at| findings.get_mut(at)) {
+                *place = joined;
             }
         }
         self.findings = findings.into_iter().flatten().collect();
@@ -176,4 +176,60 @@ fn joined_fix(mut fix: Fix, others: Vec<Fix>) -> Fix {
     }
     fix.edits = taken.into_values().collect();
     fix
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{join, mark_groups};
+    use crate::base::{FileId, Span, TextRange};
+    use crate::rules::{Edit, Finding, Fix, Safety, Severity, by_code};
+
+    fn span(file: u32, start: u32, end: u32) -> Span {
+        Span { file: FileId(file), range: TextRange::new(start, end) }
+    }
+
+    /// A finding of `zero-inertia`.
+    fn finding(file: u32, start: u32) -> Finding {
+        Finding::new(by_code("INR003").unwrap(), span(file, start, start + 1), format!("link {start}"))
+    }
+
+    #[test]
+    fn an_editor_marks_every_place_and_every_file_has_a_first_one() {
+        let places = [(0, 1), (0, 5), (1, 2), (0, 9), (1, 4), (1, 6), (2, 1), (2, 3)];
+        let mut findings: Vec<Finding> = places.iter().map(|&(file, start)| finding(file, start)).collect();
+        let own = findings[0].severity;
+        mark_groups(&mut findings, |_| None);
+        let marked: Vec<bool> = findings.iter().map(|finding| finding.severity == Severity::Hint).collect();
+        assert_eq!(marked, [false, true, false, true, true, true, false, false]);
+        assert_eq!(findings[0].severity, own);
+        assert_eq!(findings[0].message, "link 1; 2 more places in this file");
+        assert_eq!(
+            findings[0].related.iter().map(|place| place.span).collect::<Vec<_>>(),
+            [span(0, 5, 6), span(0, 9, 10)]
+        );
+        assert_eq!((findings[3].message.as_str(), findings[3].related[0].span), ("link 9", span(0, 1, 2)));
+        assert_eq!(findings[6].message, "link 1", "two places in a file are two findings");
+    }
+
+    #[test]
+    fn a_joined_fix_has_no_edits_that_clash() {
+        let with = |safety: Safety, edits: &[(u32, u32)]| {
+            let edit =
+                |&(start, end): &(u32, u32)| Edit { span: span(0, start, end), content: "x".to_owned() };
+            let fix = Fix { safety, message: String::new(), edits: edits.iter().map(edit).collect() };
+            Finding { fix: Some(fix), ..finding(0, 0) }
+        };
+        let others = vec![
+            with(Safety::Safe, &[(10, 12), (20, 21)]),
+            // clashes with the first one: left out as a whole
+            with(Safety::Safe, &[(2, 4), (30, 31)]),
+            // the same edit once more
+            with(Safety::Safe, &[(10, 12)]),
+            with(Safety::Unsafe, &[(40, 41)]),
+        ];
+        let joined = join(with(Safety::Safe, &[(1, 3)]), others);
+        let edits: Vec<Span> = joined.fix.unwrap().edits.iter().map(|edit| edit.span).collect();
+        assert_eq!(edits, [span(0, 1, 3), span(0, 10, 12), span(0, 20, 21)]);
+        assert_eq!(joined.places.len(), 4);
+    }
 }

@@ -6,7 +6,7 @@ use super::args::{CheckArgs, FailLevel, Show};
 use super::text::counted;
 use crate::analysis::Report;
 use crate::base::limits::{DRAWN_IN_ALL, DRAWN_OF_A_RULE};
-use crate::base::{FastMap, FileId};
+use crate::base::{FastMap, FastSet, FileId};
 use crate::rules::{Finding, Rule, Severity};
 
 /// Up to so many findings, nobody needs to be told which rules they are of, and what to do next.
@@ -21,6 +21,8 @@ pub(super) struct Listing<'a> {
     pub(super) shown: Vec<&'a Finding>,
     /// How many are left out because there are too many of their rule.
     left_out: usize,
+    /// The least severity that is printed.
+    least: Severity,
     /// How many are not severe enough.
     hidden: FastMap<Severity, usize>,
 }
@@ -44,7 +46,7 @@ fn least_shown(args: &CheckArgs) -> Severity {
 impl<'a> Listing<'a> {
     pub(super) fn of(report: &'a Report, args: &CheckArgs) -> Self {
         let (least, all) = (least_shown(args), wants_all(args));
-        let mut listing = Self { report, shown: Vec::new(), left_out: 0, hidden: FastMap::default() };
+        let mut listing = Self { report, shown: Vec::new(), left_out: 0, least, hidden: FastMap::default() };
         let mut in_file: FastMap<(&str, Severity, FileId), usize> = FastMap::default();
         let mut in_all: FastMap<(&str, Severity), usize> = FastMap::default();
         for finding in &report.findings {
@@ -65,53 +67,46 @@ impl<'a> Listing<'a> {
         listing
     }
 
-    /// What is not printed, and how to see it; empty when everything is.
-    fn not_shown(&self) -> String {
-        let hidden = Severity::ALL
-            .into_iter()
-            .filter_map(|severity| Some((severity.name(), *self.hidden.get(&severity)?)));
+    /// `2 errors, 1 warning in 2 files (1 robot, 7 files checked); 3 info not shown: --show info`
+    fn summary(&self) -> String {
+        let printed = self.report.findings.iter().filter(|finding| finding.severity >= self.least);
+        let mut parts = vec![summary(self.report, printed, self.hidden.is_empty())];
+        parts.extend(self.not_shown());
+        parts.join("; ")
+    }
+
+    /// What is not printed, and how to see it.
+    fn not_shown(&self) -> Vec<String> {
+        let hidden = |severity: Severity| Some((severity.name(), *self.hidden.get(&severity)?));
+        let hidden = Severity::ALL.into_iter().filter_map(hidden);
         let (kinds, options): (Vec<String>, Vec<String>) =
             hidden.map(|(name, count)| (counted(count, name), format!("--show {name}"))).unzip();
-        let total: usize = self.hidden.values().sum();
-        let verb = |count: usize| if count == 1 { "is" } else { "are" };
-        let mut parts = Vec::new();
-        if self.left_out > 0 {
-            let count = self.left_out;
-            let more = if count == 1 { "" } else { "s" };
-            parts.push(format!(
-                "{count} more finding{more} of the rules above {} not shown: --show all",
-                verb(count)
-            ));
-        }
-        if total > 0 {
-            parts.push(format!("{} {} not shown: {}", kinds.join(" and "), verb(total), options.join(", ")));
-        }
-        parts.join("; ")
+        let left_out =
+            (self.left_out > 0).then(|| format!("{} more of these not shown: --show all", self.left_out));
+        let hidden =
+            (!kinds.is_empty()).then(|| format!("{} not shown: {}", kinds.join(" and "), options.join(", ")));
+        left_out.into_iter().chain(hidden).collect()
     }
 
     /// The lines below findings that are drawn.
     pub(super) fn footer(&self, done: &str, could: &str) -> Vec<String> {
-        let mut lines = vec![summary(self.report)];
+        let mut lines = vec![self.summary()];
         if self.is_many() {
             lines.extend(self.by_rule());
         }
-        lines.extend([self.not_shown(), done.to_owned(), could.to_owned(), self.next()]);
+        lines.extend([done.to_owned(), could.to_owned(), self.next()]);
         lines.retain(|line| !line.is_empty());
         lines
     }
 
     /// The same below findings of a line each: nothing where they speak for themselves.
     pub(super) fn note(&self, could: &str) -> Vec<String> {
-        let summary = if self.is_many() { summary(self.report) } else { String::new() };
-        let next = if self.is_many() { vec![could.to_owned(), self.next()] } else { Vec::new() };
-        let mut lines = Vec::new();
-        for parts in [vec![summary, self.not_shown()], next] {
-            let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
-            if !parts.is_empty() {
-                lines.push(parts.join("; "));
-            }
+        if !self.is_many() {
+            return Vec::from_iter((!self.hidden.is_empty()).then(|| self.summary()));
         }
-        lines
+        let next = [could.to_owned(), self.next()];
+        let next: Vec<String> = next.into_iter().filter(|part| !part.is_empty()).collect();
+        vec![self.summary(), next.join("; ")]
     }
 
     fn is_many(&self) -> bool {
@@ -120,9 +115,8 @@ impl<'a> Listing<'a> {
 
     /// The rules that are printed, worst first.
     fn by_rule(&self) -> Vec<String> {
-        let least = self.shown.iter().map(|finding| finding.severity).min().unwrap_or(Severity::Error);
         let mut counts = counts(self.report);
-        counts.retain(|(severity, ..)| *severity >= least);
+        counts.retain(|(severity, ..)| *severity >= self.least);
         let width = counts.iter().map(|(.., count)| count.to_string().len()).max().unwrap_or(0);
         let lines = counts.iter().take(MOST_RULES).map(|(severity, rule, count)| {
             let severity = severity.name();
@@ -159,23 +153,24 @@ pub(super) fn counts(report: &Report) -> Vec<(Severity, &'static Rule, usize)> {
 }
 
 /// `2 errors, 1 warning in 2 files (1 robot, 7 files checked)`
-fn summary(report: &Report) -> String {
+fn summary<'f>(report: &Report, printed: impl Iterator<Item = &'f Finding>, is_all: bool) -> String {
     let robots = counted(report.robots, "robot");
     let files = counted(report.files.len(), "file");
     let checked = format!("{robots}, {files} checked");
-    let counts: Vec<String> = Severity::ALL
-        .iter()
-        .filter_map(|severity| {
-            let count = report.findings.iter().filter(|finding| finding.severity == *severity).count();
-            (count > 0).then(|| counted(count, severity.name()))
-        })
-        .collect();
-    if counts.is_empty() {
-        return format!("no findings ({checked})");
+    let mut counts = [0; Severity::ALL.len()];
+    let mut with_findings: FastSet<FileId> = FastSet::default();
+    for finding in printed {
+        with_findings.insert(finding.span.file);
+        with_findings.extend(finding.places.iter().map(|place| place.span.file));
+        for (count, severity) in counts.iter_mut().zip(Severity::ALL) {
+            *count += usize::from(severity == finding.severity);
+        }
     }
-    let places = |finding: &'_ Finding| -> Vec<FileId> {
-        finding.places.iter().map(|place| place.span.file).chain([finding.span.file]).collect()
-    };
-    let with_findings: crate::base::FastSet<FileId> = report.findings.iter().flat_map(places).collect();
-    format!("{} in {} ({checked})", counts.join(", "), counted(with_findings.len(), "file"))
+    let named = counts.into_iter().zip(Severity::ALL).filter(|(count, _)| *count > 0);
+    let named: Vec<String> = named.map(|(count, severity)| counted(count, severity.name())).collect();
+    match named.is_empty() {
+        true if is_all => format!("no findings ({checked})"),
+        true => format!("no errors or warnings ({checked})"),
+        false => format!("{} in {} ({checked})", named.join(", "), counted(with_findings.len(), "file")),
+    }
 }
