@@ -145,7 +145,7 @@ fn a_suppressed_place_leaves_the_group() {
     let text = robot(&["a", "b", "c", "d"]);
     let hidden = text.replacen(
         "<link name=\"a\"",
-        "<!-- xacro-lint: disable-next-line=zero-inertia -->\n<link name=\"a\"",
+        "<!-- xacro-lint: disable-next-line zero-inertia: weighed -->\n<link name=\"a\"",
         1,
     );
     let folder = Folder::of(&[("r.urdf", hidden)]);
