@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::change::Change;
 use super::job::{self, Outcome};
-use super::merge::{merge, once_per_package};
+use super::merge::merge;
 use super::progress::Progress;
 use super::report::{Report, Unreadable};
 use super::roots::{Job, Reason};
@@ -99,7 +99,6 @@ impl Session {
             findings.retain(|finding| change.concerns(finding));
         }
         findings.sort_by_cached_key(|f| (self.vfs.path(f.span.file), f.span.range.start, f.rule.code));
-        once_per_package(&mut findings, |file| Some(self.packages.containing(&self.vfs.path(file))?.folder));
         for finding in &findings {
             let spans =
                 std::iter::once(finding.span).chain(finding.related.iter().map(|related| related.span));

@@ -1,13 +1,9 @@
 //! Many expansions, one list of findings.
 
-use std::path::PathBuf;
-
-use indexmap::IndexMap;
-
 use super::contexts::{Contexts, Run};
 use super::job::Outcome;
-use crate::base::{FastMap, FileId, Span};
-use crate::rules::{Edit, Finding, NONE_FOUND, Related, Severity};
+use crate::base::{FastMap, Span};
+use crate::rules::Finding;
 
 /// A finding, and where it occurred.
 struct Merged {
@@ -40,69 +36,6 @@ pub(super) fn merge(outcomes: Vec<Outcome>) -> Vec<Finding> {
     let contexts = Contexts::of(runs);
     merged.into_iter().filter_map(|merged| merged.finish(&contexts)).collect()
 }
-
-/// A finding that stands for those of a whole package.
-struct Shared {
-    /// Its place in the list.
-    at: usize,
-    /// The highest of all.
-    severity: Severity,
-    /// Where the others are.
-    others: Vec<Related>,
-    /// What mends the others.
-    edits: Vec<Edit>,
-}
-
-/// Of findings that whole packages or the whole check share, keep the first, with the others beside it.
-pub(super) fn once_per_package(findings: &mut Vec<Finding>, package: impl Fn(FileId) -> Option<PathBuf>) {
-    let key = |finding: &Finding| match finding.rule.code {
-        "XML003" => package(finding.span.file).map(|package| package.display().to_string()),
-        // the message names the package and what it lacks
-        "PKG002" => Some(finding.message.clone()),
-        "PKG001" if finding.message == NONE_FOUND => Some(String::new()),
-        _ => None,
-    };
-    let mut groups: IndexMap<(&str, String), Shared> = IndexMap::new();
-    let mut at = 0;
-    findings.retain_mut(|finding| {
-        let Some(key) = key(finding) else {
-            at += 1;
-            return true;
-        };
-        if let Some(shared) = groups.get_mut(&(finding.rule.code, key.clone())) {
-            let message = "here too".to_owned();
-            shared.others.push(Related { span: finding.span, message, is_call: false });
-            shared.edits.extend(finding.fix.take().into_iter().flat_map(|fix| fix.edits));
-            shared.severity = shared.severity.max(finding.severity);
-            return false;
-        }
-        let first = Shared { at, severity: finding.severity, others: Vec::new(), edits: Vec::new() };
-        groups.insert((finding.rule.code, key), first);
-        at += 1;
-        true
-    });
-    for Shared { at, severity, others, edits } in groups.into_values() {
-        if let (Some(finding), false) = (findings.get_mut(at), others.is_empty()) {
-            let count = others.len() + 1;
-            finding.message.push_str(&match finding.rule.code {
-                "PKG001" => format!(", nor one that {} others name", others.len()),
-                _ => format!(", in {count} files of this package"),
-            });
-            finding.severity = severity;
-            if let Some(fix) = &mut finding.fix {
-                for edit in edits {
-                    if !fix.edits.contains(&edit) {
-                        fix.edits.push(edit);
-                    }
-                }
-            }
-            finding.related.extend(others.into_iter().take(MOST_PLACES));
-        }
-    }
-}
-
-/// Further places listed with a finding.
-const MOST_PLACES: usize = 10;
 
 impl Merged {
     fn new(finding: Finding, number: usize) -> Self {

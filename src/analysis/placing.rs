@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::report::Report;
 use crate::base::Span;
-use crate::rules::{Finding, Related, Severity, Way};
+use crate::rules::{Finding, Group, Related, Severity, Way};
 use crate::vfs::Vfs;
 
 /// Notes at calls, of one finding.
@@ -73,6 +73,7 @@ fn notes(finding: &Finding, moved: &[Finding], vfs: &Vfs, open: impl Fn(Span) ->
         related: vec![Related { span: finding.span, message: "it stands here".to_owned(), is_call: false }],
         fix: None,
         ways: Vec::new(),
+        group: Some(Group::Place),
         ..finding.clone()
     };
     calls.take(MOST_NOTES).map(note).collect()

@@ -183,8 +183,12 @@ limits! {
         MESSAGE_LETTERS: usize = 1_000, "the message is cut";
         /// Bytes of a source line that is drawn on the terminal.
         DRAWN_LINE: usize = 20_000, "the place stands there without the line";
-        /// Findings of one rule in one file that are drawn.
-        DRAWN_OF_A_RULE: usize = 100, "the others are counted";
+        /// Findings of one rule and severity in one file that are printed for people, unless all are asked for.
+        DRAWN_OF_A_RULE: usize = 5, "the others are counted";
+        /// The same in all files.
+        DRAWN_IN_ALL: usize = 10, "the others are counted";
+        /// Problems of one expansion that `expand` draws.
+        DRAWN_PROBLEMS: usize = 100, "the others are counted";
     }
     "Language server" {
         /// Bytes of one message of the protocol.

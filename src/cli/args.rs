@@ -189,9 +189,12 @@ pub(super) struct CheckArgs {
     /// Exit with 0 whatever is found
     #[arg(long)]
     pub(super) exit_zero: bool,
-    /// Print findings of this severity too
+    /// Print findings down to this severity; `all`: every finding at every place, with nothing left out
     #[arg(long, value_enum, value_name = "SEVERITY")]
     pub(super) show: Option<Show>,
+    /// Report every place as a finding of its own, also where several places are one defect
+    #[arg(long)]
+    pub(super) no_group: bool,
     /// Print how often each rule fired instead of its findings
     #[arg(long)]
     pub(super) statistics: bool,
@@ -260,11 +263,15 @@ pub(super) enum FailLevel {
     Info,
 }
 
-/// Severities that are not printed unless asked for.
+/// What is not printed unless asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Show {
-    /// Unnecessary things
+    /// Conventions and portability
+    Info,
+    /// Unnecessary things too
     Hint,
+    /// Everything, however often it occurs
+    All,
 }
 
 #[derive(Args, Debug)]

@@ -4,9 +4,10 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::args::{CheckArgs, FailLevel, Format};
+use super::args::{CheckArgs, FailLevel, Format, Show};
 use super::diff::unified;
 use super::io::Io;
+use super::listing::{Listing, wants_all};
 use super::prepare::{Prepared, prepare};
 use super::progress::watched;
 use super::render::{shown_path, visible};
@@ -173,20 +174,52 @@ impl Run<'_> {
             return self.write_baseline(&report, path, io);
         }
         self.subtract_known(&mut report, io);
-        self.print(&report, io);
-        let is_text = self.args.format == Format::Text && !self.args.statistics;
-        if is_text {
-            let could = self.could_be_fixed(&report);
-            for line in [done, &could].into_iter().filter(|line| !line.is_empty()) {
-                io.out(&format!("{line}\n"));
-            }
-        } else if !done.is_empty() {
-            io.line(done);
-        }
         if report.roots.is_empty() && !self.args.changed {
             io.line("warning: no xacro or URDF file was found");
         }
-        exit_code(&report, self.args)
+        let code = exit_code(&report, self.args);
+        let for_people = matches!(self.args.format, Format::Text | Format::Concise);
+        if for_people && self.args.statistics {
+            text::statistics(&report, io);
+            self.say(done, io);
+            return code;
+        }
+        let could = if for_people { self.could_be_fixed(&report) } else { String::new() };
+        let report = if wants_all(self.args) { report } else { report.grouped() };
+        match self.args.format {
+            Format::Text => self.draw(&report, done, &could, io),
+            Format::Concise => self.list(&report, done, &could, io),
+            _ => {
+                self.print(&report, io);
+                self.say(done, io);
+            }
+        }
+        code
+    }
+
+    fn say(&self, done: &str, io: &mut Io<'_>) {
+        if !done.is_empty() {
+            io.line(done);
+        }
+    }
+
+    /// Findings with their source text, and a summary.
+    fn draw(&self, report: &Report, done: &str, could: &str, io: &mut Io<'_>) {
+        let listing = Listing::of(report, self.args);
+        text::full(&listing, report, &self.session.packages, &self.env.cwd, io);
+        for line in listing.footer(done, could) {
+            io.out(&format!("{line}\n"));
+        }
+    }
+
+    /// Findings of one line, for programs too: what is said beside them goes elsewhere.
+    fn list(&self, report: &Report, done: &str, could: &str, io: &mut Io<'_>) {
+        let listing = Listing::of(report, self.args);
+        text::concise(&listing, report, &self.env.cwd, io);
+        self.say(done, io);
+        for line in listing.note(could) {
+            io.line(&format!("note: {line}"));
+        }
     }
 
     fn could_be_fixed(&self, report: &Report) -> String {
@@ -199,17 +232,16 @@ impl Run<'_> {
         }
     }
 
+    /// Findings for programs.
     fn print(&self, report: &Report, io: &mut Io<'_>) {
-        let (hints, cwd) = (self.args.show.is_some(), &self.env.cwd);
+        let (hints, cwd) = (matches!(self.args.show, Some(Show::Hint | Show::All)), &self.env.cwd);
         match self.args.format {
             Format::Json => io.out(&json::findings(report, cwd)),
             Format::Sarif => io.out(&sarif::document(report, cwd)),
             Format::Github => io.out(&services::github(report, cwd, hints)),
             Format::Gitlab => io.out(&services::gitlab(report, cwd, hints)),
             Format::Junit => io.out(&services::junit(report, cwd, hints, least(self.args))),
-            Format::Text | Format::Concise if self.args.statistics => text::statistics(report, io),
-            Format::Concise => text::concise(report, cwd, hints, io),
-            Format::Text => text::full(report, &self.session.packages, cwd, hints, io),
+            Format::Text | Format::Concise => {}
         }
     }
 }

@@ -12,7 +12,7 @@ use super::options::{self, ExpandOptions, UsageError};
 use super::render::{Mark, Report, ShownFile, render, shown_path, visible};
 use super::text::is_shown;
 use crate::base::Encoding;
-use crate::base::limits::DRAWN_OF_A_RULE;
+use crate::base::limits::DRAWN_PROBLEMS;
 use crate::expand::{
     Expansion, FileUse, Limits, Place, Problem, Request, Severity, World, Written, expand, write,
     write_mapped,
@@ -168,7 +168,7 @@ fn report(expansion: &Expansion, options: &ExpandOptions, packages: &Packages, c
             continue;
         }
         drawn += 1;
-        if drawn > DRAWN_OF_A_RULE {
+        if drawn > DRAWN_PROBLEMS {
             continue;
         }
         match as_report(problem, &files) {
@@ -226,6 +226,7 @@ fn as_report<'a>(problem: &Problem, files: &'a [(ShownFile<'a>, bool)]) -> Optio
         title: title.trim_end().to_owned(),
         primary: mark(place, message.replace('\n', " "))?,
         trace: trace.filter_map(|step| mark(step.place, step.message.replace('\n', " "))).collect(),
+        places: Vec::new(),
         help: problem.help.as_ref().map(|help| help.replace('\n', " ")),
     })
 }

@@ -19,6 +19,8 @@ struct JsonFinding<'a> {
     place: JsonPlace,
     help: Option<&'a str>,
     related: Vec<JsonRelated<'a>>,
+    /// How many places the finding is about.
+    places: usize,
     fix: Option<JsonFix<'a>>,
     url: Option<String>,
 }
@@ -76,8 +78,10 @@ fn object<'a>(finding: &'a Finding, place: &dyn Fn(Span) -> JsonPlace) -> JsonFi
         related: finding
             .related
             .iter()
+            .chain(&finding.places)
             .map(|related| JsonRelated { place: place(related.span), message: &related.message })
             .collect(),
+        places: finding.places.len() + 1,
         fix: finding.fix.as_ref().map(|fix| json_fix(fix, place)),
         url: finding.rule.url(),
     }

@@ -11,6 +11,7 @@ mod fingerprints;
 mod format;
 mod io;
 mod json;
+mod listing;
 mod options;
 mod packages;
 mod picture;

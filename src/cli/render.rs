@@ -41,12 +41,16 @@ pub struct Report<'a> {
     pub primary: Mark<'a>,
     /// The way that led there, innermost first.
     pub trace: Vec<Mark<'a>>,
+    /// Further places of the same defect.
+    pub places: Vec<Mark<'a>>,
     /// What to do.
     pub help: Option<String>,
 }
 
 /// Steps of a trace that are drawn.
 const MOST_STEPS: usize = 8;
+/// Further places that are drawn.
+const MOST_PLACES: usize = 3;
 
 /// A path relative to `cwd` when it lies below, with `/` between its parts.
 pub fn shown_path(path: &Path, cwd: &Path) -> String {
@@ -60,6 +64,7 @@ pub fn render(report: &Report<'_>, color: bool) -> String {
     let title = visible(&report.title);
     let primary = Piece::cut(&report.primary);
     let trace: Vec<Piece> = report.trace.iter().take(MOST_STEPS).map(Piece::cut).collect();
+    let places: Vec<Piece> = report.places.iter().take(MOST_PLACES).map(Piece::cut).collect();
     let mut head = report.level.clone().primary_title(title.as_str());
     if let Some(id) = &report.id {
         head = head.id(id.as_str());
@@ -75,6 +80,17 @@ pub fn render(report: &Report<'_>, color: bool) -> String {
     let more = format!("{left} more steps led there");
     if left > 0 {
         group = group.element(Level::NOTE.message(more.as_str()));
+    }
+    for piece in &places {
+        group = piece.draw(group, AnnotationKind::Context);
+    }
+    let left = report.places.len().saturating_sub(MOST_PLACES);
+    let more_places = format!(
+        "{left} more place{} not drawn: `--no-group` reports each",
+        if left == 1 { " is" } else { "s are" }
+    );
+    if left > 0 {
+        group = group.element(Level::NOTE.message(more_places.as_str()));
     }
     let help = report.help.as_deref().map(visible);
     if let Some(help) = &help {
@@ -169,6 +185,7 @@ mod tests {
             title: "the robot has no link".to_owned(),
             primary: Mark { file: &file, range: TextRange::new(0, 6), label: String::new() },
             trace: Vec::new(),
+            places: Vec::new(),
             help: None,
         };
         assert!(render(&report, true).contains("\u{1b}]8;;https://example.org/no-links\u{1b}\\"));

@@ -84,6 +84,7 @@ impl Writer<'_> {
         let related: Vec<Value> = finding
             .related
             .iter()
+            .chain(&finding.places)
             .map(|related| json!({"physicalLocation": self.place(related.span), "message": {"text": related.message}}))
             .collect();
         object([

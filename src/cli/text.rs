@@ -3,71 +3,38 @@
 use std::cell::LazyCell;
 use std::path::{Path, PathBuf};
 
-use annotate_snippets::Level;
-use indexmap::IndexMap;
-
 use super::io::Io;
+use super::listing::{Listing, counts};
 use super::render::{Mark, Report as Drawing, ShownFile, render, shown_path, visible};
 use crate::analysis::{Position, Report};
-use crate::base::limits::DRAWN_OF_A_RULE;
 use crate::base::{FastMap, FastSet, FileId, Span};
 use crate::rules::{Finding, Severity};
 use crate::workspace::{Packages, Vicinity};
+use annotate_snippets::Level;
 
-/// With the source text and a summary.
-pub(super) fn full(report: &Report, packages: &Packages, cwd: &Path, hints: bool, io: &mut Io<'_>) {
+/// With the source text.
+pub(super) fn full(listing: &Listing<'_>, report: &Report, packages: &Packages, cwd: &Path, io: &mut Io<'_>) {
     let files = LazyCell::new(|| shown_files(report, packages, cwd));
-    let draw = |finding: &Finding, io: &mut Io<'_>| {
+    for finding in &listing.shown {
         io.out(&format!("{}\n\n", drawing(finding, &files, report, cwd, io.color_out)));
-    };
-    listed(report, hints, draw, io);
-    let summary = summary(report);
-    io.out(&format!("{summary}\n"));
+    }
 }
 
 /// One line a finding.
-pub(super) fn concise(report: &Report, cwd: &Path, hints: bool, io: &mut Io<'_>) {
-    listed(
-        report,
-        hints,
-        |finding, io| {
-            let Position { start: (row, column), .. } = report.position(finding.span);
-            let path = shown_path(report.path(finding.span.file), cwd);
-            let Finding { severity, message, rule, .. } = finding;
-            io.out(&visible(&format!("{path}:{row}:{column}: {severity}: {message} [{}]\n", rule.name)));
-        },
-        io,
-    );
+pub(super) fn concise(listing: &Listing<'_>, report: &Report, cwd: &Path, io: &mut Io<'_>) {
+    for finding in &listing.shown {
+        let Position { start: (row, column), .. } = report.position(finding.span);
+        let path = shown_path(report.path(finding.span.file), cwd);
+        let Finding { severity, message, rule, .. } = finding;
+        io.out(&visible(&format!("{path}:{row}:{column}: {severity}: {message} [{}]\n", rule.name)));
+    }
 }
 
-/// How often each rule fired, most often first.
+/// How often each rule fired, worst first.
 pub(super) fn statistics(report: &Report, io: &mut Io<'_>) {
-    let mut counts: IndexMap<&str, (usize, &Finding)> = IndexMap::new();
-    for finding in &report.findings {
-        counts.entry(finding.rule.code).or_insert((0, finding)).0 += 1;
-    }
-    let mut counts: Vec<_> = counts.into_values().collect();
-    counts.sort_by_key(|(count, finding)| (std::cmp::Reverse(*count), finding.rule.code));
-    for (count, finding) in counts {
-        io.out(&format!("{count:6}  {}  {}  {}\n", finding.severity, finding.rule.code, finding.rule.name));
-    }
-}
-
-/// Print findings, not too many of one kind.
-fn listed(report: &Report, hints: bool, mut print: impl FnMut(&Finding, &mut Io<'_>), io: &mut Io<'_>) {
-    let mut seen: FastMap<(&str, FileId), usize> = FastMap::default();
-    for finding in report.findings.iter().filter(|finding| hints || finding.severity > Severity::Hint) {
-        let count = seen.entry((finding.rule.code, finding.span.file)).or_default();
-        *count += 1;
-        if *count <= DRAWN_OF_A_RULE {
-            print(finding, io);
-        }
-    }
-    let left: usize = seen.values().map(|count| count.saturating_sub(DRAWN_OF_A_RULE)).sum();
-    if left > 0 {
-        io.line(&format!(
-            "note: {left} findings are not shown: more than {DRAWN_OF_A_RULE} of one rule in one file"
-        ));
+    for (severity, rule, count) in counts(report) {
+        let severity = severity.name();
+        io.out(&format!("{count:6}  {severity:7}  {}  {}\n", rule.code, rule.name));
     }
 }
 
@@ -81,7 +48,7 @@ pub(super) fn drawings(report: &Report, packages: &Packages, cwd: &Path, color: 
 fn shown_files<'a>(report: &'a Report, packages: &Packages, cwd: &Path) -> FastMap<FileId, ShownFile<'a>> {
     let around = packages.around(report.roots.iter().map(PathBuf::as_path));
     let places = |finding: &Finding| {
-        let related = finding.related.iter().map(|related| related.span.file);
+        let related = finding.related.iter().chain(&finding.places).map(|related| related.span.file);
         related.chain([finding.span.file]).collect::<Vec<_>>()
     };
     let named: FastSet<FileId> = report.findings.iter().flat_map(places).collect();
@@ -124,6 +91,7 @@ fn drawing(
         title: finding.message.clone(),
         primary,
         trace: finding.related.iter().filter_map(|related| mark(related.span, &related.message)).collect(),
+        places: finding.places.iter().filter_map(|place| mark(place.span, &place.message)).collect(),
         help: finding.help.clone(),
     };
     render(&drawing, color)
@@ -144,25 +112,6 @@ fn level(severity: Severity) -> Level<'static> {
         Severity::Info => Level::INFO,
         Severity::Hint => Level::NOTE.with_name("hint"),
     }
-}
-
-/// `2 errors, 1 warning in 2 files (1 robot, 7 files checked)`
-fn summary(report: &Report) -> String {
-    let robots = counted(report.robots, "robot");
-    let files = counted(report.files.len(), "file");
-    let checked = format!("{robots}, {files} checked");
-    let counts: Vec<String> = Severity::ALL
-        .iter()
-        .filter_map(|severity| {
-            let count = report.findings.iter().filter(|finding| finding.severity == *severity).count();
-            (count > 0).then(|| counted(count, severity.name()))
-        })
-        .collect();
-    if counts.is_empty() {
-        return format!("no findings ({checked})");
-    }
-    let with_findings: FastSet<FileId> = report.findings.iter().map(|finding| finding.span.file).collect();
-    format!("{} in {} ({checked})", counts.join(", "), counted(with_findings.len(), "file"))
 }
 
 pub(super) fn counted(count: usize, noun: &str) -> String {

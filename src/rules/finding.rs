@@ -2,6 +2,7 @@
 
 use ecow::EcoString;
 
+use super::grouping::Group;
 use super::registry::{Rule, Safety, Severity};
 use crate::base::Span;
 use crate::expand::Outside;
@@ -31,6 +32,10 @@ pub struct Finding {
     pub outside: Option<Outside>,
     /// Whether it is in a macro that nothing calls.
     pub probed: bool,
+    /// What it shares with other findings that are the same defect; none: what the rule says.
+    pub group: Option<Group>,
+    /// The further places, once findings are [grouped](crate::analysis::Report::grouped).
+    pub places: Vec<Related>,
 }
 
 /// A macro call in which a finding holds.
@@ -63,6 +68,8 @@ impl Finding {
             partial: false,
             outside: None,
             probed: false,
+            group: None,
+            places: Vec::new(),
         }
     }
 }

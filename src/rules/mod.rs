@@ -12,6 +12,7 @@ mod edits;
 mod finding;
 mod frames;
 mod geometry;
+mod grouping;
 mod inertia;
 mod joint;
 mod linter;
@@ -36,10 +37,11 @@ pub use catalogue::{catalogue, catalogue_of};
 pub use context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings};
 pub use finding::{Edit, Finding, Fix, Related, Way};
 pub use geometry::{FileTarget, factors, link_bounds, resolve_file};
+pub use grouping::Group;
 pub use linter::{
     Directive, Malformed, Selector, Suppression, Suppressions, invalid_config, unused_suppression,
 };
-pub use package::{Manifests, NONE_FOUND};
+pub use package::Manifests;
 pub use registry::{
     Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector,
     unknown_selector,

@@ -3,6 +3,7 @@
 use std::hash::{Hash, Hasher};
 
 use super::finding::{Edit, Finding, Fix, Related, Way};
+use super::grouping::Group;
 use super::registry::{Rule, Safety, Severity};
 use crate::base::limits::FINDINGS_OF_A_RULE;
 use crate::base::{FastMap, FastSet, Span, TextRange};
@@ -190,6 +191,13 @@ impl Reported<'_, '_> {
     #[must_use]
     pub fn severity(mut self, severity: Severity) -> Self {
         self.draft.finding.severity = severity;
+        self
+    }
+
+    /// With what it shares with other findings that are the same defect, instead of what the rule says.
+    #[must_use]
+    pub fn group(mut self, group: Group) -> Self {
+        self.draft.finding.group = Some(group);
         self
     }
 

@@ -16,9 +16,9 @@ use lsp_types::{
 use super::convert::Places;
 use super::engine::Engine;
 use super::failure::Failure;
-use crate::analysis::Report;
-use crate::base::CancelFlag;
+use crate::analysis::{Report, mark_groups};
 use crate::base::limits::{DIAGNOSTICS, RELATED};
+use crate::base::{CancelFlag, Span};
 use crate::rules::{Finding, Severity};
 
 /// A diagnostic and the file it is shown in.
@@ -72,14 +72,20 @@ impl Engine {
         if cancel.is_cancelled() {
             return None;
         }
-        self.publish_findings(path, look.findings);
+        let mut findings = look.findings;
+        if let Some(source) = self.world.document(path) {
+            let own = |span: Span| (span.file == source.id).then(|| source.document.slice(span.range));
+            mark_groups(&mut findings, own);
+        }
+        self.publish_findings(path, findings);
         Some(look.is_complete)
     }
 
     /// The diagnostics of all open files and the files they depend on. `None` when cancelled.
     fn found(&mut self, cancel: &CancelFlag) -> Option<BTreeMap<PathBuf, Vec<Diagnostic>>> {
         let open: Vec<PathBuf> = self.documents.keys().cloned().collect();
-        let report = self.world.report(&open, cancel)?;
+        let mut report = self.world.report(&open, cancel)?;
+        report.mark_groups();
         let mut found = self.spread(&report);
         for path in open {
             found.entry(path).or_default();
@@ -164,7 +170,8 @@ impl Engine {
     }
 
     fn of_file(&mut self, path: &Path, cancel: &CancelFlag) -> Result<Vec<Diagnostic>, Failure> {
-        let report = self.world.report(&[path.to_path_buf()], cancel).ok_or(Failure::Cancelled)?;
+        let mut report = self.world.report(&[path.to_path_buf()], cancel).ok_or(Failure::Cancelled)?;
+        report.mark_groups();
         Ok(self.spread(&report).remove(path).unwrap_or_default())
     }
 }

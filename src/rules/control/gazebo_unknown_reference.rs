@@ -2,6 +2,7 @@
 
 use super::super::context::RobotCx;
 use super::super::edits::rename;
+use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use crate::base::FastSet;
@@ -28,7 +29,9 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         }
         let links = cx.robot.links.iter().map(|link| link.shown());
         let names = links.chain(cx.robot.joints.iter().map(|joint| joint.shown()));
-        let report = out.report(text.origin, format!("no link or joint is named `{name}`"));
+        let report = out
+            .report(text.origin, format!("no link or joint is named `{name}`"))
+            .group(Group::Name(name.clone()));
         match nearest(name, names) {
             Some(near) => {
                 let report =

@@ -1,6 +1,7 @@
 //! One interface of a joint in two ros2_control blocks.
 
 use super::super::context::DocumentCx;
+use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use crate::base::FastMap;
@@ -27,17 +28,18 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         };
         let earlier = seen.entry(name.as_str()).or_default();
-        let twice = earlier.iter().filter(|(other, _)| *other != block).find_map(|(_, other)| {
+        let twice = earlier.iter().filter(|(other, _)| *other != block).find_map(|(first, other)| {
             let shared =
                 shared(&other.commands, &joint.commands).map(|name| (name, Severity::Error, "command"));
             let shared = shared.or_else(|| Some((shared_states(other, joint)?, Severity::Warning, "state")));
-            shared.map(|shared| (other.name.as_ref(), shared))
+            shared.map(|shared| (other.name.as_ref(), *first, shared))
         });
-        if let Some((Some(other), (interface, severity, kind))) = twice {
+        if let Some((Some(other), first, (interface, severity, kind))) = twice {
             out.report(
                 text.origin,
                 format!("the {kind} interface `{interface}` of joint `{name}` is in two ros2_control blocks"),
             )
+            .group(Group::Name(format!("blocks {first} and {block}").into()))
             .also(other.origin, format!("joint `{name}` in the first block"))
             .severity(severity)
             .help("every interface belongs to one hardware: take it out of one block")

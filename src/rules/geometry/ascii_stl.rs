@@ -23,6 +23,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let message =
                 format!("mesh `{}` of link `{}` is an STL file as text", mesh.name(), mesh.link.shown());
             out.report(mesh.file.origin, message)
+                .group(mesh.group())
                 .help("export it as binary STL: a fifth of the size, and read by every program")
                 .done();
         }

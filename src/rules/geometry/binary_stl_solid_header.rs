@@ -24,7 +24,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (mesh, others) in each_file(cx, is_solid) {
         let message = format!("the header of binary STL `{}` begins with `solid`", mesh.name());
         let help = "some readers take the file for text then; write another header";
-        let report = out.report(mesh.file.origin, message).help(help);
+        let report = out.report(mesh.file.origin, message).group(mesh.group()).help(help);
         others.iter().fold(report, |report, other| report.also(other.file.origin, "used here too")).done();
     }
 }

@@ -38,6 +38,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let message =
                 format!("link `{link}` collides with its visual mesh `{name}` of {count} triangles");
             out.report(collision.file.origin, message)
+                .group(collision.group())
                 .also(visual.file.origin, "the visual")
                 .help("use its convex hull or a few boxes and cylinders")
                 .done();

@@ -29,6 +29,6 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             DefectKind::Unread => continue,
         };
         let message = format!("mesh `{}` of link `{}`: {}", mesh.name(), mesh.link.shown(), defect.message);
-        out.report(mesh.file.origin, message).severity(severity).help(help).done();
+        out.report(mesh.file.origin, message).group(mesh.group()).severity(severity).help(help).done();
     }
 }

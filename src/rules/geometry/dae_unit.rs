@@ -24,7 +24,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let unit = mesh.mesh.and_then(|mesh| mesh.unit).unwrap_or(1.0);
         let message = format!("the unit of `{}` is {unit} m", mesh.name());
         let help = "some programs apply it, others do not; export it in metres";
-        let report = out.report(mesh.file.origin, message).help(help);
+        let report = out.report(mesh.file.origin, message).group(mesh.group()).help(help);
         others.iter().fold(report, |report, other| report.also(other.file.origin, "used here too")).done();
     }
 }

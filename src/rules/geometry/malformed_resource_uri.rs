@@ -1,6 +1,7 @@
 //! A URI of a mesh or texture that cannot be resolved.
 
 use super::super::context::DocumentCx;
+use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::{is_replaceable, resource_names};
@@ -35,12 +36,19 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let report = out
             .report(name.origin, format!("`{}`: {message}", shortened(&name.value)))
             .severity(if is_read { Severity::Warning } else { Severity::Error })
+            .group(Group::Name(format!("{message} {}", beginning(&name.value)).into()))
             .help("URIs are written package://PACKAGE/PATH, with slashes and without spaces");
         match meant.filter(|meant| is_replaceable(name, meant) && leads_to_package(cx, name, meant)) {
             Some(meant) => report.replace_with(Safety::Safe, format!("write `{meant}`"), meant).done(),
             None => report.done(),
         }
     }
+}
+
+/// The scheme and the first name behind it: what is wrong with them is wrong in every URI of a file.
+fn beginning(uri: &str) -> String {
+    let names: Vec<&str> = uri.split(['/', '\\']).filter(|name| !name.is_empty()).take(2).collect();
+    names.join("/")
 }
 
 /// Whether the first name is a package that is known; with a slash too many, it may be a folder of one.

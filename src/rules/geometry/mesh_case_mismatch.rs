@@ -27,7 +27,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let written = mesh.file.value.as_str();
         let is = shown(cx, mesh.file, found);
         let help = format!("the file is `{is}`; systems that tell letter cases apart do not find it");
-        let report = out.report(mesh.file.origin, message).help(help);
+        let report = out.report(mesh.file.origin, message).group(mesh.group()).help(help);
         // the path ends as the file does, but for case
         let tail = tail_of(written, &found.to_string_lossy());
         match tail.filter(|tail| is_replaceable(mesh.file, tail)) {

@@ -34,6 +34,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 if wrong as f64 > MANY * edges.total as f64 { Severity::Warning } else { Severity::Info };
             out.report(mesh.file.origin, message)
                 .severity(severity)
+                .group(mesh.group())
                 .help("orient all faces coherently in a mesh editor")
                 .done();
         }

@@ -29,6 +29,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if edges.closed && edges.same_direction == 0 && !mirrored && surface.volume < -noise {
             let message = format!("mesh `{}` of link `{}` is inside out", mesh.name(), mesh.link.shown());
             out.report(mesh.file.origin, message)
+                .group(mesh.group())
                 .help("its triangles face inward: flip them in a mesh editor")
                 .done();
         }

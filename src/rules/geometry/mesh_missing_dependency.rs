@@ -30,7 +30,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let message =
             format!("mesh `{}` of link `{}` needs {}", mesh.name(), mesh.link.shown(), names(&missing));
         let help = "put it beside the mesh, or remove the reference from the mesh";
-        out.report(mesh.file.origin, message).help(help).done();
+        out.report(mesh.file.origin, message).group(mesh.group()).help(help).done();
     }
 }
 

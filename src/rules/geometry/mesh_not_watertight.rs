@@ -25,7 +25,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let (name, link, count) = (mesh.name(), mesh.link.shown(), edges.boundary);
             let message =
                 format!("collision mesh `{name}` of link `{link}` has holes ({count} edges of one triangle)");
-            out.report(mesh.file.origin, message).help("close it, or use its convex hull").done();
+            out.report(mesh.file.origin, message)
+                .group(mesh.group())
+                .help("close it, or use its convex hull")
+                .done();
         }
     }
 }

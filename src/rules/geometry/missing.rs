@@ -5,11 +5,10 @@ use std::path::{Path, PathBuf};
 use indexmap::IndexMap;
 
 use super::super::context::DocumentCx;
-use super::super::finding::Edit;
+use super::super::grouping::Group;
 use super::super::registry::{Safety, Severity};
-use super::super::sink::{Reported, Sink, span};
+use super::super::sink::{Reported, Sink};
 use super::shapes::is_replaceable;
-use crate::base::FastSet;
 use crate::model::Text;
 
 /// The missing files of a robot by package and folder.
@@ -34,7 +33,7 @@ impl<'a> MissingFiles<'a> {
         group.push(MissingFile { name, what, path: path.to_owned() });
     }
 
-    /// Report each group at its first file, with the others beside it.
+    /// Report the files, those of one folder as one defect.
     pub(super) fn report(self, cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         for ((package, folder), files) in self.0 {
             report(cx, out, &files, &folder, package.as_deref());
@@ -50,12 +49,6 @@ fn report(
     folder: &Path,
     package: Option<&Path>,
 ) {
-    let Some((first, others)) = files.split_first() else { return };
-    let mut report = out.report(first.name.origin, message(files, first, folder, package));
-    for other in others {
-        let file = other.path.file_name().unwrap_or_default().to_string_lossy();
-        report = report.also(other.name.origin, format!("`{file}` is not found either"));
-    }
     let namesakes: Vec<Option<PathBuf>> = files.iter().map(|file| namesake(cx, file, package)).collect();
     let is_one_folder = |found: &&PathBuf| {
         namesakes.iter().all(|other| other.as_ref().and_then(|other| other.parent()) == found.parent())
@@ -65,69 +58,51 @@ fn report(
         let other = found.parent().unwrap_or(found);
         !cx.world.vfs.is_dir(folder) || other.starts_with(folder) || folder.starts_with(other)
     };
-    let found = namesakes.first().and_then(Option::as_ref).filter(is_one_folder).filter(is_moved);
-    let Some(found) = found else {
-        return report.help("correct the path, or add the file").done();
-    };
-    let place = found.parent().map_or_else(String::new, |folder| shown(cx, first.name, folder));
-    if is_installed(cx, found, &first.path, package) {
-        let help = format!("found in `{place}`: the build seems to install it to where the URI points");
-        return report.severity(Severity::Info).help(help).done();
+    let moved = namesakes.first().and_then(Option::as_ref).filter(is_one_folder).filter(is_moved);
+    for (file, found) in files.iter().zip(&namesakes) {
+        let report = out
+            .report(file.name.origin, message(file, package))
+            .group(Group::Thing(folder.to_string_lossy().into()));
+        match found.as_ref().filter(|_| moved.is_some()) {
+            Some(found) => found_elsewhere(cx, report, file, found, package).done(),
+            None => report.help("correct the path, or add the file").done(),
+        }
     }
-    with_fix(cx, report.help(format!("found in `{place}` instead")), files, &namesakes).done();
 }
 
-fn message(
-    files: &[MissingFile<'_>],
-    first: &MissingFile<'_>,
-    folder: &Path,
+/// A report with where the file is, and a fix if the source spells its name.
+fn found_elsewhere<'s, 'a>(
+    cx: &DocumentCx<'_>,
+    report: Reported<'s, 'a>,
+    file: &MissingFile<'_>,
+    found: &Path,
     package: Option<&Path>,
-) -> String {
-    let inside = |path: &Path| Some(path.strip_prefix(package?).ok()?.display().to_string());
-    let what = &first.what;
-    let mut message = match (inside(&first.path), package_name(&first.name.value)) {
-        (Some(inside), Some(package)) => {
-            format!("{what} is not found: package `{package}` has no `{inside}`")
-        }
-        _ => format!("{what} is not found at `{}`", first.path.display()),
-    };
-    let distinct: FastSet<&Path> = files.iter().map(|file| file.path.as_path()).collect();
-    let more = distinct.len() - 1;
-    if more > 0 {
-        let folder = inside(folder).unwrap_or_else(|| folder.display().to_string());
-        let noun = if more == 1 { "file" } else { "files" };
-        message.push_str(&format!(" (and {more} more {noun} in `{folder}`)"));
+) -> Reported<'s, 'a> {
+    let place = found.parent().map_or_else(String::new, |folder| shown(cx, file.name, folder));
+    if is_installed(cx, found, &file.path, package) {
+        let help = format!("found in `{place}`: the build seems to install it to where the URI points");
+        return report.severity(Severity::Info).help(help);
     }
-    message
+    let report = report.help(format!("found in `{place}` instead"));
+    match uri_of(cx, file.name, found).filter(|uri| is_replaceable(file.name, uri)) {
+        Some(uri) => report.replace_with(Safety::Unsafe, format!("write `{uri}`"), uri),
+        None => report,
+    }
+}
+
+fn message(file: &MissingFile<'_>, package: Option<&Path>) -> String {
+    let what = &file.what;
+    let inside = package.and_then(|package| file.path.strip_prefix(package).ok());
+    match (inside, package_name(&file.name.value)) {
+        (Some(inside), Some(package)) => {
+            format!("{what} is not found: package `{package}` has no `{}`", inside.display())
+        }
+        _ => format!("{what} is not found at `{}`", file.path.display()),
+    }
 }
 
 fn package_name(uri: &str) -> Option<&str> {
     uri.strip_prefix("package://")?.split('/').next()
-}
-
-/// A fix that names the files where they are, if the source spells one of the names.
-fn with_fix<'s, 'a>(
-    cx: &DocumentCx<'_>,
-    report: Reported<'s, 'a>,
-    files: &[MissingFile<'_>],
-    namesakes: &[Option<PathBuf>],
-) -> Reported<'s, 'a> {
-    let mut edits: Vec<Edit> = Vec::new();
-    for (file, found) in files.iter().zip(namesakes) {
-        let uri = found.as_ref().and_then(|found| uri_of(cx, file.name, found));
-        let place = cx.expansion.place(file.name.origin).and_then(|place| span(cx.expansion, place));
-        if let (Some(content), Some(span)) = (uri.filter(|uri| is_replaceable(file.name, uri)), place)
-            && !edits.iter().any(|edit| edit.span == span)
-        {
-            edits.push(Edit { span, content });
-        }
-    }
-    let message = match edits.as_slice() {
-        [] => return report,
-        [edit] => format!("write `{}`", edit.content),
-        edits => format!("correct the paths of {} files", edits.len()),
-    };
-    report.edits(Safety::Unsafe, message, edits)
 }
 
 fn namesake(cx: &DocumentCx<'_>, file: &MissingFile<'_>, package: Option<&Path>) -> Option<PathBuf> {

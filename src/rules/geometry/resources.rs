@@ -6,6 +6,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::super::context::{DocumentCx, Surroundings};
+use super::super::grouping::Group;
 use super::malformed_resource_uri::defect;
 use crate::base::FastMap;
 use crate::expand::{Expansion, FileIdx, XId};
@@ -57,6 +58,11 @@ impl MeshUse<'_> {
     /// The factors along the axes; none when they are not known.
     pub fn factors(&self) -> Option<[f64; 3]> {
         factors(self.scale)
+    }
+
+    /// What makes one finding of several about the file.
+    pub fn group(&self) -> Group {
+        self.target.place().map_or(Group::File, |path| Group::Thing(path.to_string_lossy().into()))
     }
 
     /// The name of the file for messages, without folders.

@@ -1,6 +1,7 @@
 //! A material that is defined nowhere.
 
 use super::super::context::RobotCx;
+use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::{is_defined, is_replaceable, visual_materials};
@@ -32,7 +33,8 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let report = out
-            .report(text.origin, format!("material `{name}` of link `{}` is defined nowhere", link.shown()));
+            .report(text.origin, format!("material `{name}` of link `{}` is defined nowhere", link.shown()))
+            .group(Group::Name(name.clone()));
         match nearest(name, defined.iter().copied()).filter(|near| is_replaceable(text, near)) {
             Some(near) => {
                 let report = report.help(format!("a material with a similar name exists: `{near}`"));

@@ -41,10 +41,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let near = USUAL.iter().find(|known| edit_distance(known, &ending.to_lowercase()) == 1);
         let help = near.map_or_else(
             || "convert it to STL, OBJ, DAE or GLB".to_owned(),
-            |near| {
-                format!("`.{near}` is meant, it seems; otherwise convert the mesh to STL, OBJ, DAE or GLB")
-            },
+            |near| format!("did you mean `.{near}`? Otherwise convert the mesh to STL, OBJ, DAE or GLB"),
         );
-        out.report(mesh.file.origin, message).help(help).done();
+        out.report(mesh.file.origin, message).group(mesh.group()).help(help).done();
     }
 }

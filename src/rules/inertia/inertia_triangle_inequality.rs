@@ -1,6 +1,7 @@
 //! Principal moments that no body has.
 
 use super::super::context::DocumentCx;
+use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::moments::{Verdict, inertia_tag, inertials, short, verdict};
@@ -37,6 +38,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             short(b)
         );
         out.report(inertia_tag(cx.expansion, inertial), message)
+            .group(Group::Value(format!("{:?}", inertial.entries()).into()))
             .severity(severity)
             .help("no body has such moments: compute them again from mass and shape")
             .done();

@@ -1,6 +1,7 @@
 //! The name of a package that tools do not take.
 
 use super::super::context::FileCx;
+use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::mentions;
@@ -23,6 +24,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     for mention in mentions::packages(cx) {
         if !is_valid(&mention.name) && said.insert(mention.name.clone()) {
             out.report_in(cx.file, mention.range, format!("`{}` is no good name of a package", mention.name))
+                .group(Group::Value(mention.name.as_str().into()))
                 .help("two or more of a to z, 0 to 9 and `_`, a letter first, never `__`")
                 .done();
         }

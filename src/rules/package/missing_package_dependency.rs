@@ -2,6 +2,7 @@
 
 use super::super::context::FileCx;
 use super::super::finding::Edit;
+use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::manifest;
@@ -40,6 +41,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         let severity = if mention.is_conditional { Severity::Info } else { RULE.severity };
         out.report_in(cx.file, mention.range, format!("`{}` does not depend on `{name}`", manifest.name))
             .severity(severity)
+            .group(Group::Thing(format!("{} of {}", name, manifest.folder.display()).into()))
             .help("what is not declared is not installed along: add it to package.xml")
             .edits(Safety::Safe, "declare it in package.xml", vec![Edit { span, content }])
             .done();

@@ -16,7 +16,6 @@ use super::registry::Rule;
 pub(super) use launch::reads_as_it_stands;
 pub use manifest::Manifests;
 pub(super) use mentions::Mention;
-pub use package_not_found::NONE_FOUND;
 pub(super) use package_not_found::{is_news, warn_once};
 
 /// The rules.

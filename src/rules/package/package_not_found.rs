@@ -4,6 +4,7 @@ use indexmap::IndexMap;
 
 use super::super::context::{DocumentCx, Surroundings};
 use super::super::finding::Finding;
+use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use crate::base::TextRange;
@@ -25,9 +26,6 @@ pub(super) const RULE: Rule = Rule {
 
 /// Further places listed with a finding.
 const MOST_PLACES: usize = 10;
-
-/// What is said where not one package is found.
-pub const NONE_FOUND: &str = "no package that this robot names is found";
 
 /// Whether a missing package is a defect: without any ROS, packages of others are missing everywhere, and only a name
 /// that seems misspelled is one.
@@ -75,7 +73,9 @@ pub(in super::super) fn warn_once(findings: &mut [Finding], expansion: &Expansio
     let names =
         missing.iter().take(MOST_PLACES).map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
     first.severity = Severity::Warning;
-    first.message = NONE_FOUND.to_owned();
+    first.message = "no package that this robot names is found".to_owned();
+    // what is missing is the same for all robots of a check
+    first.group = Some(Group::Thing("packages".into()));
     first.help = Some(format!(
         "looked for {names}: packages are found in the workspace, in the folders of --package-path (or `package-path` \
          in xacro-lint.toml) and in a sourced ROS"

@@ -1,6 +1,7 @@
 //! `xmlns:xacro` bound to something else than the documented namespace.
 
 use super::super::context::FileCx;
+use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::XACRO_URI;
@@ -23,8 +24,11 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     if uri == XACRO_URI {
         return;
     }
+    let package = cx.world.packages.containing(&cx.source.path);
+    let group = package.map_or(Group::File, |own| Group::Thing(own.folder.to_string_lossy().into()));
     // the root stands in the header, which begins the file
     out.report_in(cx.file, attr.range(), format!("`xmlns:xacro` is `{uri}` instead of `{XACRO_URI}`"))
+        .group(group)
         .fix(
             Safety::Safe,
             format!("use `{XACRO_URI}`"),

@@ -1,6 +1,7 @@
 //! An attribute that URDF does not know on its element.
 
 use super::super::context::DocumentCx;
+use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::schema::{self, ElementSpec};
 use super::super::sink::Sink;
@@ -60,7 +61,8 @@ fn report(
 ) {
     let name = &attr.name;
     let message = format!("{}: URDF knows no attribute `{name}` here", walk::described(cx, id));
-    let report = out.report(name_of(cx, attr), message);
+    let group = Group::Name(format!("{name} of {}", spec.name).into());
+    let report = out.report(name_of(cx, attr), message).group(group);
     let taken: Vec<String> = spec.attributes.iter().map(|known| format!("`{}`", known.name)).collect();
     match walk::meant(name, absent.iter().copied()) {
         Some((near, sure)) => {

@@ -1,6 +1,7 @@
 //! An element that URDF does not know at its place.
 
 use super::super::context::{DocumentCx, RootKind};
+use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::schema::{self, ElementSpec};
 use super::super::sink::Sink;
@@ -52,7 +53,8 @@ fn report(
     let name = &cx.expansion.tree.get(id).text;
     let around = cx.expansion.tree.parent(id).map_or(String::new(), |id| walk::described(cx, id));
     let message = format!("URDF knows no `{name}` in {around}");
-    let report = out.report(tag_start(cx.expansion, id), message);
+    let group = Group::Name(format!("{name} in {}", parent.name).into());
+    let report = out.report(tag_start(cx.expansion, id), message).group(group);
     let Some((near, sure)) = near else {
         let (severity, help) = unlike_all(name, parent);
         return report.severity(severity).help(help).done();

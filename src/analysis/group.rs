@@ -1,0 +1,235 @@
+//! One defect, one finding: places of one defect are put together at the very end, for whoever reads the report.
+//! Until then each place is a finding of its own: suppressions, baselines, fixes and `--changed` count places.
+
+use std::collections::BTreeMap;
+
+use indexmap::IndexMap;
+
+use super::report::Report;
+use crate::base::{FastSet, FileId, Span};
+use crate::rules::{Edit, Finding, Fix, Group, Related, Severity};
+
+/// What the findings of a group share.
+#[derive(PartialEq, Eq, Hash)]
+struct Key {
+    rule: &'static str,
+    severity: Severity,
+    /// None: any file.
+    file: Option<FileId>,
+    group: Group,
+    /// The reported text, where it counts.
+    text: String,
+}
+
+impl Report {
+    /// Put the places of one defect together: the first one stays, with the others beside it and a fix that
+    /// edits all of them.
+    #[must_use]
+    pub fn grouped(mut self) -> Self {
+        let groups = groups(&self.findings, false, |span| self.text(span));
+        let mut findings: Vec<Option<Finding>> = self.findings.into_iter().map(Some).collect();
+        for group in groups {
+            let mut members = group.iter().filter_map(|&i| findings.get_mut(i).and_then(Option::take));
+            let joined = members.next().map(|first| join(first, members.collect()));
+            if let Some(place) = group.first().and_then(|&at| findings.get_mut(at)) {
+                *place = joined;
+            }
+        }
+        self.findings = findings.into_iter().flatten().collect();
+        self
+    }
+
+    /// Mark the places of one defect for an editor, see [`mark_groups`].
+    pub fn mark_groups(&mut self) {
+        let mut findings = std::mem::take(&mut self.findings);
+        mark_groups(&mut findings, |span| self.text(span));
+        self.findings = findings;
+    }
+
+    fn text(&self, span: Span) -> Option<String> {
+        Some(self.source(span.file)?.document.slice(span.range))
+    }
+}
+
+/// Mark the places of one defect for an editor. There every file is looked at by itself: the first place in a file
+/// keeps its severity and names the others, and the others become hints that lead to the first.
+pub fn mark_groups(findings: &mut [Finding], text: impl Fn(Span) -> Option<String>) {
+    for group in groups(findings, true, text) {
+        let Some((&first, others)) = group.split_first() else { continue };
+        let Some(at) = findings.get(first).filter(|first| first.severity > Severity::Hint) else { continue };
+        let (span, message) = (at.span, format!("the first of {} places of this defect", group.len()));
+        let places: Vec<Related> =
+            others.iter().filter_map(|&i| findings.get(i)).map(further_place).collect();
+        for other in others {
+            if let Some(other) = findings.get_mut(*other) {
+                other.severity = Severity::Hint;
+                other.related.insert(0, Related { span, message: message.clone(), is_call: false });
+            }
+        }
+        if let Some(first) = findings.get_mut(first) {
+            first.message.push_str(&more(span, &places));
+            first.related.extend(places);
+        }
+    }
+}
+
+/// The numbers of the findings of each group, in order.
+fn groups(findings: &[Finding], by_file: bool, text: impl Fn(Span) -> Option<String>) -> Vec<Vec<usize>> {
+    let mut groups: IndexMap<Key, Vec<usize>> = IndexMap::new();
+    for (number, finding) in findings.iter().enumerate() {
+        if let Some(key) = key(finding, by_file, &text) {
+            groups.entry(key).or_default().push(number);
+        }
+    }
+    if by_file {
+        groups.retain(|key, members| members.len() >= key.group.least());
+        return groups.into_values().collect();
+    }
+    copies(findings, groups)
+}
+
+/// Join groups and single findings of which the first ones say the very same: robots are made by copying files.
+fn copies(findings: &[Finding], groups: IndexMap<Key, Vec<usize>>) -> Vec<Vec<usize>> {
+    let mut joined: IndexMap<(&str, Severity, &str), Joined> = IndexMap::new();
+    for (key, members) in groups {
+        let is_group = members.len() >= key.group.least();
+        let units = if is_group { vec![members] } else { members.into_iter().map(|one| vec![one]).collect() };
+        for unit in units {
+            let Some(first) = unit.first().and_then(|&first| findings.get(first)) else { continue };
+            let place = (first.rule.code, first.severity, first.message.as_str());
+            let joined = joined.entry(place).or_default();
+            joined.is_group |= is_group;
+            joined.members.extend(unit);
+        }
+    }
+    let groups = joined.into_values().filter(|joined| joined.is_group || joined.members.len() >= COPIES);
+    let sorted = |mut joined: Joined| {
+        joined.members.sort_unstable();
+        joined.members
+    };
+    groups.map(sorted).collect()
+}
+
+/// The members of groups that say the same.
+#[derive(Default)]
+struct Joined {
+    members: Vec<usize>,
+    /// Whether one of them is a group already.
+    is_group: bool,
+}
+
+/// How many copies of a finding are one.
+const COPIES: usize = 3;
+
+fn key(finding: &Finding, by_file: bool, text: impl Fn(Span) -> Option<String>) -> Option<Key> {
+    let group = finding.group.clone().unwrap_or_else(|| finding.rule.group());
+    let text = match group {
+        Group::Place => return None,
+        Group::Text => text(finding.span)?,
+        _ => String::new(),
+    };
+    let anywhere = matches!(group, Group::Value(_) | Group::Thing(_)) && !by_file;
+    let file = (!anywhere).then_some(finding.span.file);
+    Some(Key { rule: finding.rule.code, severity: finding.severity, file, group, text })
+}
+
+/// The first finding of a group with the others beside it.
+fn join(first: Finding, others: Vec<Finding>) -> Finding {
+    let places: Vec<Related> = others.iter().map(further_place).collect();
+    let message = format!("{}{}", first.message, more(first.span, &places));
+    let mut fixes: Vec<Fix> =
+        first.fix.into_iter().chain(others.into_iter().filter_map(|other| other.fix)).collect();
+    let fix = (!fixes.is_empty()).then(|| fixes.remove(0)).map(|fix| joined_fix(fix, fixes));
+    Finding { message, fix, places, ..first }
+}
+
+fn further_place(finding: &Finding) -> Related {
+    Related { span: finding.span, message: finding.message.clone(), is_call: false }
+}
+
+/// `; 3 more places in this file`
+fn more(first: Span, places: &[Related]) -> String {
+    let files: FastSet<FileId> = places.iter().map(|place| place.span.file).chain([first.file]).collect();
+    let count = places.len();
+    let plural = if count == 1 { "" } else { "s" };
+    match files.len() {
+        1 => format!("; {count} more place{plural} in this file"),
+        files => format!("; {count} more place{plural}, in {files} files"),
+    }
+}
+
+/// A fix with the edits of the others that are as safe. One that gets in the way of an earlier one is left out.
+fn joined_fix(mut fix: Fix, others: Vec<Fix>) -> Fix {
+    let mut taken: BTreeMap<(FileId, u32, u32), Edit> = BTreeMap::new();
+    let key = |edit: &Edit| (edit.span.file, edit.span.range.start, edit.span.range.end);
+    let own = std::mem::take(&mut fix.edits);
+    let alike = others.into_iter().filter(|other| other.safety == fix.safety).map(|other| other.edits);
+    for edits in std::iter::once(own).chain(alike) {
+        let clashes = |edit: &Edit| {
+            let (file, start, end) = key(edit);
+            let before = taken.range(..=(file, end, u32::MAX)).next_back();
+            before.is_some_and(|(&(other, _, until), old)| other == file && until >= start && old != edit)
+        };
+        if !edits.iter().any(clashes) {
+            taken.extend(edits.into_iter().map(|edit| (key(&edit), edit)));
+        }
+    }
+    fix.edits = taken.into_values().collect();
+    fix
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{join, mark_groups};
+    use crate::base::{FileId, Span, TextRange};
+    use crate::rules::{Edit, Finding, Fix, Safety, Severity, by_code};
+
+    fn span(file: u32, start: u32, end: u32) -> Span {
+        Span { file: FileId(file), range: TextRange::new(start, end) }
+    }
+
+    /// A finding of `zero-inertia`.
+    fn finding(file: u32, start: u32) -> Finding {
+        Finding::new(by_code("INR003").unwrap(), span(file, start, start + 1), format!("link {start}"))
+    }
+
+    #[test]
+    fn an_editor_marks_every_place_and_every_file_has_a_first_one() {
+        let places = [(0, 1), (0, 5), (1, 2), (0, 9), (1, 4), (1, 6), (2, 1), (2, 3)];
+        let mut findings: Vec<Finding> = places.iter().map(|&(file, start)| finding(file, start)).collect();
+        let own = findings[0].severity;
+        mark_groups(&mut findings, |_| None);
+        let marked: Vec<bool> = findings.iter().map(|finding| finding.severity == Severity::Hint).collect();
+        assert_eq!(marked, [false, true, false, true, true, true, false, false]);
+        assert_eq!(findings[0].severity, own);
+        assert_eq!(findings[0].message, "link 1; 2 more places in this file");
+        assert_eq!(
+            findings[0].related.iter().map(|place| place.span).collect::<Vec<_>>(),
+            [span(0, 5, 6), span(0, 9, 10)]
+        );
+        assert_eq!((findings[3].message.as_str(), findings[3].related[0].span), ("link 9", span(0, 1, 2)));
+        assert_eq!(findings[6].message, "link 1", "two places in a file are two findings");
+    }
+
+    #[test]
+    fn a_joined_fix_has_no_edits_that_clash() {
+        let with = |safety: Safety, edits: &[(u32, u32)]| {
+            let edit =
+                |&(start, end): &(u32, u32)| Edit { span: span(0, start, end), content: "x".to_owned() };
+            let fix = Fix { safety, message: String::new(), edits: edits.iter().map(edit).collect() };
+            Finding { fix: Some(fix), ..finding(0, 0) }
+        };
+        let others = vec![
+            with(Safety::Safe, &[(10, 12), (20, 21)]),
+            // clashes with the first one: left out as a whole
+            with(Safety::Safe, &[(2, 4), (30, 31)]),
+            // the same edit once more
+            with(Safety::Safe, &[(10, 12)]),
+            with(Safety::Unsafe, &[(40, 41)]),
+        ];
+        let joined = join(with(Safety::Safe, &[(1, 3)]), others);
+        let edits: Vec<Span> = joined.fix.unwrap().edits.iter().map(|edit| edit.span).collect();
+        assert_eq!(edits, [span(0, 1, 3), span(0, 10, 12), span(0, 20, 21)]);
+        assert_eq!(joined.places.len(), 4);
+    }
+}

@@ -1,0 +1,176 @@
+//! What `check` prints for people: which findings, and what is said below them.
+
+use indexmap::IndexMap;
+
+use super::args::{CheckArgs, FailLevel, Show};
+use super::text::counted;
+use crate::analysis::Report;
+use crate::base::limits::{DRAWN_IN_ALL, DRAWN_OF_A_RULE};
+use crate::base::{FastMap, FastSet, FileId};
+use crate::rules::{Finding, Rule, Severity};
+
+/// Up to so many findings, nobody needs to be told which rules they are of, and what to do next.
+const HANDFUL: usize = 5;
+/// Rules of a summary.
+const MOST_RULES: usize = 8;
+
+/// The findings of a report that are printed, and how many are not.
+pub(super) struct Listing<'a> {
+    report: &'a Report,
+    /// Those that are printed.
+    pub(super) shown: Vec<&'a Finding>,
+    /// How many are left out because there are too many of their rule.
+    left_out: usize,
+    /// The least severity that is printed.
+    least: Severity,
+    /// How many are not severe enough.
+    hidden: FastMap<Severity, usize>,
+}
+
+/// Whether every place is a finding of its own, and none of them is left out.
+pub(super) fn wants_all(args: &CheckArgs) -> bool {
+    args.no_group || args.show == Some(Show::All)
+}
+
+/// The least severity that people are shown.
+fn least_shown(args: &CheckArgs) -> Severity {
+    let asked = match args.show {
+        None => Severity::Warning,
+        Some(Show::Info) => Severity::Info,
+        Some(Show::Hint | Show::All) => Severity::Hint,
+    };
+    // what makes a run fail is never hidden
+    if args.fail_level == FailLevel::Info { asked.min(Severity::Info) } else { asked }
+}
+
+impl<'a> Listing<'a> {
+    pub(super) fn of(report: &'a Report, args: &CheckArgs) -> Self {
+        let (least, all) = (least_shown(args), wants_all(args));
+        let mut listing = Self { report, shown: Vec::new(), left_out: 0, least, hidden: FastMap::default() };
+        let mut in_file: FastMap<(&str, Severity, FileId), usize> = FastMap::default();
+        let mut in_all: FastMap<(&str, Severity), usize> = FastMap::default();
+        for finding in &report.findings {
+            let (code, severity) = (finding.rule.code, finding.severity);
+            if severity < least {
+                *listing.hidden.entry(severity).or_default() += 1;
+                continue;
+            }
+            let here = in_file.entry((code, severity, finding.span.file)).or_default();
+            let there = in_all.entry((code, severity)).or_default();
+            if all || *here < DRAWN_OF_A_RULE && *there < DRAWN_IN_ALL {
+                (*here, *there) = (*here + 1, *there + 1);
+                listing.shown.push(finding);
+            } else {
+                listing.left_out += 1;
+            }
+        }
+        listing
+    }
+
+    /// `2 errors, 1 warning in 2 files (1 robot, 7 files checked); 3 info not shown: --show info`
+    fn summary(&self) -> String {
+        let printed = self.report.findings.iter().filter(|finding| finding.severity >= self.least);
+        let mut parts = vec![summary(self.report, printed, self.hidden.is_empty())];
+        parts.extend(self.not_shown());
+        parts.join("; ")
+    }
+
+    /// What is not printed, and how to see it.
+    fn not_shown(&self) -> Vec<String> {
+        let hidden = |severity: Severity| Some((severity.name(), *self.hidden.get(&severity)?));
+        let hidden = Severity::ALL.into_iter().filter_map(hidden);
+        let (kinds, options): (Vec<String>, Vec<String>) =
+            hidden.map(|(name, count)| (counted(count, name), format!("--show {name}"))).unzip();
+        let left_out =
+            (self.left_out > 0).then(|| format!("{} more of these not shown: --show all", self.left_out));
+        let hidden =
+            (!kinds.is_empty()).then(|| format!("{} not shown: {}", kinds.join(" and "), options.join(", ")));
+        left_out.into_iter().chain(hidden).collect()
+    }
+
+    /// The lines below findings that are drawn.
+    pub(super) fn footer(&self, done: &str, could: &str) -> Vec<String> {
+        let mut lines = vec![self.summary()];
+        if self.is_many() {
+            lines.extend(self.by_rule());
+        }
+        lines.extend([done.to_owned(), could.to_owned(), self.next()]);
+        lines.retain(|line| !line.is_empty());
+        lines
+    }
+
+    /// The same below findings of a line each: nothing where they speak for themselves.
+    pub(super) fn note(&self, could: &str) -> Vec<String> {
+        if !self.is_many() {
+            return Vec::from_iter((!self.hidden.is_empty()).then(|| self.summary()));
+        }
+        let next = [could.to_owned(), self.next()];
+        let next: Vec<String> = next.into_iter().filter(|part| !part.is_empty()).collect();
+        vec![self.summary(), next.join("; ")]
+    }
+
+    fn is_many(&self) -> bool {
+        self.shown.len() + self.left_out > HANDFUL
+    }
+
+    /// The rules that are printed, worst first.
+    fn by_rule(&self) -> Vec<String> {
+        let mut counts = counts(self.report);
+        counts.retain(|(severity, ..)| *severity >= self.least);
+        let width = counts.iter().map(|(.., count)| count.to_string().len()).max().unwrap_or(0);
+        let lines = counts.iter().take(MOST_RULES).map(|(severity, rule, count)| {
+            let severity = severity.name();
+            format!("  {count:width$}  {severity:7}  {}", rule.name)
+        });
+        let left = counts.len().saturating_sub(MOST_RULES);
+        let plural = if left == 1 { "" } else { "s" };
+        let more = (left > 0).then(|| format!("  and {left} more rule{plural}: --statistics"));
+        lines.chain(more).collect()
+    }
+
+    /// What to do with many findings.
+    fn next(&self) -> String {
+        let worst = counts(self.report).first().map(|(_, rule, _)| rule.name);
+        match worst.filter(|_| self.is_many()) {
+            Some(name) => format!(
+                "`xacro-lint explain {name}` says more about a rule; `--write-baseline FILE` accepts what is there"
+            ),
+            None => String::new(),
+        }
+    }
+}
+
+/// How many findings of each severity of a rule there are, worst first.
+pub(super) fn counts(report: &Report) -> Vec<(Severity, &'static Rule, usize)> {
+    let mut counts: IndexMap<(Severity, &str), (&'static Rule, usize)> = IndexMap::new();
+    for finding in &report.findings {
+        counts.entry((finding.severity, finding.rule.code)).or_insert((finding.rule, 0)).1 += 1;
+    }
+    let mut counts: Vec<_> =
+        counts.into_iter().map(|((severity, _), (rule, count))| (severity, rule, count)).collect();
+    counts.sort_by_key(|(severity, rule, count)| (std::cmp::Reverse((*severity, *count)), rule.code));
+    counts
+}
+
+/// `2 errors, 1 warning in 2 files (1 robot, 7 files checked)`
+fn summary<'f>(report: &Report, printed: impl Iterator<Item = &'f Finding>, is_all: bool) -> String {
+    let robots = counted(report.robots, "robot");
+    let files = counted(report.files.len(), "file");
+    let checked = format!("{robots}, {files} checked");
+    let mut counts = [0; Severity::ALL.len()];
+    let mut with_findings: FastSet<FileId> = FastSet::default();
+    for finding in printed {
+        with_findings.insert(finding.span.file);
+        with_findings.extend(finding.places.iter().map(|place| place.span.file));
+        for (count, severity) in counts.iter_mut().zip(Severity::ALL) {
+            *count += usize::from(severity == finding.severity);
+        }
+    }
+    let named = counts.into_iter().zip(Severity::ALL).filter(|(count, _)| *count > 0);
+    let named: Vec<String> = named.map(|(count, severity)| counted(count, severity.name())).collect();
+    match named.is_empty() {
+        true if is_all => format!("no findings ({checked})"),
+        true => format!("no errors or warnings ({checked})"),
+        false => format!("{} in {} ({checked})", named.join(", "), counted(with_findings.len(), "file")),
+    }
+}
