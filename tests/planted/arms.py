@@ -2,8 +2,8 @@
 from parts import HEAD, INERTIALS, MATERIALS, XACRO, box_mesh, fill, inertial, launch, package
 
 
-def arm(name, joints, reach, control):
-    """A support package: macro with prefix and block, common files, a thin top-level file, perhaps ros2_control."""
+def arm(name, joints, reach, control, computed=False):
+    """A support package: macro with prefix and block, a thin top-level file, perhaps ros2_control or a computed include."""
     pkg = name + '_support'
     length = round(reach / joints, 3)
     links = ''.join(fill('''
@@ -121,6 +121,9 @@ def arm(name, joints, reach, control):
                        include='  <xacro:include filename="%s_control.xacro"/>\n' % name if control else '',
                        call='  <xacro:%s_control prefix="$(arg prefix)" simulated="$(arg simulated)"/>\n' % name
                        if control else '')
+    if computed:
+        root = root.replace('  <xacro:include', '  <xacro:arg name="model" default="%s"/>\n  <xacro:include' % name, 1)
+        root = root.replace('/urdf/%s_macro.xacro' % name, '/urdf/$(arg model)_macro.xacro')
     if not control:
         root = root.replace('  <xacro:arg name="simulated" default="false"/>\n', '')
     files = package(pkg, folders=('launch', 'meshes', 'urdf'))

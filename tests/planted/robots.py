@@ -14,7 +14,7 @@ EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / 'docs' / 'examples'
 CLEAN_EXAMPLES = ('industrial_arm', 'measuring_cell', 'two_joint_gripper')
 FOUR = ('front_left', 'front_right', 'rear_left', 'rear_right')
 ROBOTS = {
-    'arm_ros2_control': arm('tarn6', 6, 1.2, True), 'arm_no_control': arm('tarn4', 4, 0.8, False),
+    'arm_ros2_control': arm('tarn6', 6, 1.2, True), 'arm_no_control': arm('tarn4', 4, 0.8, False, computed=True),
     'arm_long': arm('brindle7', 7, 1.5, True), 'arm_short': arm('dace3', 3, 0.6, True),
     'yaml_by_package': yaml_arm('ostler', ['turn', 'lower_arm', 'upper_arm', 'hand'], True),
     'yaml_by_name': yaml_arm('quill', ['hip', 'knee', 'ankle'], False),
@@ -32,7 +32,7 @@ ROBOTS = {
     'turret_three': turret('beacon', [('pan', '0 0 1'), ('tilt', '0 1 0'), ('roll', '1 0 0')], True),
     'turret_one': turret('vane', [('yaw', '0 0 1')], False),
     'lift_two': lift('jackstay', 2, 0.3), 'lift_three': lift('hoist', 3, 0.25), 'lift_four': lift('derrick', 4, 0.2),
-    'arm_five': arm('linnet5', 5, 0.9, True),
+    'arm_five': arm('linnet5', 5, 0.9, True, computed=True),
 }
 
 
