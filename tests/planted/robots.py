@@ -8,7 +8,8 @@ import shutil
 import sys
 
 from arms import arm, cell, plain_arm, yaml_arm
-from mobile import base, gripper, legs, lift, turret
+from limbs import legs, lift, turret
+from mobile import base, gripper
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / 'docs' / 'examples'
 CLEAN_EXAMPLES = ('industrial_arm', 'measuring_cell', 'two_joint_gripper')
