@@ -1,0 +1,89 @@
+"""The sample of findings: strata, determinism, files that a copy lacks, figures of a judged sheet."""
+import collections
+import csv
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+import sample  # noqa: E402
+
+
+def finding(rule, severity='error', row=1, message='something is wrong', filename='urdf/robot.xacro'):
+    return {'name': rule, 'severity': severity, 'message': message, 'filename': filename, 'help': None,
+            'location': {'row': row, 'column': 3}}
+
+
+def many(rule, severity, repositories, each):
+    """`each` findings of a rule in each of some repositories."""
+    return [found for name in range(repositories)
+            for found in sample.collect('owner/robot%d' % name, [finding(rule, severity, row) for row in range(each)])]
+
+
+class Drawing(unittest.TestCase):
+    def test_a_rule_and_a_repository_fill_only_their_share(self):
+        found = many('wrong-name', 'error', 10, 9) + many('wrong-number', 'error', 1, 40) + many('rare', 'error', 1, 1)
+        drawn = sample.draw(found, 'error', 16, 1)
+        self.assertEqual(collections.Counter(f.rule for f in drawn), {'wrong-name': 12, 'wrong-number': 3, 'rare': 1})
+        self.assertLessEqual(max(collections.Counter(f.repository for f in drawn if f.rule == 'wrong-name').values()), 3)
+        warnings = sample.draw(many('wrong-name', 'warning', 10, 9), 'warning', 8, 1)
+        self.assertEqual(len(warnings), 8)
+        self.assertLessEqual(max(collections.Counter(f.repository for f in warnings).values()), 2)
+
+    def test_too_few_are_filled_up(self):
+        drawn = sample.draw(many('wrong-name', 'error', 2, 30), 'error', 20, 1)
+        self.assertEqual((len(drawn), len(set(drawn))), (20, 20))
+        self.assertEqual(len(sample.draw(many('wrong-name', 'error', 1, 5), 'error', 20, 1)), 5)
+
+    def test_a_rare_rule_is_not_crowded_out(self):
+        found = [f for rule in 'abcdefgh' for f in many(rule, 'error', 5, 5)] + many('rare', 'error', 1, 1)
+        self.assertIn('rare', {f.rule for f in sample.draw(found, 'error', 20, 1)})
+
+    def test_the_seed_decides(self):
+        found = many('wrong-name', 'error', 20, 5)
+        self.assertEqual(sample.draw(found, 'error', 12, 7), sample.draw(found[::-1], 'error', 12, 7))
+        self.assertNotEqual(sample.draw(found, 'error', 12, 7), sample.draw(found, 'error', 12, 8))
+
+    def test_files_that_the_copy_lacks(self):
+        missing = finding('mesh-not-found', message='mesh `package://p/meshes/arm.stl` is not found')
+        self.assertEqual(sample.collect('o/r', [missing], ['p/meshes/arm.stl', '']), [])
+        self.assertEqual(len(sample.collect('o/r', [missing], ['p/meshes/leg.stl'])), 1)
+        self.assertEqual(len(sample.collect('o/r', [missing], ['p/meshes/rm.stl', 'forearm.stl'])), 1)
+        group = {**missing, 'related': [{'message': '`package://p/meshes/leg.stl`'}]}
+        self.assertEqual(len(sample.collect('o/r', [group], ['p/meshes/arm.stl'])), 1)
+        self.assertEqual(sample.collect('o/r', [group], ['p/meshes/arm.stl', 'p/meshes/leg.stl']), [])
+        other = finding('include-not-found', message='arm.stl is not found')
+        self.assertEqual(len(sample.collect('o/r', [other], ['p/meshes/arm.stl'])), 1)
+
+    def test_only_errors_and_warnings(self):
+        found = sample.collect('o/r', [finding('a', 'info'), finding('b', 'hint'), finding('c', 'warning')])
+        self.assertEqual([f.rule for f in found], ['c'])
+
+
+class Summary(unittest.TestCase):
+    def sheet(self, verdicts):
+        folder = self.enterContext(tempfile.TemporaryDirectory()) if hasattr(self, 'enterContext') else tempfile.mkdtemp()
+        path = pathlib.Path(folder, 'sheet.csv')
+        sample.write_sheet(path, many('wrong, "name"', 'error', 1, len(verdicts)))
+        with open(path, encoding='utf-8', newline='') as text:
+            rows = list(csv.DictReader(text))
+        with open(path, 'w', encoding='utf-8', newline='') as text:
+            out = csv.DictWriter(text, sample.COLUMNS)
+            out.writeheader()
+            out.writerows({**row, 'verdict': verdict} for row, verdict in zip(rows, verdicts))
+        return path
+
+    def test_figures(self):
+        text = sample.summary(self.sheet(['true', 'True', 'false', 'doubtful', 'noise', '']))
+        self.assertIn('| wrong, "name" | error | 6 | 2 | 1 | 1 | 1 | 40.0 % |', text)
+        self.assertIn('| all | error | 6 | 2 | 1 | 1 | 1 | 40.0 % |', text)
+        self.assertIn('1 of 6 findings are not judged yet', text)
+
+    def test_an_unknown_verdict_is_an_error(self):
+        with self.assertRaisesRegex(ValueError, 'row 3: unknown verdict `yes`'):
+            sample.summary(self.sheet(['true', 'yes']))
+
+
+if __name__ == '__main__':
+    unittest.main()
