@@ -808,7 +808,7 @@ fn findings_of_a_rule() {
         format!("<robot name=\"r\">{LINK}{}</robot>", "<a/>".repeat(FINDINGS_OF_A_RULE + 10)),
     );
     let said = run(&folder, &["check", "--statistics", "r.urdf"], &mut std::io::empty());
-    assert!(said.contains(&format!("{FINDINGS_OF_A_RULE}  warning")), "{said}");
+    assert!(said.contains(&format!("{FINDINGS_OF_A_RULE}  hint")), "{said}");
 }
 
 #[test]

@@ -8,13 +8,13 @@ fn check(tree: &Tree, changed: &[&str]) -> Report {
     let session = Session::new(&tree.environment(&[]), Setup::default()).unwrap();
     let changed = changed.iter().map(|name| tree.path(name)).collect();
     let paths = vec![tree.root().to_owned()];
-    session.check(&CheckOptions { paths, changed, ..CheckOptions::default() })
+    session.check(&CheckOptions { paths, changed, ..CheckOptions::default() }).grouped()
 }
 
-/// Findings of a rule: severity, message, and the number of related places.
+/// Findings of a rule: severity, message, and the number of further places.
 fn found(report: &Report, rule: &str) -> Vec<(Severity, String, usize)> {
     let of_rule = report.findings.iter().filter(|finding| finding.rule.name == rule);
-    of_rule.map(|finding| (finding.severity, finding.message.clone(), finding.related.len())).collect()
+    of_rule.map(|finding| (finding.severity, finding.message.clone(), finding.places.len())).collect()
 }
 
 fn messages(report: &Report, rule: &str) -> Vec<String> {
@@ -52,7 +52,7 @@ fn includes_of_installed_files() {
 fn includes_that_other_arguments_or_the_build_give() {
     let tree = Tree::new();
     tree.write("p/package.xml", &manifest("p"));
-    let by_default = "<xacro:arg name='model' default='none'/>\
+    let by_default = "<xacro:arg name='model' default=''/>\
                       <xacro:include filename='parts/$(arg model).xacro'/>";
     tree.write("p/a.urdf.xacro", &robot(by_default));
     tree.write("p/b.urdf.xacro", &robot("<xacro:include filename='parts/made.xacro'/>${made}"));
@@ -95,7 +95,7 @@ fn missing_meshes_by_folder() {
     let report = check(&tree, &[]);
     let meshes = found(&report, "mesh-not-found");
     assert_eq!(meshes.len(), 2, "{meshes:?}");
-    assert!(meshes[0].1.ends_with("package `cell` has no `visual/a.stl` (and 1 more file in `visual`)"));
+    assert!(meshes[0].1.ends_with("package `cell` has no `visual/a.stl`; 2 more places in this file"));
     assert_eq!((meshes[0].2, meshes[1].2), (2, 0));
 }
 
@@ -107,7 +107,7 @@ fn packages_that_are_not_there() {
         tree.write(&format!("{name}.urdf.xacro"), &include("far_description"));
     }
     let report = check(&tree, &[]);
-    let expected = "no package that this robot names is found, nor one that 1 others name";
+    let expected = "no package that this robot names is found; 1 more place, in 2 files";
     assert_eq!(found(&report, "package-not-found"), [(Severity::Warning, expected.to_owned(), 1)]);
     tree.write(".git/HEAD", "");
     // one that is found tells that packages are looked for in the right places
@@ -142,7 +142,7 @@ fn dependencies_once_per_pair() {
         dependencies,
         [
             (Severity::Info, "`cell` does not depend on `lamp`".to_owned(), 0),
-            (Severity::Warning, "`cell` does not depend on `tool`, in 2 files of this package".to_owned(), 1),
+            (Severity::Warning, "`cell` does not depend on `tool`; 1 more place, in 2 files".to_owned(), 1),
         ]
     );
     assert_eq!(messages(&report, "package-not-found").len(), 1);

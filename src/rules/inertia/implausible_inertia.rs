@@ -25,6 +25,9 @@ const FAR: f64 = 5.0;
 /// From this ratio to the greatest moment that the geometry admits on, it is no matter of rough shapes.
 const GROSS: f64 = 10.0;
 
+/// A geometry up to this radius in metres is a marker that stands for a link without a shape.
+const MARKER: f64 = 0.002;
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
         let Some(mass) = inertial.mass().filter(|&mass| mass > 0.0) else { continue };
@@ -65,7 +68,8 @@ fn misfit(cx: &DocumentCx<'_>, link: &Link, radius: f64) -> Option<Misfit> {
             // moments go with the square of the radius
             let ratio = (radius / half).powi(2);
             let beside = format!("its geometry has a radius of {} m", short(half));
-            wrong.then_some(Misfit { is_gross: !(1.0 / GROSS..GROSS).contains(&ratio), beside })
+            let is_gross = half > MARKER && !(1.0 / GROSS..GROSS).contains(&ratio);
+            wrong.then_some(Misfit { is_gross, beside })
         }
     }
 }

@@ -154,14 +154,20 @@ impl Given<'_> {
     fn resolved(&self, text: &str, declared: &FastMap<String, String>) -> Option<String> {
         match self {
             Given::Literal(value) => Some((*value).to_owned()),
-            Given::LaunchArgument(name) => declared.get(*name).cloned(),
+            Given::LaunchArgument(name) => declared.get(*name).cloned().map(unquoted),
             Given::Variable(name) => {
                 let assigned = format!("{name} = LaunchConfiguration(");
                 let (_, after) = text.split_once(&assigned)?;
-                declared.get(quoted(after)?).cloned()
+                declared.get(quoted(after)?).cloned().map(unquoted)
             }
         }
     }
+}
+
+/// A value as a shell hands it on: quotes around it are not part of it.
+fn unquoted(value: String) -> String {
+    let inner = ['"', '\''].into_iter().find_map(|quote| value.strip_prefix(quote)?.strip_suffix(quote));
+    inner.map(str::to_owned).unwrap_or(value)
 }
 
 /// The arguments that a launch file declares with a plain default, in XML or Python.
@@ -235,6 +241,8 @@ mod tests {
             " ", "name:=", "arm", " ", "kind:=", kind, " sim:=true"])"#;
         let args = [("name", Some("arm")), ("kind", None), ("sim", Some("true"))];
         check_caller("a.launch.py", text, Some((&["arm.urdf.xacro"], &args)));
+        let text = r#"DeclareLaunchArgument('prefix', default_value='""'), Command('arm.xacro prefix:=', LaunchConfiguration('prefix'))"#;
+        check_caller("p.launch.py", text, Some((&["arm.xacro"], &[("prefix", Some(""))])));
         let text = r#"DeclareLaunchArgument('kind', default_value='big'), which = LaunchConfiguration("kind")
             Command(['xacro ', 'arm.xacro', ' a:=', LaunchConfiguration('kind'), ' b:=', which, ' c:=', other])"#;
         let args = [("a", Some("big")), ("b", Some("big")), ("c", None)];
