@@ -51,8 +51,9 @@ impl Expander<'_> {
         }
     }
 
-    /// The truth of an evaluated attribute: `raw` is its text, for the message. `None` when it is unknown.
-    pub fn truth(&mut self, value: &Value, raw: &str, at: Origin) -> Option<bool> {
+    /// The truth of an evaluated attribute: `raw` is its text, for the message; what was read for it
+    /// follows the first `mark` reads. `None` when it is unknown.
+    pub fn truth(&mut self, value: &Value, raw: &str, at: Origin, mark: usize) -> Option<bool> {
         if matches!(value, Value::Unknown) {
             return None;
         }
@@ -67,7 +68,7 @@ impl Expander<'_> {
             let reference = format!(
                 "Xacro conditional \"{raw}\" evaluated to \"{shown}\", which is not a boolean expression."
             );
-            let argument = self.empty_argument(0).map(Outside::Argument);
+            let argument = self.empty_argument(mark).map(Outside::Argument);
             let problem = self
                 .problem("XAC027", at, message)
                 .says(reference)

@@ -22,8 +22,9 @@ impl Expander<'_> {
             return self.unknown_branch(tag, cx);
         };
         self.check_attrs(tag, &["value"], cx);
+        let mark = self.reads.len();
         let value = self.eval_text(&text, place, cx.scope);
-        match self.truth(&value, &text, place.origin) {
+        match self.truth(&value, &text, place.origin, mark) {
             None => self.unknown_branch(tag, cx),
             Some(truth) if truth == wanted => {
                 let content = self.container(self.tag_origin(tag, cx));

@@ -174,8 +174,9 @@ impl Expander<'_> {
     fn flag(&mut self, tag: Tag<'_>, name: &str, default: bool, cx: Cx) -> Option<bool> {
         match self.attr(tag, name, cx) {
             Some((text, place)) if !text.is_empty() => {
+                let mark = self.reads.len();
                 let value = self.eval_text(&text, place, cx.scope);
-                self.truth(&value, &text, place.origin)
+                self.truth(&value, &text, place.origin, mark)
             }
             _ => Some(default),
         }

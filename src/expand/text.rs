@@ -217,21 +217,23 @@ impl Expander<'_> {
         site: TextSite<'_>,
         scope: ScopeId,
     ) -> Value {
+        let mark = self.reads.len();
         match code {
             Code::Static(parsed) => {
                 let at = CodeSite { whole, start: Some(inner.start), code: inner.slice(site.text), site };
-                self.eval_parsed(parsed, at, scope)
+                self.eval_parsed(parsed, at, scope, mark)
             }
             Code::Dynamic(nested) => {
                 let Some(text) = self.eval_nested(nested, site, scope) else { return Value::Unknown };
                 let parsed = expr::parse(&text);
                 let at = CodeSite { whole, start: None, code: inner.slice(site.text), site };
-                self.eval_parsed(&parsed, at, scope)
+                self.eval_parsed(&parsed, at, scope, mark)
             }
         }
     }
 
-    fn eval_parsed(&mut self, parsed: &Parsed, at: CodeSite<'_>, scope: ScopeId) -> Value {
+    /// The value of an expression; what was read for it follows the first `mark` reads.
+    fn eval_parsed(&mut self, parsed: &Parsed, at: CodeSite<'_>, scope: ScopeId, mark: usize) -> Value {
         if let Some(error) = parsed.errors.first() {
             return self.syntax_error(error, at);
         }
@@ -248,7 +250,7 @@ impl Expander<'_> {
         match result {
             Ok(value) => value,
             Err(error) => {
-                self.evaluation_error(&error, at);
+                self.evaluation_error(&error, at, mark);
                 Value::Unknown
             }
         }
@@ -276,7 +278,7 @@ impl Expander<'_> {
         Value::Unknown
     }
 
-    fn evaluation_error(&mut self, error: &EvalError, at: CodeSite<'_>) {
+    fn evaluation_error(&mut self, error: &EvalError, at: CodeSite<'_>, mark: usize) {
         let reference = format!("{} \nwhen evaluating expression '{}'", error.message, at.code);
         let (code, place) = match error.kind {
             ErrorKind::Reported => return,
@@ -290,7 +292,7 @@ impl Expander<'_> {
         };
         let mut problem = self.problem(code, place, message).says(reference);
         if code == "XAC025" {
-            let argument = || self.empty_argument(0).map_or(Outside::Includer, Outside::Argument);
+            let argument = || self.empty_argument(mark).map_or(Outside::Includer, Outside::Argument);
             let outside = if error.kind == ErrorKind::Io { Outside::File } else { argument() };
             problem = problem.depends_on(outside);
         }
