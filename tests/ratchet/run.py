@@ -44,7 +44,7 @@ def robots():
 
 def count(command, folder):
     """Findings by severity and rule."""
-    run = subprocess.run([command, 'check', '--format', 'json', '.'], cwd=folder, capture_output=True, check=False)
+    run = subprocess.run([command, 'check', '--no-group', '--format', 'json', '.'], cwd=folder, capture_output=True, check=False)
     if run.returncode not in (0, 1):
         sys.exit('exit status %d: %s' % (run.returncode, run.stderr.decode('utf-8', 'replace')[-500:]))
     counts = collections.Counter('%s %s' % (finding['severity'], finding['name']) for finding in json.loads(run.stdout))
