@@ -78,8 +78,7 @@ impl Session {
         }
         let is_called = || !self.callers(&job.file).is_empty();
         let document = expansion.files.first().map(|file| &file.source.document);
-        let gives_robot =
-            kind == RootKind::Robot || document.is_some_and(|document| graph::gives_robot(document));
+        let gives_robot = kind == RootKind::Robot || document.is_some_and(graph::gives_robot);
         if self.is_included(&job.file) {
             return if gives_robot && is_called() { Role::Root } else { Role::Part };
         }

@@ -213,7 +213,10 @@ mod tests {
 
     use super::{caller, may_call};
 
-    fn check_caller(name: &str, text: &str, expected: Option<(&[&str], &[(&str, Option<&str>)])>) {
+    /// The descriptions that a file calls, and the arguments with their values.
+    type Called<'a> = (&'a [&'a str], &'a [(&'a str, Option<&'a str>)]);
+
+    fn check_caller(name: &str, text: &str, expected: Option<Called<'_>>) {
         let found = caller(Path::new(name), text).map(|caller| {
             let mut names: Vec<String> = caller.descriptions.into_iter().collect();
             names.sort_unstable();
