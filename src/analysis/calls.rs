@@ -8,7 +8,7 @@ use crate::expand::{Expansion, Outside, Problem, Request, Severity, World, expan
 use crate::workspace::Caller;
 
 /// Callers that are tried.
-const MOST_CALLERS: usize = 4;
+const MOST_CALLERS: usize = 6;
 
 /// The expansion of a file as it is called, when with its defaults (`first`) something fails that an argument may
 /// decide and a call is known with which less fails. Else `first`.

@@ -76,7 +76,7 @@ impl Session {
         if job.reason == Reason::Root {
             return Role::Root;
         }
-        let is_called = || !self.callers(&job.file).is_empty();
+        let is_called = || self.is_named(&job.file);
         let document = expansion.files.first().map(|file| &file.source.document);
         let gives_robot = kind == RootKind::Robot || document.is_some_and(graph::gives_robot);
         if self.is_included(&job.file) {
@@ -147,7 +147,7 @@ mod tests {
     fn check_roles(files: &[(&str, &str)], expected: &[&str]) {
         let tree = Tree::new();
         for (name, text) in files {
-            let is_description = name.ends_with("xacro") && !text.starts_with("<robot");
+            let is_description = name.ends_with("xacro") && !text.is_empty() && !text.starts_with("<robot");
             let around = |text: &str| format!("<robot name='r' xmlns:xacro='x'>{text}</robot>");
             tree.write(name, &if is_description { around(text) } else { (*text).to_owned() });
         }
@@ -159,7 +159,7 @@ mod tests {
         let session = Session::new(&tree.environment(&[]), setup).unwrap();
         let options = CheckOptions { paths: vec![tree.root().to_owned()], ..CheckOptions::default() };
         let report = session.check(&options);
-        let about_names = ["XAC0", "STR", "CTL", "XML010"];
+        let about_names = ["XAC0", "STR", "CTL", "XML001", "XML010"];
         let passed_over = ["nonstandard-xacro-namespace", "unused"];
         let found = report.findings.iter().filter(|finding| {
             let is_other = passed_over.iter().any(|name| finding.rule.name.starts_with(name));
@@ -243,6 +243,28 @@ mod tests {
             &[("joints.urdf", "<robot name='e'><joint name='j' type='fixed'/></robot>")],
             &["joints.urdf error no-links"],
         );
+    }
+
+    #[test]
+    fn empty_files() {
+        check_roles(&[("yet.urdf.xacro", "")], &["yet.urdf.xacro info xml-syntax-error"]);
+        let includes =
+            "<robot name='r' xmlns:xacro='x'><link name='b'/><xacro:include filename='yet.xacro'/></robot>";
+        check_roles(&[("r.urdf.xacro", includes), ("yet.xacro", "")], &["yet.xacro error xml-syntax-error"]);
+    }
+
+    #[test]
+    fn transmissions_are_read_by_ros_1() {
+        let manifest = |tool: &str| {
+            format!("<package><name>p</name><buildtool_depend>{tool}</buildtool_depend></package>")
+        };
+        let robot = format!(
+            "{ARM}<transmission name='t'><type>x</type><joint name='k'><hardwareInterface>y</hardwareInterface></joint></transmission>"
+        );
+        for (tool, severity) in [("catkin", "error"), ("ament_cmake", "warning")] {
+            let files = [("package.xml", &*manifest(tool)), ("r.urdf.xacro", &robot)];
+            check_roles(&files, &[&format!("r.urdf.xacro {severity} transmission-unknown-joint")]);
+        }
     }
 
     #[test]

@@ -101,6 +101,11 @@ impl Session {
         self.callers.of(file, &self.packages)
     }
 
+    /// Whether a launch file, script or page names a description.
+    pub(super) fn is_named(&self, file: &Path) -> bool {
+        self.callers.name(file, &self.packages)
+    }
+
     /// What the descriptions below a folder include, as `make` finds it the first time.
     pub(super) fn included_below(
         &self,

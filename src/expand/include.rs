@@ -367,6 +367,10 @@ impl Expander<'_> {
             position.line + 1,
             position.col
         );
+        // an empty file that nothing includes is one that somebody has yet to write
+        if include == Origin::NOWHERE && document.text().trim().is_empty() {
+            problem = problem.depends_on(Outside::Includer);
+        }
         self.push(problem);
     }
 

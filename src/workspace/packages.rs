@@ -167,14 +167,15 @@ impl Packages {
         let near = nearest(name, known.iter().map(|entry| entry.name.as_str()));
         let near = near.filter(|near| edit_distance(name, near) <= SLIP);
         // only among sources: of all that is installed, something always begins alike
-        let is_source = |entry: &&Entry| entry.step <= Step::Workspace;
+        let is_source = |entry: &&Entry| entry.step <= Step::Workspace && entry.step != Step::OwnPackage;
         let sources = known.iter().filter(is_source);
         let longer = || {
             let is_alike = |entry: &&Entry| has_part(&entry.name, name) || has_part(name, &entry.name);
             let alike = sources.clone().filter(is_alike).filter(|entry| !self.is_metapackage(&entry.path));
-            // the own package first, then the name that has the fewest letters more
-            let nearness =
-                |entry: &&Entry| (entry.step != Step::OwnPackage, entry.name.len().abs_diff(name.len()));
+            // a package that adapts another one carries its name: the own package proves nothing
+            let own = self.containing(from).map(|own| own.name);
+            let alike = alike.filter(|entry| own.as_ref() != Some(&entry.name));
+            let nearness = |entry: &&Entry| entry.name.len().abs_diff(name.len());
             Some(alike.min_by_key(nearness)?.name.as_str())
         };
         near.or_else(longer).map(str::to_owned)
@@ -251,7 +252,7 @@ impl Packages {
         }
         for (top, rules) in self.tree_tops(step, from) {
             let tree = self.tree(&top, rules);
-            let found = tree.get(name).map(Path::to_owned);
+            let found = tree.get(name, &without_parents(&self.vfs.absolute(from))).map(Path::to_owned);
             let unlisted = || {
                 let is_it = |folder: &&PathBuf| self.unlisted_name(folder).is_some_and(|own| own == name);
                 tree.unlisted().iter().find(is_it).cloned()

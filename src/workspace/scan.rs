@@ -42,14 +42,19 @@ impl Rules {
 #[derive(Debug, Default)]
 pub(super) struct Tree {
     packages: Vec<(String, PathBuf)>,
-    by_name: FastMap<String, PathBuf>,
+    by_name: FastMap<String, Vec<PathBuf>>,
     unlisted: Vec<PathBuf>,
 }
 
 impl Tree {
-    /// The first package of that name.
-    pub(super) fn get(&self, name: &str) -> Option<&Path> {
-        self.by_name.get(name).map(PathBuf::as_path)
+    /// The package of that name. Of several, as in a folder with several workspaces, the one that shares most folders with
+    /// `from`, and of those the first.
+    pub(super) fn get(&self, name: &str, from: &Path) -> Option<&Path> {
+        let folders = self.by_name.get(name)?;
+        let shared =
+            |folder: &Path| folder.components().zip(from.components()).take_while(|(a, b)| a == b).count();
+        let best = folders.iter().rev().max_by_key(|folder| shared(folder))?;
+        Some(best)
     }
 
     /// Folders that have no manifest and may be packages all the same: see [`super::packages::Packages::find`].
@@ -83,7 +88,7 @@ pub(super) fn scan(vfs: &Vfs, top: &Path, rules: Rules) -> Tree {
         }
         let is_package = names.iter().any(|entry| entry.name == MANIFEST && !entry.is_dir);
         if let Some(name) = is_package.then(|| manifest::package_name(vfs, &folder)).flatten() {
-            tree.by_name.entry(name.clone()).or_insert_with(|| folder.clone());
+            tree.by_name.entry(name.clone()).or_default().push(folder.clone());
             tree.packages.push((name, folder.clone()));
         } else if names.iter().any(|entry| entry.name == BUILD_FILES[0]) {
             tree.unlisted.push(folder.clone());
@@ -174,9 +179,9 @@ mod tests {
         tree.write("y/package.xml", "<package><name>real</name></package>");
         tree.write("z/package.xml", "not a manifest");
         let result = scan(tree.vfs(), tree.root(), Rules::Workspace);
-        assert_eq!(result.get("real"), Some(tree.path("x").as_path()));
+        assert_eq!(result.get("real", tree.root()), Some(tree.path("x").as_path()));
         assert_eq!(result.packages().len(), 2);
-        assert_eq!(result.get("x"), None);
+        assert_eq!(result.get("x", tree.root()), None);
     }
 
     #[cfg(unix)]

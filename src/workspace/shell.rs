@@ -32,7 +32,7 @@ impl Packages {
     }
 
     /// The generation of ROS that the package around a file is built for: ROS 1 when only catkin builds it.
-    fn generation(&self, file: &Path) -> Option<Target> {
+    pub fn generation(&self, file: &Path) -> Option<Target> {
         let package = self.containing(file)?;
         let manifest = self.vfs.text(&package.folder.join(MANIFEST)).ok()?;
         let tools = manifest.text.split("<buildtool_depend").skip(1);

@@ -354,3 +354,19 @@ fn threads_share_a_search() {
         }
     });
 }
+
+#[test]
+fn of_several_packages_of_one_name_the_one_in_the_same_workspace() {
+    let tree = Tree::new();
+    for copy in ["1/ros2/src", "2/ros2/src"] {
+        tree.write(&format!("{copy}/arm/package.xml"), "<package><name>arm</name></package>");
+        tree.write(&format!("{copy}/cell/package.xml"), "<package><name>cell</name></package>");
+    }
+    let options =
+        PackageOptions { workspace_folders: vec![tree.root().to_owned()], ..PackageOptions::default() };
+    let packages = Packages::new(tree.vfs().clone(), &tree.environment(&[]), options);
+    for copy in ["1/ros2/src", "2/ros2/src"] {
+        let found = packages.find("arm", &tree.path(&format!("{copy}/cell/urdf/r.xacro"))).unwrap();
+        assert_eq!(found.path, tree.path(&format!("{copy}/arm")));
+    }
+}

@@ -69,11 +69,18 @@ fn document_of(document: &Document<'_>, draft: &mut Draft) -> Result<(), Defect>
         return Err(Defect::corrupt("its root element is not `COLLADA`"));
     }
     header(root, draft);
-    let mut scene =
-        Scene { ids: FastMap::default(), made: FastMap::default(), arrays: Arrays::default(), draft };
+    let mut scene = Scene {
+        ids: FastMap::default(),
+        by_kind: FastMap::default(),
+        made: FastMap::default(),
+        arrays: Arrays::default(),
+        draft,
+    };
     for node in root.descendants() {
         if let Some(id) = node.attribute("id") {
+            // exporters give a material the id of a geometry: what instances lead to is known by its kind
             scene.ids.entry(id).or_insert(node);
+            scene.by_kind.entry((node.tag_name().name(), id)).or_insert(node);
         }
     }
     scene.read(root)
@@ -105,6 +112,8 @@ fn header(root: Node<'_, '_>, draft: &mut Draft) {
 /// A file on its way to triangles.
 struct Scene<'a, 'input, 'd> {
     ids: FastMap<&'a str, Node<'a, 'input>>,
+    /// The same by the kind of element.
+    by_kind: FastMap<(&'a str, &'a str), Node<'a, 'input>>,
     made: FastMap<&'a str, Surfaced<Option<&'a str>>>,
     arrays: Arrays,
     draft: &'d mut Draft,
@@ -156,7 +165,9 @@ impl<'a, 'input> Scene<'a, 'input, '_> {
 
     /// What the `url` of an instance means; none when it is in another file.
     fn target(&self, instance: Node<'a, 'input>) -> Option<Node<'a, 'input>> {
-        self.ids.get(fragment(instance.attribute("url")?)?).copied()
+        let id = fragment(instance.attribute("url")?)?;
+        let kind = instance.tag_name().name().strip_prefix("instance_").unwrap_or_default();
+        self.by_kind.get(&(kind, id)).or_else(|| self.ids.get(id)).copied()
     }
 
     /// Take the triangles of a geometry, placed by an instance that says which materials it has.

@@ -2,6 +2,7 @@
 
 use super::super::context::{DocumentCx, RobotCx};
 use super::super::edits::{rename, source_text};
+use super::super::registry::Severity;
 use super::super::sink::Sink;
 use crate::base::{FastMap, FastSet, TextRange};
 use crate::expand::{Expansion, Origin};
@@ -26,11 +27,13 @@ pub(super) fn unknown_joints<'t>(
     out: &mut Sink<'_>,
     texts: impl Iterator<Item = &'t Text>,
     block: &str,
+    severity: Severity,
 ) {
     let known: FastSet<&str> = cx.robot.joints.iter().map(|joint| joint.shown()).collect();
     for text in texts {
         let Some(name) = text.name().filter(|name| !known.contains(name.as_str())) else { continue };
-        let report = out.report(text.origin, format!("{block} names joint `{name}`, which does not exist"));
+        let message = format!("{block} names joint `{name}`, which does not exist");
+        let report = out.report(text.origin, message).severity(severity);
         match nearest(name, cx.robot.joints.iter().map(|joint| joint.shown())) {
             Some(near) => {
                 let report = report.help(format!("a joint with a similar name exists: `{near}`"));

@@ -19,5 +19,5 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let joints = cx.robot.controls.iter().flat_map(|control| &control.joints);
-    unknown_joints(cx, out, joints.filter_map(|joint| joint.name.as_ref()), "ros2_control");
+    unknown_joints(cx, out, joints.filter_map(|joint| joint.name.as_ref()), "ros2_control", RULE.severity);
 }

@@ -4,6 +4,7 @@ use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::joints::unknown_joints;
+use crate::workspace::Target;
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL012",
@@ -18,6 +19,10 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    // nothing in ROS 2 reads these elements
+    let root = cx.expansion.files.first().map(|file| &*file.source.path);
+    let is_ros2 = root.and_then(|root| cx.world.packages.generation(root)) == Some(Target::Ros2);
+    let severity = if is_ros2 { Severity::Warning } else { RULE.severity };
     let joints = cx.robot.transmissions.iter().flat_map(|transmission| &transmission.joints);
-    unknown_joints(cx, out, joints.filter_map(|(_, name)| name.as_ref()), "a transmission");
+    unknown_joints(cx, out, joints.filter_map(|(_, name)| name.as_ref()), "a transmission", severity);
 }

@@ -21,6 +21,8 @@ pub struct Caller {
     path: PathBuf,
     /// The names of the description files, without folders.
     descriptions: FastSet<String>,
+    /// What further names end with, whose beginnings are computed.
+    endings: Vec<String>,
     /// The arguments it gives, in order.
     pub args: Vec<GivenArg>,
 }
@@ -41,13 +43,25 @@ pub struct Callers {
 }
 
 impl Callers {
-    /// The files that name the description `file`, in the order of their paths.
+    /// The files that call the description `file`: first those that name it, then those that may, since they compute the
+    /// name; each in the order of their paths.
     pub fn of(&self, file: &Path, packages: &Packages) -> Vec<Caller> {
         let Some(name) = file.file_name().and_then(|name| name.to_str()) else { return Vec::new() };
         let Some(top) = packages.sources_around(file) else { return Vec::new() };
         let all = self.below.get(top.clone(), || Arc::new(search(&packages.vfs, &top)));
         let named = all.iter().filter(|caller| caller.descriptions.contains(name));
-        named.filter(|caller| packages.may_mean(&caller.path, file)).cloned().collect()
+        let may_name = |caller: &&Caller| {
+            !caller.descriptions.contains(name)
+                && caller.endings.iter().any(|ending| name.ends_with(ending.as_str()))
+        };
+        let computed = all.iter().filter(may_name);
+        named.chain(computed).filter(|caller| packages.may_mean(&caller.path, file)).cloned().collect()
+    }
+
+    /// Whether a file names the description `file`.
+    pub fn name(&self, file: &Path, packages: &Packages) -> bool {
+        let name = file.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+        self.of(file, packages).iter().any(|caller| caller.descriptions.contains(name))
     }
 
     /// Forget what was found: files have come, gone or changed.

@@ -29,7 +29,8 @@ fn is_description(name: &str) -> bool {
 pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
     let name = path.file_name()?.to_str()?;
     let descriptions = descriptions(name, text);
-    if descriptions.is_empty() {
+    let endings = computed(text);
+    if descriptions.is_empty() && endings.is_empty() {
         return None;
     }
     let declared = LazyCell::new(|| declared(text));
@@ -43,7 +44,7 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
         }
     }
     args.extend(mappings(text));
-    Some(Caller { path: path.to_owned(), descriptions, args })
+    Some(Caller { path: path.to_owned(), descriptions, endings, args })
 }
 
 /// The names of descriptions in a text, without folders. What is only installed or included is not called.
@@ -76,6 +77,25 @@ pub(super) fn has_name(text: &str, name: &str) -> bool {
         let (before, after) = text.split_at(at);
         !before.ends_with(is_name) && !after.get(name.len()..).is_some_and(|rest| rest.starts_with(is_name))
     })
+}
+
+/// What the names of descriptions end with whose beginnings are computed: `_base.xacro` of `$(arg kind)_base.xacro`. The
+/// empty text when the whole name is an argument of the call: `xacro $(arg model)`.
+fn computed(text: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for (at, _) in text.match_indices([')', '}']) {
+        let after = text.get(at + 1..).unwrap_or("");
+        let ending = after.split(|c: char| !is_name(c)).next().unwrap_or("");
+        if is_description(ending) && !is_included(text.get(..at).unwrap_or("")) {
+            found.push(ending.to_owned());
+        }
+    }
+    let calls = text.match_indices("xacro").filter_map(|(at, word)| text.get(at + word.len()..));
+    let mut names = calls.map(|after| after.trim_start_matches([' ', '\'', '"', ',', '.', 'p', 'y']));
+    if names.any(|name| name.starts_with("$(arg ") || name.starts_with("$(var ")) {
+        found.push(String::new());
+    }
+    found
 }
 
 fn is_name(c: char) -> bool {
@@ -250,6 +270,9 @@ mod tests {
             Command(['xacro ', 'arm.xacro', ' a:=', LaunchConfiguration('kind'), ' b:=', which, ' c:=', other])"#;
         let args = [("a", Some("big")), ("b", Some("big")), ("c", None)];
         check_caller("b.launch.py", text, Some((&["arm.xacro"], &args)));
+        let text = "<arg name='model' default='$(find a)/urdf/$(arg kind)_base.xacro'/> command='$(find xacro)/xacro $(arg model) x:=1'";
+        let found = caller(Path::new("a.launch"), text).unwrap();
+        assert_eq!(found.endings, ["_base.xacro", ""]);
         let text = r#"xacro.process_file(os.path.join(share, 'arm.xacro'), mappings={'side': 'left', "kind": kind})"#;
         let args = [("side", Some("left")), ("kind", None)];
         check_caller("test_arm.py", text, Some((&["arm.xacro"], &args)));
