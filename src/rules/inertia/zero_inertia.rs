@@ -17,9 +17,12 @@ pub(super) const RULE: Rule = Rule {
     check: Check::Document(check),
 };
 
+/// Up to this mass in kg, a link has one only because its exporter writes one.
+const NOTHING: f64 = 1e-5;
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
-        let heavy = inertial.mass().is_some_and(|mass| mass > 0.0);
+        let heavy = inertial.mass().is_some_and(|mass| mass > NOTHING);
         if heavy && inertial.entries().map(verdict) == Some(Verdict::Zero) {
             let message = format!("link `{}` has a mass, but its inertia is zero", link.shown());
             out.report(inertia_tag(cx.expansion, inertial), message)

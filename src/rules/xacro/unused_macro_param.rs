@@ -55,12 +55,27 @@ fn body(cx: &DocumentCx<'_>, of: DefinitionId, forwards: &Forwards) -> Option<Me
     if cx.expansion.problems.iter().any(misspelt) {
         return None;
     }
+    if holds_unprefixed_insert(node) {
+        // what it would insert is used as soon as the prefix is there
+        return None;
+    }
     node.children()
         .find(|child| matches!(child.kind(), NodeKind::Element | NodeKind::Text) && !is_blank(*child))?;
     let body = Mentions::inside(node);
     let known =
         |tag: &EcoString| is_keyword(tag) || forwards.macros.contains(tag.rsplit('.').next().unwrap_or(tag));
     (!body.tags.contains("include") && body.tags.iter().all(known)).then_some(body)
+}
+
+fn holds_unprefixed_insert(node: Node<'_>) -> bool {
+    let mut open: Vec<Node<'_>> = node.children().collect();
+    while let Some(node) = open.pop() {
+        if node.name() == "insert_block" {
+            return true;
+        }
+        open.extend(node.children());
+    }
+    false
 }
 
 fn is_blank(node: Node<'_>) -> bool {
