@@ -659,6 +659,23 @@ fn caller_bytes() {
 }
 
 #[test]
+fn caller_folders() {
+    let folder = folder();
+    write(&folder, "a/r.launch", "far.urdf");
+    assert_eq!(callers_of(&folder, "far.urdf"), 1);
+    for n in 0..=CALLER_FOLDERS {
+        fs::create_dir(folder.join(format!("f{n}"))).unwrap();
+    }
+    // those that are listed last are searched first
+    assert_eq!(callers_of(&folder, "far.urdf"), 0);
+    // a folder that a tool made counts as one, whatever is in it
+    write(&folder, "b/CACHEDIR.TAG", "");
+    write(&folder, "b/r.launch", "made.urdf");
+    assert_eq!(callers_of(&folder.join("b"), "made.urdf"), 0);
+    let _ = fs::remove_dir_all(folder);
+}
+
+#[test]
 fn caller_files() {
     let folder = folder();
     for n in 0..3 {

@@ -149,6 +149,8 @@ limits! {
         CALLER_FILES: usize = 5_000, "arguments that further ones give are not known";
         /// Bytes of each of them.
         CALLER_BYTES: u64 = 300_000, "what it gives is not known";
+        /// Folders that are searched for them.
+        CALLER_FOLDERS: usize = 5_000, "further ones are not searched";
         /// Levels of folders that are searched for them.
         CALLER_DEPTH: usize = 24, "deeper ones are not searched";
         /// Files that are looked at for the name of a missing one.

@@ -12,7 +12,7 @@ use super::memo::Memo;
 use super::root::is_built;
 use super::{Packages, packages::without_parents};
 use crate::base::FastSet;
-use crate::base::limits::{CALLER_BYTES, CALLER_DEPTH, CALLER_FILES};
+use crate::base::limits::{CALLER_BYTES, CALLER_DEPTH, CALLER_FILES, CALLER_FOLDERS};
 use crate::vfs::Vfs;
 
 /// A file that names descriptions.
@@ -100,10 +100,16 @@ fn search(vfs: &Vfs, top: &Path) -> Vec<Caller> {
     let mut open = vec![(top.to_owned(), 0)];
     let (mut files, mut found) = (0, Vec::new());
     while let Some((folder, depth)) = open.pop() {
-        if !vfs.identity(&folder).is_some_and(|identity| seen.insert(identity)) {
+        if seen.len() > CALLER_FOLDERS || !vfs.identity(&folder).is_some_and(|identity| seen.insert(identity))
+        {
             continue;
         }
-        for entry in vfs.list_dir(&folder).iter() {
+        let entries = vfs.list_dir(&folder);
+        // what a tool made and can make again says so
+        if entries.iter().any(|entry| entry.name == "CACHEDIR.TAG") {
+            continue;
+        }
+        for entry in entries.iter() {
             let path = folder.join(&entry.name);
             let passed_over =
                 entry.name.starts_with('.') || is_built(&entry.name) || entry.name == "node_modules";
