@@ -317,8 +317,12 @@ mod tests {
         let uses =
             "<link name='${prefix}base'/><xacro:arm/><xacro:insert_block name='b'/><link name='$(arg a)'/>";
         let missing =
-            format!("<xacro:include filename='gone.xacro'/><xacro:property name='prefx' value=''/>{uses}");
+            format!("<xacro:include filename='gone.xacro'/><xacro:property name='prefix_' value=''/>{uses}");
         check_roles(&[("r.urdf.xacro", &missing)], &["r.urdf.xacro error include-not-found"]);
+        // nothing that is missing makes a slip of the fingers right
+        let slip = missing.replace("prefix_", "prefx");
+        let found = ["r.urdf.xacro error include-not-found", "r.urdf.xacro error undefined-property"];
+        check_roles(&[("r.urdf.xacro", &slip)], &found);
         // a parameter of another macro is no definition that comes too late
         let late = format!(
             "<xacro:macro name='m'><link name='${{p}}'/></xacro:macro>{ARM}<xacro:m/>\

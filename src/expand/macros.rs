@@ -415,22 +415,20 @@ impl Expander<'_> {
 
     fn unknown_macro(&mut self, tag: Tag<'_>, name: &str, cx: Cx) {
         let at = self.tag_origin(tag, cx);
-        // what a missing include would have defined is no news
-        if !self.include_missing {
-            let names = if self.compares() { self.macros.visible_names(cx.macros) } else { Vec::new() };
-            let near = nearest(name, names.iter().copied()).map(str::to_owned);
-            self.compared += names.len();
+        if let Some(missing) =
+            self.missing_name(NameKind::Macro, name, |machine| machine.macros.visible_names(cx.macros))
+        {
             let message = format!("macro `{name}` is not defined");
             let mut problem =
                 self.problem("XAC002", at, message).says(format!("unknown macro name: {}", tag.name));
-            if let Some(near) = near {
+            if let Some(near) = &missing.near {
                 problem = problem
                     .help(format!("a macro with a similar name exists: `{near}`"))
                     .replace_with(format!("<xacro:{near}"));
             } else {
                 problem = problem.help("include the file that defines it above this place");
             }
-            self.push_undefined(NameKind::Macro, name, cx.scope, problem);
+            self.push_undefined(missing, cx.scope, problem);
         }
         // what the call would have been given may hold causes of its own
         let nowhere = self.container(at);

@@ -196,12 +196,19 @@ impl Scopes {
 
     /// Every name visible from `id`, for suggestions.
     pub fn visible_names(&self, id: ScopeId) -> Vec<&str> {
+        self.visible(id, |name| (!name.starts_with('*')).then_some(name))
+    }
+
+    /// The names of all blocks seen from a scope, without their stars, sorted.
+    pub fn visible_blocks(&self, id: ScopeId) -> Vec<&str> {
+        self.visible(id, |name| name.strip_prefix("**").or_else(|| name.strip_prefix('*')))
+    }
+
+    fn visible<'a>(&'a self, id: ScopeId, shown: impl Fn(&'a str) -> Option<&'a str>) -> Vec<&'a str> {
         let mut names: Vec<&str> = Vec::new();
         let mut at = Some(id);
         while let Some(id) = at {
-            names.extend(
-                self.get(id).vars.iter().map(|(name, _)| name.as_str()).filter(|n| !n.starts_with('*')),
-            );
+            names.extend(self.get(id).vars.iter().filter_map(|(name, _)| shown(name.as_str())));
             at = self.get(id).parent;
         }
         names.sort_unstable();

@@ -21,7 +21,7 @@ pub(super) const RULE: Rule = Rule {
 
 /// Distance that no centre of mass has from the frame of its link, metres.
 const FAR: f64 = 5.0;
-/// Nothing depends on where lighter links have their mass, kg.
+/// Little depends on where lighter links have their mass, kg.
 const LIGHT: f64 = 0.01;
 /// By how much of its size a box grows on each side.
 const GROWN: f64 = 0.5;
@@ -32,20 +32,18 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
         let Some(text) = inertial.origin.as_ref().and_then(|origin| origin.xyz.as_ref()) else { continue };
         let Some(centre) = text.numbers::<3>() else { continue };
-        if inertial.mass().is_some_and(|mass| mass <= LIGHT) {
-            continue;
-        }
+        let is_light = inertial.mass().is_some_and(|mass| mass <= LIGHT);
         let parts = [extent_of(cx, &link.collisions), extent_of(cx, &link.visuals)];
         let boxes = parts.iter().filter_map(|part| part.bounds()).reduce(|a, b| a.with(b));
         let outside = match boxes {
-            _ if parts.contains(&Extent::Unknown) => continue,
-            Some(bounds) => {
+            Some(bounds) if !is_light && !parts.contains(&Extent::Unknown) => {
                 let grown = bounds.size().map(|length| length * GROWN + MARGIN);
                 let around = Bounds::centred(grown.map(|length| length * 2.0));
                 let large = Bounds { min: sum(bounds.min, around.min), max: sum(bounds.max, around.max) };
                 large.outside(centre) > 0.0
             }
-            None => {
+            // whatever the shape and however light: such a number has another unit
+            _ => {
                 let [x, y, z] = centre;
                 x.hypot(y).hypot(z) > FAR
             }
