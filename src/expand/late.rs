@@ -45,10 +45,10 @@ pub(super) struct Early {
 /// A name that is not defined.
 #[derive(Clone, Debug)]
 pub(super) struct Missing<'n> {
-    kind: NameKind,
-    name: &'n str,
+    pub(super) kind: NameKind,
+    pub(super) name: &'n str,
     /// It is one that is there, spelled wrong: nothing from outside defines it.
-    is_misspelled: bool,
+    pub(super) is_misspelled: bool,
     /// The closest name that is there.
     pub(super) near: Option<EcoString>,
 }

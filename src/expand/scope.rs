@@ -384,6 +384,18 @@ impl Macros {
         }
     }
 
+    /// The table that the last part of a dotted `name` is looked up in, the part before it, and the last part itself; the
+    /// table at hand and the whole name where the part before is no namespace.
+    pub fn inside<'n>(&self, at: MacrosId, name: &'n str) -> (MacrosId, &'n str, &'n str) {
+        let split = name.rfind('.').map(|dot| name.split_at(dot + 1));
+        let Some((path, own)) = split else { return (at, "", name) };
+        let mut steps = path.trim_end_matches('.').split('.');
+        match steps.try_fold(at, |table, step| self.namespace(table, step)) {
+            Some(table) => (table, path, own),
+            None => (at, "", name),
+        }
+    }
+
     /// Every macro name that can be called from `at` without a namespace, for suggestions.
     pub fn visible_names(&self, at: MacrosId) -> Vec<&str> {
         let mut names: Vec<&str> = Vec::new();
