@@ -24,6 +24,8 @@ pub(super) struct Run {
     args: Vec<(String, String)>,
     /// Whether it is a context, as others are of the same files.
     is_context: bool,
+    /// Whether it gives a robot, and everything of it is known.
+    is_whole_robot: bool,
     /// The descriptions that were read.
     reads: FastSet<FileId>,
     /// The start of the root.
@@ -35,7 +37,8 @@ impl Run {
         let Job { file, args, .. } = outcome.job.clone();
         let reads = outcome.files.iter().map(|file| file.id).collect();
         let start = outcome.files.first().map(|source| start(source));
-        Self { file, args, is_context: outcome.is_context, reads, start }
+        let is_whole_robot = outcome.is_robot && outcome.complete;
+        Self { file, args, is_context: outcome.is_context, is_whole_robot, reads, start }
     }
 }
 
@@ -75,6 +78,13 @@ impl Contexts {
         let could = |run: &Run| if is_read { run.reads.contains(&file) } else { same_root(run) };
         let numbered = self.runs.iter().enumerate();
         numbered.filter(|(_, run)| run.is_context && could(run)).map(|(number, _)| number).collect()
+    }
+
+    /// How many whole robots read a file besides those of the runs `but`.
+    pub(super) fn other_robots(&self, file: FileId, but: &[usize]) -> usize {
+        let own: FastSet<&PathBuf> = but.iter().filter_map(|&n| Some(&self.runs.get(n)?.file)).collect();
+        let reads = |run: &&Run| run.is_whole_robot && run.reads.contains(&file) && !own.contains(&run.file);
+        self.runs.iter().filter(reads).map(|run| &run.file).collect::<FastSet<_>>().len()
     }
 
     /// What the message of a finding ends with that these runs have: ` [root robot.urdf.xacro side:=right]`

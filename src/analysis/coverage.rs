@@ -8,6 +8,7 @@ use super::includes::Included;
 use super::job::Outcome;
 use super::roots::{Job, Reason};
 use super::session::Session;
+use super::set_aside::leave_out_copies;
 use crate::base::FastSet;
 
 impl Session {
@@ -50,6 +51,7 @@ impl Session {
             }
             kept.push(outcome);
         }
+        leave_out_copies(&mut kept);
         kept
     }
 
@@ -61,7 +63,7 @@ impl Session {
         let files: FastSet<&Path> = jobs.iter().map(|job| job.file.as_path()).collect();
         let files: Vec<&Path> = files.into_iter().collect();
         let sources = files.par_iter().filter_map(|file| self.vfs.document(file).ok());
-        let included = Included::of(sources.map(|source| Included::by(&source, &self.packages)).collect());
+        let included = Included::of_files(sources.collect(), &self.packages);
         files.into_par_iter().filter(|file| included.has(file)).map(Path::to_path_buf).collect()
     }
 }

@@ -3,7 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use rayon::prelude::*;
+
 use crate::base::FastMap;
+use crate::facts::{Fact, FactKind, facts};
 use crate::vfs::SourceFile;
 use crate::workspace::Packages;
 use crate::workspace::config::Pattern;
@@ -47,6 +50,7 @@ fn read(source: &SourceFile, packages: &Packages) -> impl Iterator<Item = Option
 /// What the files of a workspace include, arranged so that nobody has to try every pattern on every file.
 #[derive(Default)]
 pub(super) struct Included {
+    files: Vec<Arc<SourceFile>>,
     /// By the beginning that is sure: who includes what.
     by_start: FastMap<PathBuf, Vec<Include>>,
 }
@@ -69,8 +73,28 @@ impl Included {
         patterns(source, packages).into_iter().map(include).collect()
     }
 
+    /// What these files include.
+    pub(super) fn of_files(files: Vec<Arc<SourceFile>>, packages: &Packages) -> Self {
+        let includes = files.par_iter().map(|source| Self::by(source, packages)).collect();
+        Self { files, ..Self::of(includes) }
+    }
+
+    /// Whether there is a file of that name.
+    pub(super) fn has_name(&self, name: &str) -> bool {
+        self.files.iter().any(|file| file.path.file_name().is_some_and(|own| own == name))
+    }
+
+    /// Whether a file defines a property of that name outside of macros.
+    pub(super) fn defines(&self, property: &str) -> bool {
+        self.files.iter().any(|file| {
+            let mut facts = facts(&file.document);
+            let is_it = |fact: &Fact| !fact.in_macro && fact.name == property;
+            facts.any(|(_, facts)| facts.of(FactKind::Property).any(is_it))
+        })
+    }
+
     /// Those of many.
-    pub(super) fn of(includes: Vec<Vec<Include>>) -> Self {
+    fn of(includes: Vec<Vec<Include>>) -> Self {
         let mut all = Self::default();
         for include in includes.into_iter().flatten() {
             all.by_start.entry(include.start.clone()).or_default().push(include);

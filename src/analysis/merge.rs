@@ -3,7 +3,7 @@
 use super::contexts::{Contexts, Run};
 use super::job::Outcome;
 use crate::base::{FastMap, Span};
-use crate::rules::Finding;
+use crate::rules::{Finding, Severity};
 
 /// A finding, and where it occurred.
 struct Merged {
@@ -73,6 +73,15 @@ impl Merged {
     /// Say in which contexts the finding occurs, when not in all of them. What is unused in some of them only is not
     /// unused.
     fn finish(mut self, contexts: &Contexts) -> Option<Finding> {
+        if self.finding.rule.name == "transmission-unknown-joint" {
+            // a shared file lists the joints of the largest robot; what a smaller one lacks, ROS 1 passes over
+            let most = match contexts.other_robots(self.finding.span.file, &self.outcomes) {
+                0 => Severity::Error,
+                1 => Severity::Warning,
+                _ => Severity::Info,
+            };
+            self.finding.severity = self.finding.severity.min(most);
+        }
         let possible = contexts.that_read(self.finding.span.file, &self.outcomes);
         let has = |number: &usize| self.outcomes.contains(number);
         if possible.iter().all(has) {

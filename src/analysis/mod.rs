@@ -25,6 +25,7 @@ mod report;
 mod roles;
 mod roots;
 mod session;
+mod set_aside;
 mod suppress;
 mod trial;
 mod walk;

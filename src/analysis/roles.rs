@@ -58,6 +58,10 @@ impl Session {
         let role = self.role(checked, findings);
         let mut noted = FastSet::default();
         findings.retain_mut(|finding| match verdict(role, finding) {
+            Verdict::Keep if role == Role::Root && self.may_get_elsewhere(checked.job, finding) => {
+                finding.severity = finding.severity.min(Severity::Info);
+                noted.insert((finding.rule.code, finding.span.file, finding.message.clone()))
+            }
             Verdict::Keep => true,
             Verdict::Drop => false,
             Verdict::Set(severity) => {
@@ -90,15 +94,42 @@ impl Session {
         }
     }
 
+    /// Whether what a robot lacks may come from somewhere else: nobody in the workspace names the file, and it is of a
+    /// package, so that others may give its arguments, or other files define the property that it reads.
+    fn may_get_elsewhere(&self, job: &Job, finding: &Finding) -> bool {
+        if job.reason == Reason::Root || finding.fix.is_some() {
+            return false;
+        }
+        let is_open = match (&finding.outside, finding.rule.code) {
+            (Some(Outside::Argument(_)), "XAC003") => self.packages.containing(&job.file).is_some(),
+            (Some(Outside::Includer), "XAC001") => {
+                let name = self.vfs.document(&self.vfs.path(finding.span.file));
+                let name = name.map(|source| source.document.slice(finding.span.range));
+                name.is_ok_and(|name| self.included_around(&job.file).is_some_and(|all| all.defines(&name)))
+            }
+            _ => false,
+        };
+        is_open && !self.is_named(&job.file)
+    }
+
     /// Whether a file of the workspace includes this one, whatever the condition around the include.
-    fn is_included(&self, file: &Path) -> bool {
-        let Some(top) = self.packages.sources_around(file) else { return false };
-        let included = self.included_below(&top, || {
+    pub(super) fn is_included(&self, file: &Path) -> bool {
+        self.included_around(file).is_some_and(|included| included.has(file))
+    }
+
+    /// Whether the workspace around a file has a description of that name.
+    pub(super) fn has_description(&self, file: &Path, name: &str) -> bool {
+        self.included_around(file).is_some_and(|included| included.has_name(name))
+    }
+
+    /// What the descriptions of the workspace around a file include.
+    fn included_around(&self, file: &Path) -> Option<Arc<Included>> {
+        let top = self.packages.sources_around(file)?;
+        Some(self.included_below(&top, || {
             let files = walk::all_descriptions(&top, &self.env);
             let sources = files.par_iter().filter_map(|file| self.vfs.document(file).ok());
-            Arc::new(Included::of(sources.map(|source| Included::by(&source, &self.packages)).collect()))
-        });
-        included.has(file)
+            Arc::new(Included::of_files(sources.collect(), &self.packages))
+        }))
     }
 }
 

@@ -367,8 +367,8 @@ impl Expander<'_> {
             position.line + 1,
             position.col
         );
-        // an empty file that nothing includes is one that somebody has yet to write
-        if include == Origin::NOWHERE && document.text().trim().is_empty() {
+        // one that nothing includes and that has comments at most is yet to be written, or the head of others
+        if include == Origin::NOWHERE && first.kind == SyntaxErrorKind::NoRoot {
             problem = problem.depends_on(Outside::Includer);
         }
         self.push(problem);

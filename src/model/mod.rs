@@ -22,5 +22,5 @@ pub use mesh::{
 };
 pub use pose::{Pose, transform};
 pub use robot::Robot;
-pub use source::{attr_range, element_range, source_has_elements, tag_start};
+pub use source::{attr_range, element_range, source_has_elements, source_mentions, tag_start};
 pub use text::{Text, decimal, is_decimal};

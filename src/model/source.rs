@@ -31,6 +31,20 @@ pub fn source_has_elements(expansion: &Expansion, element: XId) -> bool {
     node(expansion, origin).is_none_or(|node| node.child_elements().next().is_some())
 }
 
+/// Whether the source of an element has an element of a name somewhere inside, whatever became of it.
+pub fn source_mentions(expansion: &Expansion, element: XId, name: &str) -> bool {
+    let origin = expansion.tree.get(element).origin;
+    let Some(node) = node(expansion, origin) else { return false };
+    let mut open: Vec<Node<'_>> = node.child_elements().collect();
+    while let Some(inner) = open.pop() {
+        if inner.name() == name {
+            return true;
+        }
+        open.extend(inner.child_elements());
+    }
+    false
+}
+
 /// The source element whose start tag is at `origin`.
 fn node(expansion: &Expansion, origin: Origin) -> Option<Node<'_>> {
     let item = &expansion.sources.get(origin.src.0 as usize)?.item;

@@ -3,6 +3,7 @@
 mod belonging;
 mod callers;
 pub mod config;
+mod distribution;
 mod install;
 mod manifest;
 mod memo;

@@ -20,6 +20,8 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let root = cx.expansion.files.first().map(|file| &*file.source.path);
+    let mut is_old = None;
     for (control, joint) in controlled(cx) {
         let released = control
             .mimic
@@ -28,10 +30,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if joint.mimic.is_none() || released {
             continue;
         }
+        let is_old =
+            *is_old.get_or_insert_with(|| root.is_some_and(|root| cx.world.packages.is_before_iron(root)));
         for command in &control.commands {
             let message = format!("joint `{}` mimics another joint and cannot take commands", joint.shown());
             let report = out
                 .report(tag_start(cx.expansion, command.element), message)
+                .severity(if is_old { Severity::Info } else { RULE.severity })
                 .help("remove the command interface, or write mimic=\"false\" at the joint of ros2_control");
             delete_element(report, cx.expansion, command.element, "remove the command interface").done();
         }

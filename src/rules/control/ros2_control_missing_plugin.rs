@@ -3,8 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::model::Text;
-use crate::model::tag_start;
+use crate::model::{Text, source_mentions, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL002",
@@ -26,12 +25,19 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         for &hardware in &control.hardware {
             let mut plugins = tree.elements(hardware).filter(|&id| tree.get(id).text == "plugin");
             if !plugins.any(|plugin| Text::content(tree, plugin).is_some()) {
-                out.report(
-                    tag_start(cx.expansion, hardware),
-                    format!("the hardware of ros2_control `{name}` has no plugin"),
-                )
-                .help("add <plugin>package/Class</plugin>; for tries, mock_components/GenericSystem")
-                .done();
+                // other arguments choose one
+                let has_branch = source_mentions(cx.expansion, hardware, "plugin")
+                    && tree.elements(hardware).all(|id| tree.get(id).text != "plugin");
+                let message = match has_branch {
+                    true => {
+                        format!("with these arguments, the hardware of ros2_control `{name}` has no plugin")
+                    }
+                    false => format!("the hardware of ros2_control `{name}` has no plugin"),
+                };
+                out.report(tag_start(cx.expansion, hardware), message)
+                    .severity(if has_branch { Severity::Info } else { RULE.severity })
+                    .help("add <plugin>package/Class</plugin>; for tests, mock_components/GenericSystem")
+                    .done();
             }
         }
     }

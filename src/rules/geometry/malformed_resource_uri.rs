@@ -6,6 +6,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use super::shapes::{is_replaceable, resource_names};
 use crate::model::Text;
+use crate::workspace::Target;
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO021",
@@ -25,23 +26,47 @@ const MOST_SHOWN: usize = 80;
 /// What is wrong with a URI, and how it was meant.
 pub(super) struct UriDefect {
     message: &'static str,
-    /// Whether common readers find the file all the same.
-    is_read: bool,
+    /// Who reads the file all the same.
+    readers: Readers,
     meant: Option<String>,
+}
+
+/// Who finds a file by a URI that is not right.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Readers {
+    None,
+    /// All but those that ask libcurl 7.78 or later, as RViz 2 does.
+    OldCurl,
+    /// Most programs.
+    Most,
 }
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for name in resource_names(cx).into_iter().filter(|name| name.is_known()) {
-        let Some(UriDefect { message, is_read, meant }) = defect(&name.value) else { continue };
+        let Some(UriDefect { message, readers, meant }) = defect(&name.value) else { continue };
+        let help = match readers {
+            Readers::OldCurl => "RViz in ROS 2 Humble and later does not find the file: rename it",
+            _ => "URIs are written package://PACKAGE/PATH, with slashes and without spaces",
+        };
         let report = out
             .report(name.origin, format!("`{}`: {message}", shortened(&name.value)))
-            .severity(if is_read { Severity::Warning } else { Severity::Error })
+            .severity(severity(cx, readers))
             .group(Group::Name(format!("{message} {}", beginning(&name.value)).into()))
-            .help("URIs are written package://PACKAGE/PATH, with slashes and without spaces");
+            .help(help);
         match meant.filter(|meant| is_replaceable(name, meant) && leads_to_package(cx, name, meant)) {
             Some(meant) => report.replace_with(Safety::Safe, format!("write `{meant}`"), meant).done(),
             None => report.done(),
         }
+    }
+}
+
+fn severity(cx: &DocumentCx<'_>, readers: Readers) -> Severity {
+    let root = cx.expansion.files.first().map(|file| &*file.source.path);
+    let is_ros1 = || root.and_then(|root| cx.world.packages.generation(root)) == Some(Target::Ros1);
+    match readers {
+        Readers::None => Severity::Error,
+        Readers::OldCurl if is_ros1() => Severity::Info,
+        Readers::OldCurl | Readers::Most => Severity::Warning,
     }
 }
 
@@ -64,7 +89,8 @@ fn leads_to_package(cx: &DocumentCx<'_>, name: &Text, meant: &str) -> bool {
 
 /// What is wrong with a URI or path.
 pub(super) fn defect(value: &str) -> Option<UriDefect> {
-    let found = |message, meant| Some(UriDefect { message, is_read: false, meant });
+    let found = |message, meant| Some(UriDefect { message, readers: Readers::None, meant });
+    let spaces = |readers| Some(UriDefect { message: "spaces in a URI", readers, meant: None });
     let slashed = value.replace('\\', "/");
     if let Some(rest) = slashed.strip_prefix("package:") {
         let path = rest.trim_start_matches('/');
@@ -75,7 +101,7 @@ pub(super) fn defect(value: &str) -> Option<UriDefect> {
             _ if slashes < 2 => found("two slashes belong behind `package:`", meant),
             _ if slashes > 2 => found("the package name is missing behind `package://`", meant),
             None | Some((_, "")) => found("a path is missing behind the package name", None),
-            _ if has_space(value) => found("spaces in a URI", None),
+            _ if has_space(value) => spaces(Readers::OldCurl),
             _ => None,
         };
     }
@@ -88,10 +114,8 @@ pub(super) fn defect(value: &str) -> Option<UriDefect> {
             let drive = value.get(1..2) == Some(":") || value.starts_with("\\\\");
             found("backslashes in a path", (!drive).then_some(slashed))
         }
-        _ if file.is_some() && has_space(value) => {
-            Some(UriDefect { message: "spaces in a URI", is_read: true, meant: None })
-        }
-        _ if value.contains("://") && has_space(value) => found("spaces in a URI", None),
+        _ if file.is_some() && has_space(value) => spaces(Readers::Most),
+        _ if value.contains("://") && has_space(value) => spaces(Readers::None),
         _ if value.trim() != value => {
             found("spaces around a path", Some(value.trim().to_owned()).filter(|path| !path.is_empty()))
         }
@@ -116,7 +140,7 @@ fn shortened(value: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::defect;
+    use super::{Readers, defect};
 
     #[test]
     fn uris() {
@@ -151,11 +175,14 @@ mod tests {
         for (value, expected) in bad {
             assert_eq!(meant(value).as_deref(), Some(expected), "{value}");
         }
-        let is_read = |value: &str| defect(value).is_some_and(|defect| defect.is_read);
-        assert!(is_read("file:///a/b c.stl"));
-        assert!(
-            ["package://a/b c.stl", "http://x/b c.stl", "file://a/b c.stl"].iter().all(|uri| !is_read(uri))
-        );
+        for (uri, expected) in [
+            ("file:///a/b c.stl", Readers::Most),
+            ("package://a/b c.stl", Readers::OldCurl),
+            ("http://x/b c.stl", Readers::None),
+            ("file://a/b c.stl", Readers::None),
+        ] {
+            assert_eq!(defect(uri).unwrap().readers, expected, "{uri}");
+        }
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //!
 //! Read as text, never executed: which values a launch file computes is not known then, only that it gives them.
 
+mod config;
 mod read;
 
 use std::path::{Path, PathBuf};
@@ -25,6 +26,8 @@ pub struct Caller {
     endings: Vec<String>,
     /// The arguments it gives, in order.
     pub args: Vec<GivenArg>,
+    /// The package whose configuration it completes.
+    based_on: Option<String>,
 }
 
 /// An argument that a caller gives.
@@ -127,6 +130,7 @@ fn search(vfs: &Vfs, top: &Path) -> Vec<Caller> {
         }
     }
     found.sort_by(|a: &Caller, b| a.path.cmp(&b.path));
+    config::inherit(&mut found);
     found
 }
 
@@ -156,5 +160,31 @@ mod tests {
         assert_eq!(args.len(), 1);
         assert_eq!((args[0].name.as_str(), args[0].value.as_deref()), ("side", Some("left")));
         assert!(callers.of(&tree.path("ws/src/arm/urdf/hand.urdf.xacro"), &packages).is_empty());
+    }
+
+    #[test]
+    fn configurations_give_arguments_and_pass_them_on() {
+        let tree = Tree::new();
+        for package in ["arm_base", "arm_site", "other"] {
+            tree.write(
+                &format!("ws/src/{package}/package.xml"),
+                &format!("<package><name>{package}</name></package>"),
+            );
+        }
+        tree.write("ws/src/arm_base/urdf/arm.xacro", "<robot/>");
+        tree.write(
+            "ws/src/arm_base/config/config.yaml",
+            "urdf:\n  path: urdf/arm.xacro\nurdf_params:\n  - side: left\n",
+        );
+        tree.write(
+            "ws/src/arm_site/config/config.yaml",
+            "based_on_package: \"arm_base\"\nurdf_params:\n  - mode: fast\n",
+        );
+        tree.write("ws/src/other/config/config.yaml", "urdf_params:\n  - leg: 1\n");
+        let packages = Packages::new(tree.vfs().clone(), &tree.environment(&[]), PackageOptions::default());
+        let found = Callers::default().of(&tree.path("ws/src/arm_base/urdf/arm.xacro"), &packages);
+        let given =
+            found.iter().map(|caller| caller.args.iter().map(|arg| arg.name.as_str()).collect::<Vec<_>>());
+        assert_eq!(given.collect::<Vec<_>>(), [vec!["side"], vec!["mode", "side"]]);
     }
 }

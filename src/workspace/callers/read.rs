@@ -3,7 +3,7 @@
 use std::cell::LazyCell;
 use std::path::Path;
 
-use super::{Caller, GivenArg};
+use super::{Caller, GivenArg, config};
 use crate::base::{FastMap, FastSet};
 
 /// Whether a file of that name may call a robot.
@@ -30,7 +30,9 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
     let name = path.file_name()?.to_str()?;
     let descriptions = descriptions(name, text);
     let endings = computed(text);
-    if descriptions.is_empty() && endings.is_empty() {
+    let is_yaml = name.ends_with(".yaml") || name.ends_with(".yml");
+    let based_on = is_yaml.then(|| config::based_on(text)).flatten();
+    if descriptions.is_empty() && endings.is_empty() && based_on.is_none() {
         return None;
     }
     let declared = LazyCell::new(|| declared(text));
@@ -44,7 +46,10 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
         }
     }
     args.extend(mappings(text));
-    Some(Caller { path: path.to_owned(), descriptions, endings, args })
+    if is_yaml {
+        args.extend(config::urdf_params(text));
+    }
+    Some(Caller { path: path.to_owned(), descriptions, endings, args, based_on })
 }
 
 /// The names of descriptions in a text, without folders. What is only installed or included is not called.

@@ -1,0 +1,73 @@
+//! Which distributions of ROS 2 the authors of a package name.
+
+use std::path::{Path, PathBuf};
+
+use super::Packages;
+use super::manifest::MANIFEST;
+use crate::base::limits::CALLER_BYTES;
+
+/// Distributions before Iron that have ros2_control.
+const BEFORE_IRON: [&str; 3] = ["foxy", "galactic", "humble"];
+const SINCE_IRON: [&str; 5] = ["iron", "jazzy", "kilted", "lyrical", "rolling"];
+/// Folders of a repository in which builds and tests are described.
+const FOLDERS: [&str; 4] = ["", "docker", ".docker", ".github/workflows"];
+
+impl Packages {
+    /// Whether the package around a file is for distributions of ROS 2 before Iron only: the environment says so, or else
+    /// its manifest, and pages, scripts and workflows of the package and the repository.
+    pub fn is_before_iron(&self, file: &Path) -> bool {
+        if let Some(distribution) = self.env.var("ROS_DISTRO").filter(|name| !name.is_empty()) {
+            return BEFORE_IRON.contains(&&*distribution);
+        }
+        let package = self.containing(file).map(|package| package.folder);
+        let tops = [package, self.sources_around(file)];
+        let folders = tops.iter().flatten().flat_map(|top| FOLDERS.map(|folder| top.join(folder)));
+        let (mut is_old, mut is_new) = (false, false);
+        for path in folders.flat_map(|folder| self.pages_in(&folder)) {
+            let Ok(file) = self.vfs.text(&path) else { continue };
+            for word in file.text.split(|c: char| !c.is_ascii_alphanumeric()) {
+                is_old |= BEFORE_IRON.iter().any(|name| word.eq_ignore_ascii_case(name));
+                is_new |= SINCE_IRON.iter().any(|name| word.eq_ignore_ascii_case(name));
+            }
+        }
+        is_old && !is_new
+    }
+
+    /// The files of a folder that say what a package is built and tested with.
+    fn pages_in(&self, folder: &Path) -> Vec<PathBuf> {
+        const ENDINGS: [&str; 7] = ["md", "rst", "txt", "sh", "yml", "yaml", "repos"];
+        let tells = |name: &str| {
+            let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
+            name == MANIFEST || name.starts_with("Dockerfile") || ENDINGS.contains(&ending)
+        };
+        let entries = self.vfs.list_dir(folder);
+        let files = entries.iter().filter(|entry| !entry.is_dir && tells(&entry.name));
+        let paths = files.map(|entry| folder.join(&entry.name));
+        paths.filter(|path| self.vfs.size(path).is_some_and(|size| size <= CALLER_BYTES)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::vfs::testing::Tree;
+    use crate::workspace::{PackageOptions, Packages};
+
+    #[test]
+    fn distributions_that_are_named() {
+        let is_old = |name: &str, text: &str, vars: &[(&str, &str)]| {
+            let tree = Tree::new();
+            tree.write("ws/arm/package.xml", "<package><name>arm</name></package>");
+            tree.write("ws/.git/HEAD", "");
+            tree.write(name, text);
+            let packages =
+                Packages::new(tree.vfs().clone(), &tree.environment(vars), PackageOptions::default());
+            packages.is_before_iron(&tree.path("ws/arm/urdf/arm.xacro"))
+        };
+        assert!(is_old("ws/arm/README.md", "Install ros-humble-xacro.", &[]));
+        assert!(is_old("ws/.github/workflows/ci.yml", "distribution: [Foxy, Humble]", &[]));
+        assert!(!is_old("ws/arm/README.md", "Tested on Humble and Jazzy.", &[]));
+        assert!(!is_old("ws/arm/README.md", "A humbler arm.", &[]));
+        assert!(!is_old("ws/arm/README.md", "For Humble.", &[("ROS_DISTRO", "jazzy")]));
+        assert!(is_old("ws/arm/README.md", "", &[("ROS_DISTRO", "humble")]));
+    }
+}
