@@ -289,11 +289,21 @@ mod tests {
         let manifest = |tool: &str| {
             format!("<package><name>p</name><buildtool_depend>{tool}</buildtool_depend></package>")
         };
-        let robot = format!(
-            "{ARM}<transmission name='t'><type>x</type><joint name='k'><hardwareInterface>y</hardwareInterface></joint></transmission>"
-        );
-        for (tool, severity) in [("catkin", "error"), ("ament_cmake", "warning")] {
-            let files = [("package.xml", &*manifest(tool)), ("r.urdf.xacro", &robot)];
+        let transmission = |joint: &str| {
+            format!(
+                "<transmission name='{joint}'><type>x</type><joint name='{joint}'><hardwareInterface>y</hardwareInterface>\
+                 </joint></transmission>"
+            )
+        };
+        let none_fits = format!("{ARM}{}", transmission("k"));
+        let one_fits = format!("{ARM}{}{}", transmission("k"), transmission("j"));
+        for (tool, robot, severity) in [
+            ("catkin", &none_fits, "error"),
+            ("catkin", &one_fits, "error"),
+            ("ament_cmake", &none_fits, "info"),
+            ("ament_cmake", &one_fits, "warning"),
+        ] {
+            let files = [("package.xml", &*manifest(tool)), ("r.urdf.xacro", robot)];
             check_roles(&files, &[&format!("r.urdf.xacro {severity} transmission-unknown-joint")]);
         }
     }
