@@ -79,11 +79,6 @@ impl Included {
         Self { files, ..Self::of(includes) }
     }
 
-    /// Whether there is a file of that name.
-    pub(super) fn has_name(&self, name: &str) -> bool {
-        self.files.iter().any(|file| file.path.file_name().is_some_and(|own| own == name))
-    }
-
     /// Whether a file defines a property of that name outside of macros.
     pub(super) fn defines(&self, property: &str) -> bool {
         self.files.iter().any(|file| {

@@ -97,7 +97,7 @@ pub(super) fn judge(
         findings.extend(unreadable(session.vfs.file_id(&job.file), error));
     }
     session.settle_by_role(&Checked { job: &job, kind, expansion, robot }, &mut findings);
-    session.settle_set_aside(&job, expansion.files.first().map(|file| &*file.source), &mut findings);
+    session.settle_set_aside(&job, &mut findings);
     Outcome {
         is_robot: kind == RootKind::Robot,
         is_context: job.reason == Reason::Root,

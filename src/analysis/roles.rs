@@ -117,11 +117,6 @@ impl Session {
         self.included_around(file).is_some_and(|included| included.has(file))
     }
 
-    /// Whether the workspace around a file has a description of that name.
-    pub(super) fn has_description(&self, file: &Path, name: &str) -> bool {
-        self.included_around(file).is_some_and(|included| included.has_name(name))
-    }
-
     /// What the descriptions of the workspace around a file include.
     fn included_around(&self, file: &Path) -> Option<Arc<Included>> {
         let top = self.packages.sources_around(file)?;

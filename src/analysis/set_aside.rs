@@ -26,18 +26,13 @@ const KEPT: [&str; 11] = [
 
 impl Session {
     /// What is wrong in a file that was set aside is an info: nobody names or includes it, and its path says that it is
-    /// old or a copy, or xacro generated it from a file that is not there. Not when somebody asks for this very file.
-    pub(super) fn settle_set_aside(&self, job: &Job, root: Option<&SourceFile>, findings: &mut [Finding]) {
+    /// old or a copy. Not when somebody asks for this very file.
+    pub(super) fn settle_set_aside(&self, job: &Job, findings: &mut [Finding]) {
         let is_news = |finding: &Finding| finding.severity > Severity::Info;
         if job.reason != Reason::Walked || !findings.iter().any(is_news) {
             return;
         }
-        let is_kept = || self.is_called_kept(&job.file);
-        let is_leftover = || {
-            let source = root.and_then(generated_from);
-            source.is_some_and(|source| !self.has_description(&job.file, &source))
-        };
-        if (is_kept() || is_leftover()) && !self.is_named(&job.file) && !self.is_included(&job.file) {
+        if self.is_called_kept(&job.file) && !self.is_named(&job.file) && !self.is_included(&job.file) {
             findings.iter_mut().for_each(|finding| finding.severity = finding.severity.min(Severity::Info));
         }
     }
@@ -142,9 +137,9 @@ mod tests {
             )
         };
         let generated = with_head(BROKEN);
-        // its source is elsewhere, and nobody uses it
+        // its source is elsewhere: this is the robot
         let places = found(&[("urdf/arm.urdf", &generated)], "missing-element");
-        assert_eq!(places, [("urdf/arm.urdf".to_owned(), Severity::Info)]);
+        assert_eq!(places, [("urdf/arm.urdf".to_owned(), Severity::Error)]);
         let source = BROKEN.replace("<robot", "<robot xmlns:xacro='http://www.ros.org/wiki/xacro'");
         let both = |generated: &str| {
             found(&[("urdf/arm.urdf", generated), ("arm.urdf.xacro", &source)], "missing-element")

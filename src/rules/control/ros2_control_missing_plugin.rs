@@ -25,9 +25,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         for &hardware in &control.hardware {
             let mut plugins = tree.elements(hardware).filter(|&id| tree.get(id).text == "plugin");
             if !plugins.any(|plugin| Text::content(tree, plugin).is_some()) {
-                // other arguments choose one
+                // other arguments choose one: the parameters of a hardware whose plugin is missing would be here
                 let has_branch = source_mentions(cx.expansion, hardware, "plugin")
-                    && tree.elements(hardware).all(|id| tree.get(id).text != "plugin");
+                    && tree.elements(hardware).next().is_none();
                 let message = match has_branch {
                     true => {
                         format!("with these arguments, the hardware of ros2_control `{name}` has no plugin")

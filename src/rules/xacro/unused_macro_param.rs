@@ -128,12 +128,14 @@ impl Forwards {
     }
 }
 
-/// Whether the body of a macro has links or joints; other macros often take the block that goes with them, and need none.
+/// Whether the body of a macro has links or joints, or calls macros that may have; others often take the block that goes
+/// with them, and need none.
 fn places_parts(cx: &DocumentCx<'_>, of: DefinitionId) -> bool {
     let found = cx.expansion.symbols.get(of).and_then(|owner| source::tag(cx.expansion, owner.place));
     let mut open: Vec<Node<'_>> = found.map(|(_, node)| node).into_iter().collect();
     while let Some(node) = open.pop() {
-        if matches!(node.name(), "link" | "joint" | "inertial" | "visual" | "collision") {
+        let is_call = node.name().strip_prefix("xacro:").is_some_and(|tag| !is_keyword(tag));
+        if is_call || matches!(node.name(), "link" | "joint" | "inertial" | "visual" | "collision") {
             return true;
         }
         open.extend(node.children());
