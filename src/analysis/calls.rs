@@ -131,6 +131,11 @@ mod tests {
     fn arguments_that_a_launch_file_gives() {
         let robot = "<xacro:property name='p' value='$(arg side)' lazy_eval='false'/>";
         check_called(robot, &[], &["error undefined-arg"]);
+        // in a package, others may use the robot
+        let manifest = ("package.xml", "<package><name>p</name></package>");
+        check_called(robot, &[manifest], &["info undefined-arg"]);
+        check_called(robot, &[manifest, ("README.md", "see r.urdf.xacro")], &["error undefined-arg"]);
+        check_called(robot, &[manifest, ("README.md", "└── r.urdf.xacro")], &["info undefined-arg"]);
         for launch in [
             "xacro r.urdf.xacro side:=left",
             "'r.urdf.xacro', ' side:=', compute()",
@@ -177,6 +182,9 @@ mod tests {
         check_called(robot, &[part, given], &[]);
         // given, with a value that is not known
         check_called(robot, &[("r.launch", "xacro r.urdf.xacro kind:=$(arg kind)")], &[]);
+        // given to a file that is computed as well
+        let script = "doc = xacro.parse(open(path))\nxacro.process_doc(doc, mappings={'kind': kind})";
+        check_called(robot, &[part, ("r.launch.py", script)], &[]);
         // given, and wrong
         check_called(robot, &[("r.launch", "xacro r.urdf.xacro kind:=small")], &["error include-not-found"]);
         // the file is missing whatever is given
@@ -190,6 +198,9 @@ mod tests {
         check_called(number, &[], &["info expression-error"]);
         check_called(number, &[("r.launch", "xacro r.urdf.xacro width:=2")], &[]);
         check_called(&number.replace("default=''", "default='wide'"), &[], &["error expression-error"]);
+        let package = "<xacro:arg name='config' default=''/><xacro:property name='c' value='$(arg config)'/><link name='$(find ${c})'/>";
+        check_called(package, &[], &["info expression-error"]);
+        check_called(&package.replace("${c}", ""), &[], &["error expression-error"]);
     }
 
     #[test]

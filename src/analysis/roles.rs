@@ -88,8 +88,11 @@ impl Session {
         }
         let misspelt =
             || findings.iter().any(|finding| finding.rule.code == "STR003" && finding.fix.is_some());
+        let missing = robot.and_then(above_fragment);
+        // whoever names the file together with the link attaches it there
+        let is_whole = |link: &EcoString| misspelt() || is_called() && !self.is_named_with(&job.file, link);
         match gives_robot {
-            true if !robot.is_some_and(is_fragment) || misspelt() || is_called() => Role::Root,
+            true if missing.is_none_or(is_whole) => Role::Root,
             _ => Role::Unknown,
         }
     }
@@ -154,13 +157,15 @@ fn verdict(role: Role, finding: &Finding) -> Verdict {
     }
 }
 
-/// Whether a robot is a chain of links below one link that it does not have: made to be attached to another robot.
-fn is_fragment(robot: &Robot) -> bool {
+/// The link that a robot does not have and that is above all of its links: the robot is made to be attached there.
+fn above_fragment(robot: &Robot) -> Option<&EcoString> {
     let names: FastSet<&EcoString> =
         robot.links.iter().filter_map(|link| link.name.as_ref()?.name()).collect();
     let parents = robot.joints.iter().filter_map(|joint| joint.parent.as_ref()?.name());
     let missing: FastSet<&EcoString> = parents.filter(|parent| !names.contains(parent)).collect();
-    missing.len() == 1 && !robot.links.is_empty() && Kinematics::of(robot).roots(robot).is_empty()
+    let is_fragment =
+        missing.len() == 1 && !robot.links.is_empty() && Kinematics::of(robot).roots(robot).is_empty();
+    missing.into_iter().next().filter(|_| is_fragment)
 }
 
 #[cfg(test)]
@@ -251,6 +256,11 @@ mod tests {
         check_roles(
             &[("hand.urdf", hand), ("README.md", "see hand.urdf")],
             &["hand.urdf error undefined-link"],
+        );
+        // named together with the link to which it is attached
+        check_roles(
+            &[("hand.urdf", hand), ("a.launch", "send hand.urdf -l tool0")],
+            &["hand.urdf info undefined-link"],
         );
         // the robot has a root: the parent of one link is misspelled
         let robot = "<robot name='r'><link name='base'/><link name='arm'/><joint name='j' type='fixed'>\
@@ -344,6 +354,10 @@ mod tests {
         let passes =
             library("<xacro:inner><xacro:insert_block name='origin'/><box size='1 1 1'/></xacro:inner>");
         check_roles(&[("lib.xacro", &passes)], &[]);
+        // one that nobody defines is said by itself
+        let undefined =
+            "<xacro:inner><xacro:insert_block name='calibration'/><box size='1 1 1'/></xacro:inner>";
+        check_roles(&[("lib.xacro", &library(undefined))], &["lib.xacro info undefined-block"]);
         let forgets = library("<xacro:inner><xacro:insert_block name='origin'/></xacro:inner>");
         check_roles(&[("lib.xacro", &forgets)], &["lib.xacro error macro-block-mismatch"]);
     }

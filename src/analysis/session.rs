@@ -106,6 +106,11 @@ impl Session {
         self.callers.name(file, &self.packages)
     }
 
+    /// Whether a file that names a description also says `word`.
+    pub(super) fn is_named_with(&self, file: &Path, word: &str) -> bool {
+        self.callers.mention(file, word, &self.packages)
+    }
+
     /// What the descriptions below a folder include, as `make` finds it the first time.
     pub(super) fn included_below(
         &self,

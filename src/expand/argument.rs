@@ -1,11 +1,14 @@
-//! Whose fault a text in the body of a macro is: its own, or that of a call.
+//! Whose fault a text is: its own, that of the call of the macro around it, or that of an argument.
+
+use ecow::EcoString;
 
 use super::expansion::Expansion;
 use super::origin::{FrameId, FrameKind, Origin};
 use super::resolve::BindingKind;
 use super::symbols::SourceRange;
+use super::tree::Piece;
 use crate::base::{FastSet, TextRange};
-use crate::expr::{self, Token, is_identifier};
+use crate::expr::{self, Token, Value, is_identifier};
 
 /// Calls that hand a value down, at most.
 const MOST_CALLS: usize = 64;
@@ -68,4 +71,37 @@ pub fn is_partial(expansion: &Expansion, instances: &[Origin]) -> bool {
         all.extend(expansion.evaluations.at(place).map(|evaluation| evaluation.at.frame));
     }
     wrong.len() < all.len()
+}
+
+/// Bindings that are followed at most.
+const MOST_READS: usize = 200;
+
+impl Expansion {
+    /// An argument that is empty by default and that the value of an attribute was made from: whoever expands the file is to
+    /// give it.
+    pub fn empty_argument(&self, pieces: &[Piece]) -> Option<EcoString> {
+        pieces.iter().find_map(|piece| {
+            let Origin { src, range, frame } = piece.source;
+            let evaluation = self.evaluations.in_frame(SourceRange { src, range }, frame)?;
+            self.empty_argument_of(self.read_in(evaluation.reads))
+        })
+    }
+
+    /// The same for what was read.
+    pub(super) fn empty_argument_of(&self, reads: &[u32]) -> Option<EcoString> {
+        let mut seen = FastSet::default();
+        let mut open: Vec<u32> = reads.iter().rev().copied().take(MOST_READS).collect();
+        while let Some(id) = open.pop() {
+            if seen.len() > MOST_READS || !seen.insert(id) {
+                continue;
+            }
+            let info = self.bindings.get(id as usize)?;
+            let is_empty = matches!(&info.value, Some(Value::Str(text)) if text.is_empty());
+            if info.kind == BindingKind::Argument && is_empty && info.origin.is_some() {
+                return Some(info.name.clone());
+            }
+            open.extend_from_slice(self.read_in(info.reads));
+        }
+        None
+    }
 }

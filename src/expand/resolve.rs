@@ -9,8 +9,8 @@ use super::problem::{Outside, Step};
 use super::scope::{Scopes, State};
 use super::stack::with_stack;
 use super::symbols::{DefinitionId, UseKind};
+use crate::base::TextRange;
 use crate::base::limits::LAZY_DEPTH;
-use crate::base::{FastSet, TextRange};
 use crate::expr::{ScopeId, Value, literal};
 
 /// Where a value that an expression read was given.
@@ -42,9 +42,6 @@ pub enum BindingKind {
     /// The name of `ns=`.
     Namespace,
 }
-
-/// Values looked at for one that is empty.
-const MOST_READS: usize = 200;
 
 impl BindingInfo {
     /// An argument given from outside.
@@ -206,20 +203,7 @@ impl Expander<'_> {
     /// An argument that was read since `mark` for what is evaluated now and that is empty by default: whoever expands the
     /// file is to give it.
     pub fn empty_argument(&self, mark: usize) -> Option<EcoString> {
-        let mut seen = FastSet::default();
-        let mut open: Vec<u32> = self.reads.iter().skip(mark).rev().copied().take(MOST_READS).collect();
-        while let Some(id) = open.pop() {
-            if seen.len() > MOST_READS || !seen.insert(id) {
-                continue;
-            }
-            let info = self.result.bindings.get(id as usize)?;
-            let is_empty = matches!(&info.value, Some(Value::Str(text)) if text.is_empty());
-            if info.kind == BindingKind::Argument && is_empty && info.origin.is_some() {
-                return Some(info.name.clone());
-            }
-            open.extend_from_slice(self.result.read_in(info.reads));
-        }
-        None
+        self.result.empty_argument_of(self.reads.get(mark..).unwrap_or(&[]))
     }
 
     /// What may give another value to what is evaluated now, which read the names behind `mark`: nothing when it read

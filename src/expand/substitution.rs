@@ -40,20 +40,22 @@ struct Here<'t> {
 }
 
 impl Expander<'_> {
-    /// The value of `$(inner)`; `whole` is its range, `static_inner` that of its content where that is literal.
+    /// The value of `$(inner)`; `whole` is its range, `static_inner` that of its content where that is literal. What was
+    /// read for the content follows the first `mark` reads.
     pub fn substitute(
         &mut self,
         inner: &str,
         whole: TextRange,
         static_inner: Option<TextRange>,
         site: TextSite<'_>,
+        mark: usize,
     ) -> Value {
         let here = Here { inner, whole, start: static_inner.map(|range| range.start), site };
         match expr::resolve_substitution(inner, |subst| self.substitution_text(subst, here)) {
             Ok(text) => Value::Str(text),
             Err(Failure::Reported) => Value::Unknown,
             Err(Failure::Error(error)) => {
-                self.bad_substitution(&error, here);
+                self.bad_substitution(&error, here, mark);
                 Value::Unknown
             }
         }
@@ -187,7 +189,7 @@ impl Expander<'_> {
         }
     }
 
-    fn bad_substitution(&mut self, error: &SubstError, here: Here<'_>) {
+    fn bad_substitution(&mut self, error: &SubstError, here: Here<'_>, mark: usize) {
         let at = self.origin_in(here.site, here.whole);
         let SubstError { class, message } = error;
         let inner = here.inner.trim();
@@ -196,6 +198,8 @@ impl Expander<'_> {
             .says(format!("<class '{class}'>: {message} {message}"));
         if inner.starts_with("env ") {
             problem = problem.depends_on(Outside::Environment);
+        } else if let Some(argument) = self.empty_argument(mark) {
+            problem = problem.depends_on(Outside::Argument(argument));
         }
         if let Some(package) = inner.strip_prefix("find-pkg-share ") {
             let find = format!("$(find {})", package.trim());

@@ -159,6 +159,7 @@ impl Expander<'_> {
             Token::Text(range) | Token::Escape(range) => Value::Str(range.slice(site.text).into()),
             Token::Expr { range, inner, code } => self.eval_code(code, *range, *inner, site, scope),
             Token::Subst { range, inner, nested } => {
+                let mark = self.reads.len();
                 let text = match nested {
                     None => Cow::Borrowed(inner.slice(site.text)),
                     Some(nested) => match self.eval_nested(nested, site, scope) {
@@ -166,7 +167,7 @@ impl Expander<'_> {
                         None => return Value::Unknown,
                     },
                 };
-                self.substitute(&text, *range, nested.is_none().then_some(*inner), site)
+                self.substitute(&text, *range, nested.is_none().then_some(*inner), site, mark)
             }
             Token::Invalid { range, unclosed } => self.invalid_text(*range, *unclosed, site),
         }

@@ -6,31 +6,36 @@ use super::Packages;
 use super::manifest::MANIFEST;
 use crate::base::limits::CALLER_BYTES;
 
-/// Distributions before Iron that have ros2_control.
-const BEFORE_IRON: [&str; 3] = ["foxy", "galactic", "humble"];
-const SINCE_IRON: [&str; 5] = ["iron", "jazzy", "kilted", "lyrical", "rolling"];
+/// Distributions before Jazzy that have ros2_control.
+const BEFORE_JAZZY: [&str; 4] = ["foxy", "galactic", "humble", "iron"];
+const SINCE_JAZZY: [&str; 4] = ["jazzy", "kilted", "lyrical", "rolling"];
 /// Folders of a repository in which builds and tests are described.
 const FOLDERS: [&str; 4] = ["", "docker", ".docker", ".github/workflows"];
 
 impl Packages {
-    /// Whether the package around a file is for distributions of ROS 2 before Iron only: the environment says so, or else
-    /// its manifest, and pages, scripts and workflows of the package and the repository.
-    pub fn is_before_iron(&self, file: &Path) -> bool {
+    /// Whether the package around a file is for distributions of ROS 2 before Jazzy only: the environment says so, or else
+    /// its manifest, pages, scripts and workflows, or those of the repository.
+    pub fn is_before_jazzy(&self, file: &Path) -> bool {
         if let Some(distribution) = self.env.var("ROS_DISTRO").filter(|name| !name.is_empty()) {
-            return BEFORE_IRON.contains(&&*distribution);
+            return BEFORE_JAZZY.contains(&&*distribution);
         }
-        let package = self.containing(file).map(|package| package.folder);
-        let tops = [package, self.sources_around(file)];
-        let folders = tops.iter().flatten().flat_map(|top| FOLDERS.map(|folder| top.join(folder)));
+        let Some(package) = self.containing(file) else { return false };
+        let of_package = self.names_distributions(&package.folder);
+        let of_repository = || self.names_distributions(&self.sources_around(file)?);
+        of_package.or_else(of_repository).is_some_and(|is_new| !is_new)
+    }
+
+    /// Whether the pages below a folder name a distribution since Jazzy; none when they name no distribution.
+    fn names_distributions(&self, top: &Path) -> Option<bool> {
         let (mut is_old, mut is_new) = (false, false);
-        for path in folders.flat_map(|folder| self.pages_in(&folder)) {
+        for path in FOLDERS.iter().flat_map(|folder| self.pages_in(&top.join(folder))) {
             let Ok(file) = self.vfs.text(&path) else { continue };
             for word in file.text.split(|c: char| !c.is_ascii_alphanumeric()) {
-                is_old |= BEFORE_IRON.iter().any(|name| word.eq_ignore_ascii_case(name));
-                is_new |= SINCE_IRON.iter().any(|name| word.eq_ignore_ascii_case(name));
+                is_old |= BEFORE_JAZZY.iter().any(|name| word.eq_ignore_ascii_case(name));
+                is_new |= SINCE_JAZZY.iter().any(|name| word.eq_ignore_ascii_case(name));
             }
         }
-        is_old && !is_new
+        (is_old || is_new).then_some(is_new)
     }
 
     /// The files of a folder that say what a package is built and tested with.
@@ -61,7 +66,7 @@ mod tests {
             tree.write(name, text);
             let packages =
                 Packages::new(tree.vfs().clone(), &tree.environment(vars), PackageOptions::default());
-            packages.is_before_iron(&tree.path("ws/arm/urdf/arm.xacro"))
+            packages.is_before_jazzy(&tree.path("ws/arm/urdf/arm.xacro"))
         };
         assert!(is_old("ws/arm/README.md", "Install ros-humble-xacro.", &[]));
         assert!(is_old("ws/.github/workflows/ci.yml", "distribution: [Foxy, Humble]", &[]));

@@ -21,6 +21,12 @@ pub(super) fn controlled<'a>(cx: &DocumentCx<'a>) -> Vec<(&'a ControlJoint, &'a 
     listed.filter_map(|listed| Some((listed, *named.get(listed.name.as_ref()?.name()?.as_str())?))).collect()
 }
 
+/// Whether the robot is for distributions whose ros2_control does not compare its joints with those of the robot.
+pub(super) fn is_before_jazzy(cx: &DocumentCx<'_>) -> bool {
+    let root = cx.expansion.files.first().map(|file| &*file.source.path);
+    root.is_some_and(|root| cx.world.packages.is_before_jazzy(root))
+}
+
 /// Report the names of joints in blocks of a kind that the robot does not have.
 pub(super) fn unknown_joints<'t>(
     cx: &RobotCx<'_>,

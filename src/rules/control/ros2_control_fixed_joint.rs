@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::joints::controlled;
+use super::joints::{controlled, is_before_jazzy};
 use crate::model::JointType;
 
 pub(super) const RULE: Rule = Rule {
@@ -19,13 +19,16 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let mut is_old = None;
     for (control, joint) in controlled(cx) {
         let (Some(text), Some(kind)) = (&control.name, &joint.kind) else { continue };
         if joint.is(&[JointType::Fixed]) {
+            let is_old = *is_old.get_or_insert_with(|| is_before_jazzy(cx));
             out.report(
                 text.origin,
                 format!("joint `{}` is fixed, and nothing can control it", joint.shown()),
             )
+            .severity(if is_old { Severity::Info } else { RULE.severity })
             .also(kind.origin, format!("the type of joint `{}`", joint.shown()))
             .help("ros2_control refuses the robot: take the joint out, or give it a type that moves")
             .done();

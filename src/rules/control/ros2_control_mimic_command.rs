@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::edits::delete_element;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::joints::controlled;
+use super::joints::{controlled, is_before_jazzy};
 use crate::model::tag_start;
 
 pub(super) const RULE: Rule = Rule {
@@ -20,7 +20,6 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let root = cx.expansion.files.first().map(|file| &*file.source.path);
     let mut is_old = None;
     for (control, joint) in controlled(cx) {
         let released = control
@@ -30,8 +29,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if joint.mimic.is_none() || released {
             continue;
         }
-        let is_old =
-            *is_old.get_or_insert_with(|| root.is_some_and(|root| cx.world.packages.is_before_iron(root)));
+        let is_old = *is_old.get_or_insert_with(|| is_before_jazzy(cx));
         for command in &control.commands {
             let message = format!("joint `{}` mimics another joint and cannot take commands", joint.shown());
             let report = out

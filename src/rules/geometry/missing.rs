@@ -63,6 +63,11 @@ fn report(
         let report = out
             .report(file.name.origin, message(file, package))
             .group(Group::Thing(folder.to_string_lossy().into()));
+        if let Some(argument) = cx.expansion.empty_argument(&file.name.pieces) {
+            let help = format!("argument `{argument}` is empty by default: give it");
+            report.severity(Severity::Info).help(help).done();
+            continue;
+        }
         match found.as_ref().filter(|_| moved.is_some()) {
             Some(found) => found_elsewhere(cx, report, file, found, package).done(),
             None => report.help("correct the path, or add the file").done(),

@@ -27,6 +27,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             if !matches!(shape.kind, ShapeKind::Other) || extension {
                 continue;
             }
+            let is_of_simulators = matches!(name, "capsule" | "ellipsoid" | "plane");
             let help = match name {
                 "capsule" => "urdfdom refuses it; Drake, MuJoCo, Bullet and Gazebo's SDF take capsules",
                 "ellipsoid" => "urdfdom refuses it; Drake, MuJoCo and Gazebo's SDF take ellipsoids",
@@ -34,7 +35,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 _ => "URDF has box, cylinder, sphere and mesh",
             };
             let message = format!("link `{}`: `{name}` is no shape of URDF", link.shown());
-            out.report(tag_start(cx.expansion, shape.element), message).help(help).done();
+            // outside of a package, it is for the programs that take the shape
+            let root = cx.expansion.files.first().map(|file| &*file.source.path);
+            let in_package = root.is_some_and(|root| cx.world.packages.containing(root).is_some());
+            let is_meant = is_of_simulators && !in_package;
+            out.report(tag_start(cx.expansion, shape.element), message)
+                .severity(if is_meant { Severity::Warning } else { RULE.severity })
+                .help(help)
+                .done();
         }
     }
 }

@@ -3,10 +3,11 @@
 use ecow::EcoString;
 use indexmap::IndexMap;
 
-use super::super::context::RobotCx;
+use super::super::context::{RobotCx, elements};
 use crate::base::FastSet;
 use crate::expand::Origin;
 use crate::workspace::nearest;
+use crate::xml::Node;
 
 /// A link that does not exist.
 pub(super) struct Missing {
@@ -79,4 +80,12 @@ fn near_link(cx: &RobotCx<'_>, name: &str) -> Option<EcoString> {
         (Some(only), None) => Some(only.into()),
         _ => None,
     }
+}
+
+/// Whether a joint somewhere in the files, with other arguments, has a link as one of these ends: `parent`, `child`.
+pub(super) fn is_joined_elsewhere(cx: &RobotCx<'_>, link: &str, ends: &[&str]) -> bool {
+    let names = |node: Node<'_>| {
+        ends.contains(&node.name()) && node.attr("link").is_some_and(|name| name.raw() == link)
+    };
+    cx.expansion.files.iter().any(|file| elements(&file.source.document).any(|(_, node)| names(node)))
 }

@@ -3,7 +3,7 @@
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::missing_links::lost_links;
+use super::missing_links::{is_joined_elsewhere, lost_links};
 use crate::model::Text;
 
 pub(super) const RULE: Rule = Rule {
@@ -34,7 +34,9 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     }
     let first = roots.remove(usual.unwrap_or(0));
     for root in roots {
+        let has_branch = is_joined_elsewhere(cx, &root.value, &["child"]);
         out.report(root.origin, format!("link `{}` is a second root beside `{}`", root.value, first.value))
+            .severity(if has_branch { Severity::Info } else { RULE.severity })
             .also(first.origin, "the first root")
             .help(format!("join it to the rest: a joint with child `{}`", root.value))
             .done();

@@ -5,7 +5,7 @@ use ecow::EcoString;
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::missing_links::lost_links;
+use super::missing_links::{is_joined_elsewhere, lost_links};
 use crate::base::FastSet;
 
 pub(super) const RULE: Rule = Rule {
@@ -31,7 +31,10 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     for name in cx.robot.links.iter().filter_map(|link| link.name.as_ref()) {
         let Some(text) = name.name() else { continue };
         if !joined.contains(text) && !lost.contains(text) && said.insert(text) {
+            // a joint below a condition that does not hold, or in a macro that nothing calls
+            let has_branch = is_joined_elsewhere(cx, text, &["parent", "child"]);
             out.report(name.origin, format!("link `{text}` is in no joint"))
+                .severity(if has_branch { Severity::Info } else { RULE.severity })
                 .help(format!("join it to the rest: a joint with child `{text}`"))
                 .done();
         }

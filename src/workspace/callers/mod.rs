@@ -58,7 +58,16 @@ impl Callers {
                 && caller.endings.iter().any(|ending| name.ends_with(ending.as_str()))
         };
         let computed = all.iter().filter(may_name);
-        named.chain(computed).filter(|caller| packages.may_mean(&caller.path, file)).cloned().collect()
+        let may_mean = |caller: &&Caller| caller.computes_the_file() || packages.may_mean(&caller.path, file);
+        named.chain(computed).filter(may_mean).cloned().collect()
+    }
+
+    /// Whether a file that names the description `file` also says `word`.
+    pub fn mention(&self, file: &Path, word: &str, packages: &Packages) -> bool {
+        let says = |caller: &Caller| {
+            packages.vfs.text(&caller.path).is_ok_and(|text| read::has_name(&text.text, word))
+        };
+        self.of(file, packages).iter().any(says)
     }
 
     /// Whether a file names the description `file`.
@@ -70,6 +79,13 @@ impl Callers {
     /// Forget what was found: files have come, gone or changed.
     pub fn forget(&self) {
         self.below.clear();
+    }
+}
+
+impl Caller {
+    /// Whether the text says nothing of the file, so that its package may be computed as well.
+    fn computes_the_file(&self) -> bool {
+        self.descriptions.is_empty() && self.endings.iter().any(String::is_empty)
     }
 }
 

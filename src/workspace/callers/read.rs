@@ -68,7 +68,11 @@ fn descriptions(name: &str, text: &str) -> FastSet<String> {
                 before.rfind(|c: char| !is_name(c)).map_or(before, |at| before.get(at..).unwrap_or(""));
             let word = word.trim_start_matches(|c: char| !is_name(c));
             let lead = before.strip_suffix(word).unwrap_or("");
-            if word.len() > ending.len() && !is_installed(name, lead) && !is_included(lead) {
+            if word.len() > ending.len()
+                && !is_installed(name, lead)
+                && !is_included(lead)
+                && !is_listed(lead)
+            {
                 found.insert(word.to_owned());
             }
         }
@@ -97,7 +101,8 @@ fn computed(text: &str) -> Vec<String> {
     }
     let calls = text.match_indices("xacro").filter_map(|(at, word)| text.get(at + word.len()..));
     let mut names = calls.map(|after| after.trim_start_matches([' ', '\'', '"', ',', '.', 'p', 'y']));
-    if names.any(|name| name.starts_with("$(arg ") || name.starts_with("$(var ")) {
+    let is_argument = names.any(|name| name.starts_with("$(arg ") || name.starts_with("$(var "));
+    if is_argument || ["xacro.process", "xacro.parse("].iter().any(|call| text.contains(call)) {
         found.push(String::new());
     }
     found
@@ -112,6 +117,11 @@ fn is_installed(name: &str, lead: &str) -> bool {
     let command = lead.rfind('(').map_or("", |at| last_word(lead.get(..at).unwrap_or("")));
     let is_cmake = name == "CMakeLists.txt" || name.ends_with(".cmake");
     is_cmake && (command.eq_ignore_ascii_case("install") || command.eq_ignore_ascii_case("configure_file"))
+}
+
+/// Whether a name behind this text is part of a drawn tree of folders.
+fn is_listed(lead: &str) -> bool {
+    lead.rsplit('\n').next().unwrap_or("").contains(['├', '└', '│'])
 }
 
 /// Whether a name behind this text is that of an include.
@@ -278,6 +288,8 @@ mod tests {
         let text = "<arg name='model' default='$(find a)/urdf/$(arg kind)_base.xacro'/> command='$(find xacro)/xacro $(arg model) x:=1'";
         let found = caller(Path::new("a.launch"), text).unwrap();
         assert_eq!(found.endings, ["_base.xacro", ""]);
+        let text = "doc = xacro.parse(open(path))\nxacro.process_doc(doc, mappings={'side': side})";
+        check_caller("b.launch.py", text, Some((&[], &[("side", None)])));
         let text = r#"xacro.process_file(os.path.join(share, 'arm.xacro'), mappings={'side': 'left', "kind": kind})"#;
         let args = [("side", Some("left")), ("kind", None)];
         check_caller("test_arm.py", text, Some((&["arm.xacro"], &args)));
@@ -288,6 +300,7 @@ mod tests {
         let text = "Run `xacro urdf/arm.xacro side:=left`. See arm.urdf.";
         check_caller("README.md", text, Some((&["arm.urdf", "arm.xacro"], &[("side", Some("left"))])));
         check_caller("README.md", "<xacro:include filename=\"$(find arm)/urdf/arm.xacro\"/>", None);
+        check_caller("README.md", "├── urdf\n│   └── arm.xacro  # the arm\n", None);
         check_caller("CMakeLists.txt", "install(FILES urdf/arm.xacro DESTINATION share)", None);
         check_caller("CMakeLists.txt", "xacro_add_files(urdf/arm.xacro)", Some((&["arm.xacro"], &[])));
         check_caller("a.py", "'.xacro' x:=1", None);
