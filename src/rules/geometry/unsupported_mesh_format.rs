@@ -25,15 +25,14 @@ const READ: [&str; 12] =
 /// Those of which another ending may be a misspelling.
 const USUAL: [&str; 3] = ["stl", "dae", "obj"];
 
-/// Those of construction programs, which no program for robots reads.
-const CONSTRUCTION: [&str; 10] =
-    ["step", "stp", "iges", "igs", "sldprt", "sldasm", "ipt", "iam", "fcstd", "blend"];
+/// Formats of meshes that some program reads: who uses one for all meshes has such a program.
+const OTHER: [&str; 8] = ["fbx", "3ds", "off", "wrl", "vrml", "x3d", "lwo", "x"];
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let common = common_ending(cx);
+    let common = [false, true].map(|is_collision| has_common_format(cx, is_collision));
     for mesh in cx.meshes() {
         let name = mesh.name();
-        let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
+        let ending = ending(name);
         let known = READ.contains(&ending.to_lowercase().as_str());
         if known || name.is_empty() || !mesh.file.is_known() || matches!(mesh.target, Target::NoFile(_)) {
             continue;
@@ -48,21 +47,25 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             || "convert it to STL, OBJ, DAE or GLB".to_owned(),
             |near| format!("did you mean `.{near}`? Otherwise convert the mesh to STL, OBJ, DAE or GLB"),
         );
-        // all meshes in one format are a choice: some program reads it
-        let is_chosen = near.is_none() && common.as_deref() == Some(&*ending.to_lowercase());
+        // all visuals, or all collisions, in one format are a choice
+        let [visuals, collisions] = &common;
+        let is_chosen = if mesh.is_collision { *collisions } else { *visuals };
         let severity = if is_chosen { Severity::Info } else { Severity::Warning };
         out.report(mesh.file.origin, message).severity(severity).group(mesh.group()).help(help).done();
     }
 }
 
-/// The ending that several meshes of a robot have and no other mesh lacks, when it is that of meshes.
-fn common_ending(cx: &DocumentCx<'_>) -> Option<String> {
-    let mut endings = cx.meshes().map(|mesh| {
-        let name = mesh.name();
-        name.rsplit_once('.').map_or("", |(_, ending)| ending).to_lowercase()
-    });
-    let first = endings.next()?;
-    let others: Vec<String> = endings.collect();
-    let is_common = !others.is_empty() && others.iter().all(|ending| *ending == first);
-    (is_common && !first.is_empty() && !CONSTRUCTION.contains(&first.as_str())).then_some(first)
+/// Whether all visuals, or all collisions, of a robot have one of the other formats.
+fn has_common_format(cx: &DocumentCx<'_>, is_collision: bool) -> bool {
+    let mut endings = cx
+        .meshes()
+        .filter(|mesh| mesh.is_collision == is_collision)
+        .map(|mesh| ending(mesh.name()).to_lowercase());
+    let Some(first) = endings.next() else { return false };
+    OTHER.contains(&first.as_str()) && endings.all(|other| other == first)
+}
+
+/// What follows the last period of a file name; empty without one.
+fn ending(name: &str) -> &str {
+    name.rsplit_once('.').map_or("", |(_, ending)| ending)
 }

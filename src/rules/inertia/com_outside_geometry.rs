@@ -4,8 +4,8 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{LIGHT, MARKER, is_in_world, known_box};
-use super::moments::inertials;
-use crate::model::Bounds;
+use super::moments::{inertials, is_same_about_all_axes};
+use crate::model::{Bounds, Inertial};
 
 pub(super) const RULE: Rule = Rule {
     code: "INR009",
@@ -39,7 +39,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let severity = match known_box(cx, link).filter(|_| !is_light) {
             Some(bounds) if !is_outside(bounds, centre) => continue,
             None if !is_far => continue,
-            Some(bounds) if !is_far && (is_beside(bounds, centre) || is_in_world(cx, link)) => Severity::Info,
+            Some(bounds)
+                if !is_far
+                    && (is_beside(bounds, centre)
+                        || is_in_world(cx, link)
+                        || is_made_up(inertial, centre)) =>
+            {
+                Severity::Info
+            }
             _ => Severity::Warning,
         };
         let message = format!("centre of mass of link `{}` lies outside of its geometry", link.shown());
@@ -48,6 +55,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .help("check units (metres) and the frame of the link")
             .done();
     }
+}
+
+/// Whether numbers were made up so that a simulation runs: the center at the frame, and the same moment about all axes.
+fn is_made_up(inertial: &Inertial, centre: [f64; 3]) -> bool {
+    centre == [0.0; 3] && inertial.entries().is_some_and(is_same_about_all_axes)
 }
 
 /// Whether a point outside of a box is close to it, where it may be the center of what is not drawn; a marker is close to

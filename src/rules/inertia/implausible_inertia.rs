@@ -5,7 +5,7 @@ use super::super::geometry::{Extent, extent};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{LIGHT, is_in_world, is_joined, shape};
-use super::moments::{Verdict, inertia_tag, inertials, short, verdict};
+use super::moments::{Verdict, inertia_tag, inertials, is_same_about_all_axes, short, verdict};
 use super::placeholder_inertia::is_placeholder;
 use crate::model::Link;
 
@@ -82,9 +82,4 @@ fn misfit(cx: &DocumentCx<'_>, link: &Link, radius: f64) -> Option<Misfit> {
             wrong.then_some(Misfit { is_gross, beside })
         }
     }
-}
-
-/// Whether the three moments are equal and there are no products, as in numbers that were made up.
-fn is_same_about_all_axes([xx, xy, xz, yy, yz, zz]: [f64; 6]) -> bool {
-    xx == yy && yy == zz && [xy, xz, yz] == [0.0; 3]
 }

@@ -13,34 +13,43 @@ pub(super) const LIGHT: f64 = 0.01;
 
 /// Whether a link is fixed to another one: simulators join both to one body.
 pub(super) fn is_joined(cx: &DocumentCx<'_>, link: &Link) -> bool {
-    let above = link.name.as_ref().and_then(|name| name.name()).map(|name| joints_above(cx, name));
-    above.is_some_and(|joints| !joints.is_empty() && joints.iter().all(|joint| joint.is(&[JointType::Fixed])))
+    let above = joints_above(cx, link.shown());
+    !above.is_empty() && above.iter().all(|joint| joint.is(&[JointType::Fixed]))
 }
 
 /// Whether a link never moves: a chain of fixed joints leads up to the world.
 pub(super) fn is_in_world(cx: &DocumentCx<'_>, link: &Link) -> bool {
-    let mut name = link.name.as_ref().and_then(|name| name.name());
+    let mut name = link.shown();
     for _ in 0..=cx.joints().len() {
-        let Some(current) = name else { return false };
-        if is_surroundings(current) {
+        if is_surroundings(name) {
             return true;
         }
-        let [joint] = joints_above(cx, current)[..] else { return false };
-        name = joint.ends().filter(|_| joint.is(&[JointType::Fixed])).map(|(above, _)| above);
+        let [joint] = joints_above(cx, name)[..] else { return false };
+        let Some(parent) = joint.parent.as_ref().filter(|_| joint.is(&[JointType::Fixed])) else {
+            return false;
+        };
+        name = parent.value.as_str();
     }
     false
 }
 
-/// The box of visuals and collisions together; none when a part of it is not known, or when it is only a marker.
-pub(super) fn shape(cx: &DocumentCx<'_>, link: &Link) -> Option<Bounds> {
+/// The box of visuals and collisions together; none when there are none, or a part of it is not known.
+pub(super) fn known_box(cx: &DocumentCx<'_>, link: &Link) -> Option<Bounds> {
     let parts = [extent_of(cx, &link.collisions), extent_of(cx, &link.visuals)];
     if parts.contains(&Extent::Unknown) {
         return None;
     }
-    let bounds = parts.into_iter().filter_map(Extent::bounds).reduce(|a, b| a.with(b))?;
-    (bounds.diagonal() / 2.0 > MARKER).then_some(bounds)
+    parts.into_iter().filter_map(Extent::bounds).reduce(|a, b| a.with(b))
 }
 
+/// The same, when it is more than a marker.
+pub(super) fn shape(cx: &DocumentCx<'_>, link: &Link) -> Option<Bounds> {
+    known_box(cx, link).filter(|bounds| bounds.diagonal() / 2.0 > MARKER)
+}
+
+/// The joints whose child is a link. In a macro that nothing calls, a part of the names is not known; what is known tells
+/// them apart.
 fn joints_above<'a>(cx: &'a DocumentCx<'_>, link: &str) -> Vec<&'a Joint> {
-    cx.joints().iter().filter(|joint| joint.ends().is_some_and(|(_, child)| child == link)).collect()
+    let is_child = |joint: &&Joint| joint.child.as_ref().is_some_and(|child| child.value == link);
+    if matches!(link, "" | "?") { Vec::new() } else { cx.joints().iter().filter(is_child).collect() }
 }
