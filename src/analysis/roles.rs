@@ -299,11 +299,21 @@ mod tests {
         let manifest = |tool: &str| {
             format!("<package><name>p</name><buildtool_depend>{tool}</buildtool_depend></package>")
         };
-        let robot = format!(
-            "{ARM}<transmission name='t'><type>x</type><joint name='k'><hardwareInterface>y</hardwareInterface></joint></transmission>"
-        );
-        for (tool, severity) in [("catkin", "error"), ("ament_cmake", "warning")] {
-            let files = [("package.xml", &*manifest(tool)), ("r.urdf.xacro", &robot)];
+        let transmission = |joint: &str| {
+            format!(
+                "<transmission name='{joint}'><type>x</type><joint name='{joint}'><hardwareInterface>y</hardwareInterface>\
+                 </joint></transmission>"
+            )
+        };
+        let none_fits = format!("{ARM}{}", transmission("k"));
+        let one_fits = format!("{ARM}{}{}", transmission("k"), transmission("j"));
+        for (tool, robot, severity) in [
+            ("catkin", &none_fits, "error"),
+            ("catkin", &one_fits, "error"),
+            ("ament_cmake", &none_fits, "info"),
+            ("ament_cmake", &one_fits, "warning"),
+        ] {
+            let files = [("package.xml", &*manifest(tool)), ("r.urdf.xacro", robot)];
             check_roles(&files, &[&format!("r.urdf.xacro {severity} transmission-unknown-joint")]);
         }
     }
@@ -362,8 +372,12 @@ mod tests {
         let uses =
             "<link name='${prefix}base'/><xacro:arm/><xacro:insert_block name='b'/><link name='$(arg a)'/>";
         let missing =
-            format!("<xacro:include filename='gone.xacro'/><xacro:property name='prefx' value=''/>{uses}");
+            format!("<xacro:include filename='gone.xacro'/><xacro:property name='prefix_' value=''/>{uses}");
         check_roles(&[("r.urdf.xacro", &missing)], &["r.urdf.xacro error include-not-found"]);
+        // nothing that is missing makes a slip of the fingers right
+        let slip = missing.replace("prefix_", "prefx");
+        let found = ["r.urdf.xacro error include-not-found", "r.urdf.xacro error undefined-property"];
+        check_roles(&[("r.urdf.xacro", &slip)], &found);
         // a parameter of another macro is no definition that comes too late
         let late = format!(
             "<xacro:macro name='m'><link name='${{p}}'/></xacro:macro>{ARM}<xacro:m/>\

@@ -5,7 +5,6 @@ use std::borrow::Cow;
 use super::element::Tag;
 use super::machine::{Cx, Expander};
 use super::origin::Origin;
-use super::problem::Outside;
 use super::scope::Place;
 use crate::base::TextRange;
 use crate::expr::{Value, display, literal};
@@ -68,12 +67,11 @@ impl Expander<'_> {
             let reference = format!(
                 "Xacro conditional \"{raw}\" evaluated to \"{shown}\", which is not a boolean expression."
             );
-            let argument = self.empty_argument(mark).map(Outside::Argument);
-            let problem = self
+            let mut problem = self
                 .problem("XAC027", at, message)
                 .says(reference)
-                .depends_on(argument.unwrap_or(Outside::Includer))
                 .help("write `true`, `false`, an integer, or an expression such as `${x > 0}`");
+            problem.outside = self.outside_of_reads(mark);
             self.push(problem);
         }
         truth

@@ -6,7 +6,6 @@ use super::element::Tag;
 use super::late::NameKind;
 use super::machine::{Cx, Expander};
 use super::origin::{FrameKind, Origin};
-use super::problem::Outside;
 use super::resolve::{BindingInfo, BindingKind};
 use super::scope::{Block, Place, State};
 use super::symbols::{SymbolKind, UseKind};
@@ -152,15 +151,18 @@ impl Expander<'_> {
     fn undefined_block(&mut self, name: &str, place: Place, cx: Cx) {
         // a call around it gives fewer blocks than it was meant to
         self.losses += 1;
-        if self.include_missing {
-            self.result.complete = false;
+        let Some(missing) =
+            self.missing_name(NameKind::Block, name, |machine| machine.scopes.visible_blocks(cx.scope))
+        else {
             return;
-        }
+        };
         let mut problem = self
             .problem("XAC004", place.origin, format!("block `{name}` is not defined"))
-            .says(format!("Undefined block \"{name}\""))
-            .depends_on(Outside::Includer);
-        if self.scopes.find(cx.scope, name).is_some() {
+            .says(format!("Undefined block \"{name}\""));
+        if let Some(near) = &missing.near {
+            problem =
+                problem.help(format!("a block with a similar name exists: `{near}`")).replace_with(near);
+        } else if self.scopes.find(cx.scope, name).is_some() {
             problem =
                 problem.help(format!("`{name}` is a value; a block parameter is declared as `*{name}`"));
         } else {
@@ -168,7 +170,7 @@ impl Expander<'_> {
                 "declare it as `*{name}` in the macro's params, or as a property without value"
             ));
         }
-        self.push(problem);
+        self.push_undefined(missing, cx.scope, problem);
     }
 
     /// Copy an evaluated node to the end of `out`, evaluating its texts once more: the reference

@@ -6,7 +6,9 @@ use super::machine::Expander;
 use super::origin::Origin;
 use super::problem::{Outside, Problem, Step};
 use crate::base::FastMap;
+use crate::base::limits::COMPARED_NAMES;
 use crate::expr::ScopeId;
+use crate::workspace::{misspelled, nearest};
 
 /// What a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -14,6 +16,7 @@ pub(super) enum NameKind {
     Property,
     Macro,
     Arg,
+    Block,
 }
 
 impl NameKind {
@@ -22,6 +25,7 @@ impl NameKind {
             NameKind::Property => "property",
             NameKind::Macro => "macro",
             NameKind::Arg => "argument",
+            NameKind::Block => "block",
         }
     }
 }
@@ -38,7 +42,43 @@ pub(super) struct Early {
     scope: ScopeId,
 }
 
+/// A name that is not defined.
+#[derive(Clone, Debug)]
+pub(super) struct Missing<'n> {
+    pub(super) kind: NameKind,
+    pub(super) name: &'n str,
+    /// It is one that is there, spelled wrong: nothing from outside defines it.
+    pub(super) is_misspelled: bool,
+    /// The closest name that is there.
+    pub(super) near: Option<EcoString>,
+}
+
 impl Expander<'_> {
+    /// Whether names that are unknown are still compared with those there are.
+    pub fn compares(&self) -> bool {
+        self.compared < COMPARED_NAMES
+    }
+
+    /// What to report of a name that is not among those `known`. `None`: an include that is missing may define it, so it
+    /// is reported only when it is misspelled.
+    pub fn missing_name<'n>(
+        &mut self,
+        kind: NameKind,
+        name: &'n str,
+        known: impl FnOnce(&Self) -> Vec<&str>,
+    ) -> Option<Missing<'n>> {
+        let known = if self.compares() { known(self) } else { Vec::new() };
+        let meant = misspelled(name, known.iter().copied());
+        let is_misspelled = meant.is_some();
+        let near = meant.or_else(|| nearest(name, known.iter().copied())).map(EcoString::from);
+        self.compared += known.len();
+        if self.include_missing && !is_misspelled {
+            self.result.complete = false;
+            return None;
+        }
+        Some(Missing { kind, name, is_misspelled, near })
+    }
+
     /// Report a problem, unless expansion is on its way out of an optional include, or looks at what is not used.
     pub fn push(&mut self, problem: Problem) {
         if !self.unwinding && !self.idle {
@@ -61,13 +101,15 @@ impl Expander<'_> {
     }
 
     /// Report that a name is not defined (yet) where `scope` sees it.
-    pub fn push_undefined(&mut self, kind: NameKind, name: &str, scope: ScopeId, problem: Problem) {
+    pub fn push_undefined(&mut self, missing: Missing<'_>, scope: ScopeId, mut problem: Problem) {
         let before = self.problems.list.len();
-        let outside = match kind {
-            NameKind::Arg => Outside::Argument(name.into()),
-            NameKind::Property | NameKind::Macro => Outside::Includer,
+        let Missing { kind, name, is_misspelled, .. } = missing;
+        problem.outside = match kind {
+            _ if is_misspelled => None,
+            NameKind::Arg => Some(Outside::Argument(name.into())),
+            NameKind::Property | NameKind::Macro | NameKind::Block => Some(Outside::Includer),
         };
-        self.push(problem.depends_on(outside));
+        self.push(problem);
         if self.problems.list.len() > before {
             let early = Early { problem: before, scope };
             self.undefined.entry((kind, name.into())).or_default().push(early);

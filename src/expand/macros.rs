@@ -4,38 +4,24 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
+use super::binding::GivenBlock;
 use super::element::Tag;
-use super::late::NameKind;
+use super::late::{Missing, NameKind};
 use super::machine::{Cx, Expander};
 use super::origin::{FrameKind, Origin};
 use super::params;
-use super::problem::Outside;
-use super::property::literal_of;
-use super::resolve::{BindingInfo, BindingKind};
-use super::scope::{Block, MacroDef, MacrosId, Open, Param, Params, Place, SrcRef, State};
+use super::scope::{MacroDef, MacrosId, Param, Params, Place, SrcRef};
 use super::symbols::{DefinitionId, SymbolKind, UseKind};
 use super::text::TextSite;
 use super::tree::{XId, XKind};
 use crate::base::TextRange;
 use crate::expr::{ScopeId, Value, display};
-use crate::workspace::nearest;
 
 /// A macro and the scopes its body sees.
 struct Resolved {
     def: Arc<MacroDef>,
     macros: MacrosId,
     scope: ScopeId,
-}
-
-/// A block that a call gives.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum GivenBlock {
-    /// An element.
-    Known(XId),
-    /// One that the macro around the call got from its caller, who is not known.
-    Unknown,
-    /// The same for any number of elements.
-    Any,
 }
 
 impl Expander<'_> {
@@ -186,201 +172,7 @@ impl Expander<'_> {
         self.result.tree.add(XKind::Container, EcoString::new(), origin)
     }
 
-    /// Attributes of the call, evaluated where the call stands. Gives the parameters that are left.
-    fn bind_attributes<'d>(&mut self, tag: Tag<'_>, def: &'d MacroDef, cx: Cx, body: Cx) -> Vec<&'d Param> {
-        let mut open = Open::new(&def.params);
-        for attr in tag.attrs() {
-            let at = Origin { src: tag.src, range: attr.name_range(), frame: cx.frame };
-            let given = open.take(attr.name());
-            let Some(param) = given.or_else(|| self.misspelt_param(tag, def, &mut open, attr.name(), at))
-            else {
-                continue;
-            };
-            if param.name == attr.name() {
-                self.note_use(at, param.definition.map(|(_, definition)| definition), UseKind::Given);
-            }
-            let origin = Origin { range: attr.value_range(), ..at };
-            let text = attr.value(self.entities(tag.src)).into_owned();
-            self.bind_param(param, &text, Place { origin, is_attr: true }, cx, body);
-        }
-        open.left()
-    }
-
-    /// Evaluate a text in the caller's scope and bind it in the body's.
-    fn bind_param(&mut self, param: &Param, text: &str, place: Place, cx: Cx, body: Cx) {
-        let mark = self.reads.len();
-        let value = literal_of(self.eval_text(text, place, cx.scope));
-        let reads = self.take_reads(mark);
-        let info = BindingInfo { reads, ..param_info(param, place.origin) };
-        self.bind(body.scope, param.name.clone(), State::Ready(value), info, place.origin);
-    }
-
-    /// The blocks that a call gives: its child elements, and blocks of the caller passed on.
-    fn given_blocks(&self, content: XId) -> Vec<GivenBlock> {
-        let tree = &self.result.tree;
-        let block = |id: XId| match (tree.get(id).kind, tree.get(id).text.as_str()) {
-            (XKind::Element, _) => Some(GivenBlock::Known(id)),
-            (XKind::Container, "*") => Some(GivenBlock::Unknown),
-            (XKind::Container, "**") => Some(GivenBlock::Any),
-            _ => None,
-        };
-        tree.children(content).filter_map(block).collect()
-    }
-
-    /// Bind block parameters to what the call gives. When that is not all known (`is_sure`), none is missing and none is
-    /// too many.
-    fn bind_blocks(
-        &mut self,
-        tag: Tag<'_>,
-        (given, is_sure): (Vec<GivenBlock>, bool),
-        def: &MacroDef,
-        open: &mut Vec<&Param>,
-        cx: Cx,
-        body: Cx,
-    ) {
-        let mut blocks = given.into_iter().take_while(|block| *block != GivenBlock::Any);
-        let wanted: Vec<&Param> = open.iter().copied().filter(|p| p.is_block()).collect();
-        open.retain(|p| !p.is_block());
-        let mut missing = Vec::new();
-        for param in wanted {
-            match blocks.next() {
-                Some(GivenBlock::Known(block)) => {
-                    let origin = self.result.tree.get(block).origin;
-                    let info = param_info(param, origin);
-                    let state = State::Block(Block::Built(block));
-                    self.bind(body.scope, param.name.clone(), state, info, origin);
-                }
-                block => {
-                    if block.is_none() && is_sure {
-                        missing.push(param.name.trim_start_matches('*'));
-                    }
-                    self.bind_unknown(param, self.tag_origin(tag, cx), body);
-                }
-            }
-        }
-        if self.unwinding || !is_sure {
-            return;
-        }
-        if !missing.is_empty() {
-            let message = format!("macro `{}` needs a block for `{}`", def.name, missing.join("`, `"));
-            let problem = self
-                .problem("XAC007", self.tag_origin(tag, cx), message)
-                .says("Not enough blocks")
-                .help("put one element for each block parameter between the start and end tag of the call");
-            self.push_with_definition(problem, def);
-        } else if let Some(GivenBlock::Known(extra)) = blocks.next() {
-            let node = self.result.tree.get(extra);
-            let (name, at) = (node.text.clone(), node.origin);
-            let message = format!("`{name}` is one block more than macro `{}` takes", def.name);
-            let problem = self.problem("XAC007", at, message).says(format!("Unused block \"{name}\""));
-            self.push_with_definition(problem, def);
-        }
-    }
-
-    fn bind_defaults(&mut self, def: &MacroDef, open: &mut Vec<&Param>, at: Origin, cx: Cx, body: Cx) {
-        let mut left = Vec::new();
-        for param in std::mem::take(open) {
-            let Some(spec) = def.params.fallback(&param.name) else {
-                left.push(param);
-                continue;
-            };
-            if spec.forward && self.forward(param, at, cx, body) {
-                continue;
-            }
-            match &spec.default {
-                Some((text, _)) => {
-                    let origin = Origin { frame: body.frame, ..spec.default_at.unwrap_or(def.origin) };
-                    self.bind_param(param, text, Place { origin, is_attr: true }, cx, body);
-                }
-                None => self.nothing_to_forward(def, param, at, body),
-            }
-        }
-        *open = left;
-    }
-
-    /// `^`: the value the caller sees under the same name.
-    fn forward(&mut self, param: &Param, at: Origin, cx: Cx, body: Cx) -> bool {
-        let name = &param.name;
-        let mark = self.reads.len();
-        let outer = self.scopes.find(cx.scope, name).map(|(_, binding)| binding.info);
-        if let (Some((place, _)), Some(outer)) = (param.definition, outer) {
-            self.note_read(place, outer, UseKind::Read);
-        }
-        let value = match self.value_of(cx.scope, name, at) {
-            Some(value) => value,
-            None => match crate::expr::global_symbol(name) {
-                Some(value) => value,
-                None => return false,
-            },
-        };
-        let reads = self.take_reads(mark);
-        let info = BindingInfo { reads, ..param_info(param, at) };
-        self.bind(body.scope, name.clone(), State::Ready(literal_of(value)), info, at);
-        true
-    }
-
-    fn nothing_to_forward(&mut self, def: &MacroDef, param: &Param, at: Origin, body: Cx) {
-        let name = &param.name;
-        let message = format!(
-            "parameter `{name}` of macro `{}` takes the caller's `{name}`, which is not defined",
-            def.name
-        );
-        let problem = self
-            .problem("XAC005", at, message)
-            .says(format!("Undefined property to forward: {name}"))
-            .depends_on(Outside::Includer)
-            .help(format!("pass it: {name}=\"...\""));
-        self.push_with_definition(problem, def);
-        self.bind_unknown(param, at, body);
-    }
-
-    pub(super) fn bind_unknown(&mut self, param: &Param, at: Origin, body: Cx) {
-        self.result.complete = false;
-        self.bind(body.scope, param.name.clone(), State::Ready(Value::Unknown), param_info(param, at), at);
-    }
-
-    fn missing_params(&mut self, def: &MacroDef, open: &[&Param], at: Origin, body: Cx) {
-        if self.unwinding {
-            return;
-        }
-        let names: Vec<&str> = open.iter().map(|p| p.name.as_str()).collect();
-        let plural = if names.len() == 1 { "parameter" } else { "parameters" };
-        let message = format!("call of macro `{}` lacks the {plural} `{}`", def.name, names.join("`, `"));
-        let add: Vec<String> = names.iter().map(|n| format!("{n}=\"...\"")).collect();
-        let problem = self
-            .problem("XAC005", at, message)
-            .says(format!("Undefined parameters [{}]", names.join(",")))
-            .help(format!("add {}", add.join(" ")));
-        self.push_with_definition(problem, def);
-        for param in open {
-            self.bind_unknown(param, at, body);
-        }
-    }
-
-    /// Report an attribute that is no parameter. If it looks like one that is not given otherwise, it is
-    /// taken for that one: a typing error is one finding, not two.
-    fn misspelt_param<'d>(
-        &mut self,
-        tag: Tag<'_>,
-        def: &MacroDef,
-        open: &mut Open<'d>,
-        name: &str,
-        at: Origin,
-    ) -> Option<&'d Param> {
-        let message = format!("macro `{}` has no parameter `{name}`", def.name);
-        let mut problem = self.problem("XAC006", at, message).says(format!("Invalid parameter \"{name}\""));
-        let names = def.params.iter().map(|p| p.name.as_str()).filter(|_| self.compares());
-        let near = nearest(name, names).map(str::to_owned);
-        self.compared += def.params.iter().len();
-        if let Some(near) = &near {
-            problem = problem.help(format!("rename it to `{near}`")).replace_with(near.as_str());
-        }
-        self.push_with_definition(problem, def);
-        let near = near.filter(|near| tag.attr(near).is_none() && !near.starts_with('*'))?;
-        open.take(&near)
-    }
-
-    fn push_with_definition(&mut self, mut problem: super::Problem, def: &MacroDef) {
+    pub(super) fn push_with_definition(&mut self, mut problem: super::Problem, def: &MacroDef) {
         let message = format!("macro `{}` is defined here", def.name);
         let place = self.result.place(def.origin);
         problem.trace.extend(place.map(|place| super::Step { place, message }));
@@ -415,22 +207,20 @@ impl Expander<'_> {
 
     fn unknown_macro(&mut self, tag: Tag<'_>, name: &str, cx: Cx) {
         let at = self.tag_origin(tag, cx);
-        // what a missing include would have defined is no news
-        if !self.include_missing {
-            let names = if self.compares() { self.macros.visible_names(cx.macros) } else { Vec::new() };
-            let near = nearest(name, names.iter().copied()).map(str::to_owned);
-            self.compared += names.len();
+        let (table, path, own) = self.macros.inside(cx.macros, name);
+        let known = self.missing_name(NameKind::Macro, own, |machine| machine.macros.visible_names(table));
+        if let Some(missing) = known.map(|missing| Missing { name, ..missing }) {
             let message = format!("macro `{name}` is not defined");
             let mut problem =
                 self.problem("XAC002", at, message).says(format!("unknown macro name: {}", tag.name));
-            if let Some(near) = near {
+            if let Some(near) = &missing.near {
                 problem = problem
-                    .help(format!("a macro with a similar name exists: `{near}`"))
-                    .replace_with(format!("<xacro:{near}"));
+                    .help(format!("a macro with a similar name exists: `{path}{near}`"))
+                    .replace_with(format!("<xacro:{path}{near}"));
             } else {
                 problem = problem.help("include the file that defines it above this place");
             }
-            self.push_undefined(NameKind::Macro, name, cx.scope, problem);
+            self.push_undefined(missing, cx.scope, problem);
         }
         // what the call would have been given may hold causes of its own
         let nowhere = self.container(at);
@@ -497,10 +287,4 @@ impl Expander<'_> {
             }
         }
     }
-}
-
-/// A parameter of a call, with its value at `at`.
-fn param_info(param: &Param, at: Origin) -> BindingInfo {
-    let info = BindingInfo::new(param.name.clone(), BindingKind::Parameter, at);
-    BindingInfo { definition: param.definition.map(|(_, definition)| definition), ..info }
 }

@@ -6,6 +6,7 @@
 
 mod argument;
 mod attributes;
+mod binding;
 mod comments;
 mod compact;
 mod control;

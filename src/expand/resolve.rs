@@ -5,14 +5,13 @@ use ecow::EcoString;
 use super::late::NameKind;
 use super::machine::Expander;
 use super::origin::Origin;
-use super::problem::Step;
+use super::problem::{Outside, Step};
 use super::scope::{Scopes, State};
 use super::stack::with_stack;
 use super::symbols::{DefinitionId, UseKind};
 use crate::base::TextRange;
-use crate::base::limits::{COMPARED_NAMES, LAZY_DEPTH};
+use crate::base::limits::LAZY_DEPTH;
 use crate::expr::{ScopeId, Value, literal};
-use crate::workspace::nearest;
 
 /// Where a value that an expression read was given.
 #[derive(Clone, Debug)]
@@ -183,18 +182,15 @@ impl Expander<'_> {
         if self.is_repeated("XAC001", at, &message) {
             return;
         }
-        // what a missing include would have defined is no news
-        if self.include_missing {
-            self.result.complete = false;
+        let Some(missing) =
+            self.missing_name(NameKind::Property, name, |machine| machine.scopes.visible_names(scope))
+        else {
             return;
-        }
-        let names = if self.compares() { self.scopes.visible_names(scope) } else { Vec::new() };
-        let near = nearest(name, names.iter().copied()).map(str::to_owned);
-        self.compared += names.len();
+        };
         let mut problem = self
             .problem("XAC001", at, message)
             .says(format!("name '{name}' is not defined \nwhen evaluating expression '{code}'"));
-        if let Some(near) = near {
+        if let Some(near) = &missing.near {
             problem =
                 problem.help(format!("a property with a similar name exists: `{near}`")).replace_with(near);
         } else if self.args.contains_key(name) {
@@ -203,7 +199,7 @@ impl Expander<'_> {
             let define = format!("<xacro:property name=\"{name}\" value=\"...\"/>");
             problem = problem.help(format!("define it above this place: {define}"));
         }
-        self.push_undefined(NameKind::Property, name, scope, problem);
+        self.push_undefined(missing, scope, problem);
     }
 
     /// An argument that was read since `mark` for what is evaluated now and that is empty by default: whoever expands the
@@ -212,22 +208,22 @@ impl Expander<'_> {
         self.result.empty_argument_of(self.reads.get(mark..).unwrap_or(&[]))
     }
 
-    /// Whether undefined names are still compared with those there are.
-    pub fn compares(&self) -> bool {
-        self.compared < COMPARED_NAMES
+    /// What may give another value to what is evaluated now, which read the names behind `mark`: nothing when it read
+    /// none.
+    pub fn outside_of_reads(&self, mark: usize) -> Option<Outside> {
+        let argument = self.empty_argument(mark).map(Outside::Argument);
+        (self.reads.len() > mark).then(|| argument.unwrap_or(Outside::Includer))
     }
 
     /// Report an argument that was neither declared nor given; `said` is how the reference shows its name.
     pub fn undefined_arg(&mut self, name: &str, at: Origin, said: String) {
-        if self.include_missing {
-            self.result.complete = false;
+        let Some(missing) = self.missing_name(NameKind::Arg, name, |machine| {
+            machine.args.keys().map(EcoString::as_str).collect()
+        }) else {
             return;
-        }
-        let names = self.args.keys().map(EcoString::as_str).filter(|_| self.compares());
-        let near = nearest(name, names).map(str::to_owned);
-        self.compared += self.args.len();
+        };
         let mut problem = self.problem("XAC003", at, format!("argument `{name}` is not defined")).says(said);
-        problem = match near {
+        problem = match &missing.near {
             Some(near) => problem
                 .help(format!("an argument with a similar name exists: `{near}`"))
                 .replace_with(near),
@@ -235,6 +231,6 @@ impl Expander<'_> {
                 "declare it above this place: <xacro:arg name=\"{name}\" default=\"...\"/>, or give {name}:=..."
             )),
         };
-        self.push_undefined(NameKind::Arg, name, Scopes::TOP, problem);
+        self.push_undefined(missing, Scopes::TOP, problem);
     }
 }

@@ -196,12 +196,19 @@ impl Scopes {
 
     /// Every name visible from `id`, for suggestions.
     pub fn visible_names(&self, id: ScopeId) -> Vec<&str> {
+        self.visible(id, |name| (!name.starts_with('*')).then_some(name))
+    }
+
+    /// The names of all blocks seen from a scope, without their stars, sorted.
+    pub fn visible_blocks(&self, id: ScopeId) -> Vec<&str> {
+        self.visible(id, |name| name.strip_prefix("**").or_else(|| name.strip_prefix('*')))
+    }
+
+    fn visible<'a>(&'a self, id: ScopeId, shown: impl Fn(&'a str) -> Option<&'a str>) -> Vec<&'a str> {
         let mut names: Vec<&str> = Vec::new();
         let mut at = Some(id);
         while let Some(id) = at {
-            names.extend(
-                self.get(id).vars.iter().map(|(name, _)| name.as_str()).filter(|n| !n.starts_with('*')),
-            );
+            names.extend(self.get(id).vars.iter().filter_map(|(name, _)| shown(name.as_str())));
             at = self.get(id).parent;
         }
         names.sort_unstable();
@@ -374,6 +381,18 @@ impl Macros {
         match self.entry(at, name)? {
             MacroEntry::Namespace(id) => Some(*id),
             MacroEntry::Macro(_) => None,
+        }
+    }
+
+    /// The table that the last part of a dotted `name` is looked up in, the part before it, and the last part itself; the
+    /// table at hand and the whole name where the part before is no namespace.
+    pub fn inside<'n>(&self, at: MacrosId, name: &'n str) -> (MacrosId, &'n str, &'n str) {
+        let split = name.rfind('.').map(|dot| name.split_at(dot + 1));
+        let Some((path, own)) = split else { return (at, "", name) };
+        let mut steps = path.trim_end_matches('.').split('.');
+        match steps.try_fold(at, |table, step| self.namespace(table, step)) {
+            Some(table) => (table, path, own),
+            None => (at, "", name),
         }
     }
 

@@ -293,9 +293,10 @@ impl Expander<'_> {
         };
         let mut problem = self.problem(code, place, message).says(reference);
         if code == "XAC025" {
-            let argument = || self.empty_argument(mark).map_or(Outside::Includer, Outside::Argument);
-            let outside = if error.kind == ErrorKind::Io { Outside::File } else { argument() };
-            problem = problem.depends_on(outside);
+            problem.outside = match error.kind {
+                ErrorKind::Io => Some(Outside::File),
+                _ => self.outside_of_reads(mark),
+            };
         }
         if error.kind == ErrorKind::Budget && error.message.contains(" steps") {
             problem = problem.help(raise("eval-steps"));

@@ -1,7 +1,7 @@
 //! The robot of an expanded document.
 
 use super::blocks::{Gazebo, Ros2Control, Transmission};
-use super::joint::Joint;
+use super::joint::{Joint, JointType};
 use super::link::{Link, Material};
 use super::text::Text;
 use crate::expand::{Expansion, XId, XTree};
@@ -74,6 +74,11 @@ impl Robot {
     /// The first link of a name.
     pub fn link(&self, name: &str) -> Option<&Link> {
         self.links.iter().find(|link| link.name.as_ref().is_some_and(|text| text.value == name))
+    }
+
+    /// Whether no joint moves: an object or a part, as opposed to a mechanism.
+    pub fn is_rigid(&self) -> bool {
+        self.joints.iter().all(|joint| joint.is(&[JointType::Fixed]))
     }
 
     /// Whether all names of links and joints and all ends of joints are known.

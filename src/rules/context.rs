@@ -34,7 +34,7 @@ pub struct FileCx<'a> {
     pub file: FileIdx,
     /// The file.
     pub source: &'a SourceFile,
-    /// The macros that the files of the expansion define.
+    /// The macros that the files of the expansion define or call.
     pub macros: &'a FastSet<String>,
     /// What lies around it.
     pub world: Surroundings<'a>,

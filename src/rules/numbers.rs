@@ -37,6 +37,14 @@ pub(super) fn whole(text: &Text) -> Range<usize> {
     0..text.value.len()
 }
 
+/// Whether an angle is given in radians although it is more than a turn: a multiple of 15 degrees, to four digits.
+pub(super) fn is_part_of_pi(angle: f64) -> bool {
+    /// From here on, numbers in degrees come too close to multiples.
+    const MOST: f64 = 100.0;
+    let steps = angle / (std::f64::consts::PI / 12.0);
+    angle.abs() < MOST && (steps - steps.round()).abs() < 1e-4
+}
+
 /// With the fix to take the part `range` of a value, the reported text, for degrees.
 pub(super) fn from_degrees<'s, 'a>(
     report: Reported<'s, 'a>,
@@ -63,6 +71,23 @@ pub(super) fn from_degrees<'s, 'a>(
         _ => return report,
     };
     report.replace_with(Safety::Unsafe, format!("take it for degrees: `{new}`"), new)
+}
+
+/// Whether the part `range` of a value comes from a property or an argument that somebody gave a number, as opposed to a
+/// number in place or an expression of constants.
+pub(super) fn comes_from_a_name(expansion: &Expansion, text: &Text, range: Range<usize>) -> bool {
+    let mut reads: Vec<u32> = text.reads(expansion, range).collect();
+    let mut seen = FastSet::default();
+    while let Some(read) = reads.pop() {
+        let Some(binding) = expansion.bindings.get(read as usize).filter(|_| seen.insert(read)) else {
+            continue;
+        };
+        if binding.kind != BindingKind::Parameter && binding.origin.is_some() {
+            return true;
+        }
+        reads.extend(expansion.read_in(binding.reads));
+    }
+    false
 }
 
 /// With the properties and arguments that a value comes from, however many parameters it went through.

@@ -17,9 +17,10 @@ use super::vocabulary::outside_free_zones;
 use super::xacro::{is_unprefixed, shadowing_is_news};
 use crate::base::{CancelFlag, FastMap, FastSet, FileId, Span, TextRange};
 use crate::expand::{Expansion, FileIdx, FileUse, Problem, Step};
+use crate::facts::is_keyword;
 use crate::model::{Kinematics, Robot};
 use crate::vfs::Vfs;
-use crate::xml::{SyntaxError, SyntaxErrorKind};
+use crate::xml::{Node, SyntaxError, SyntaxErrorKind};
 
 /// Problems after which links and joints may be missing from the expansion.
 const LOSES_CONTENT: [&str; 8] =
@@ -149,7 +150,7 @@ pub fn check_recovered(expansion: &Expansion, vfs: &Vfs) -> Vec<Finding> {
 pub fn check_files(expansion: &Expansion, world: Surroundings<'_>, chosen: Chosen<'_>) -> Vec<Finding> {
     let Some(first) = all().next() else { return Vec::new() };
     let mut sink = Sink::new(expansion, first);
-    let macros = defined_macros(expansion);
+    let macros = named_macros(expansion);
     for (file, used) in (0..).map(FileIdx).zip(&expansion.files) {
         let packages = OnceCell::new();
         let cx = FileCx { expansion, file, source: &used.source, macros: &macros, world, packages };
@@ -162,11 +163,16 @@ pub fn check_files(expansion: &Expansion, world: Surroundings<'_>, chosen: Chose
     sink.finish()
 }
 
-/// The macros that the files of an expansion define somewhere.
-fn defined_macros(expansion: &Expansion) -> FastSet<String> {
+/// The macros that the files of an expansion define somewhere, and those that they call: the file that defines them may
+/// be missing.
+fn named_macros(expansion: &Expansion) -> FastSet<String> {
     let items = expansion.files.iter().flat_map(|file| file.source.document.parts());
-    let macros = items.flat_map(|(_, item)| item.all_nodes()).filter(|node| node.name() == "xacro:macro");
-    macros.filter_map(|node| Some(node.attr("name")?.raw().trim_start_matches("xacro:").to_owned())).collect()
+    let tags = items.flat_map(|(_, item)| item.all_nodes());
+    let name = |node: Node<'_>| match node.name().strip_prefix("xacro:")? {
+        "macro" => Some(node.attr("name")?.raw().trim_start_matches("xacro:").to_owned()),
+        tag => (!is_keyword(tag)).then(|| tag.to_owned()),
+    };
+    tags.filter_map(name).collect()
 }
 
 impl Chosen<'_> {

@@ -15,6 +15,11 @@ pub(super) fn is_free_zone(name: &str) -> bool {
         || name.bytes().any(|byte| byte == b':') && !name.starts_with("xacro:")
 }
 
+/// Whether a link stands for the surroundings of a robot by its name.
+pub(super) fn is_surroundings(link: &str) -> bool {
+    matches!(link, "world" | "map" | "odom" | "earth")
+}
+
 /// Passes over the content of free zones, in a row of elements as they follow each other in a document; the elements that
 /// make the zones stay. Each is given with the offset of its item.
 pub(super) fn outside_free_zones<'a>(

@@ -25,6 +25,6 @@ pub use install::{BUILD_FILES, Build, Built};
 pub use packages::{Entry, Found, NotFound, Package, PackageOptions, Packages, Target};
 pub use root::is_built;
 pub use shell::RosVariable;
-pub use similar::{edit_distance, nearest};
+pub use similar::{edit_distance, misspelled, nearest};
 pub use steps::Step;
 pub use uri::{UriKind, UriOutcome, UriResult, percent_decoded};

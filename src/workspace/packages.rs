@@ -160,11 +160,15 @@ impl Packages {
         const SLIP: usize = 2;
         let owner = self.containing(from);
         let manifest = owner.and_then(|owner| self.vfs.text(&owner.folder.join(MANIFEST)).ok());
-        if manifest.is_some_and(|manifest| manifest.text.contains(&format!(">{name}<"))) {
+        let manifest = manifest.map(|manifest| manifest.text.clone()).unwrap_or_default();
+        // each text between two tags: those of dependencies are among them
+        let declared = || manifest.split('>').filter_map(|part| Some(part.split_once('<')?.0.trim()));
+        if declared().any(|declared| declared == name) {
             return None;
         }
         let known = self.all(from);
-        let near = nearest(name, known.iter().map(|entry| entry.name.as_str()));
+        let names = known.iter().map(|entry| entry.name.as_str());
+        let near = nearest(name, names.chain(declared().filter(|name| is_package_name(name))));
         let near = near.filter(|near| edit_distance(name, near) <= SLIP);
         // only among sources: of all that is installed, something always begins alike
         let is_source = |entry: &&Entry| entry.step <= Step::Workspace && entry.step != Step::OwnPackage;

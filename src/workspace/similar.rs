@@ -75,6 +75,46 @@ pub(super) fn has_part(name: &str, part: &str) -> bool {
         || rest(name.strip_suffix(part), |rest| rest.ends_with('_'))
 }
 
+/// The candidate that is almost surely meant by `word`, which is none of them: it differs by one slip of the fingers.
+pub fn misspelled<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    candidates.into_iter().find(|candidate| word != *candidate && is_slip(word, candidate))
+}
+
+/// Whether one name is the other with one slip of the fingers: two neighboring letters swapped, one doubled, dropped or
+/// hit wrong, in a word long enough that both are hardly meant. A different digit or a plural makes another name.
+fn is_slip(a: &str, b: &str) -> bool {
+    /// Letters of a word that gains or loses one.
+    const CHANGED: usize = 4;
+    /// Letters of a word in which one is replaced.
+    const REPLACED: usize = 5;
+    let all = |text: &str| text.chars().collect::<Vec<char>>();
+    let (long, short) =
+        if a.chars().count() < b.chars().count() { (all(b), all(a)) } else { (all(a), all(b)) };
+    let same = long.iter().zip(&short).take_while(|(x, y)| x == y).count();
+    let (left, right) = different(&long, &short);
+    let is_name = |letters: &[char]| letters.iter().all(|letter| letter.is_alphabetic());
+    if !is_name(left) || !is_name(right) {
+        return false;
+    }
+    match (left, right) {
+        ([x, y], [v, w]) => long.len() > 3 && (x, y) == (w, v),
+        ([_], [_]) => word_around(&long, same) >= REPLACED,
+        ([letter], []) => {
+            let is_plural = *letter == 's' && long.get(same + 1).is_none_or(|next| *next == '_');
+            let doubled = same.checked_sub(1).and_then(|before| long.get(before)) == Some(letter);
+            word_around(&long, same) > CHANGED && (!is_plural || doubled)
+        }
+        _ => false,
+    }
+}
+
+/// How many letters the word between underscores and digits has that position `at` belongs to.
+fn word_around(name: &[char], at: usize) -> usize {
+    let (before, after) = name.split_at_checked(at).unwrap_or((name, &[]));
+    let letters = |letter: &&char| letter.is_alphabetic();
+    before.iter().rev().take_while(letters).count() + after.iter().take_while(letters).count()
+}
+
 /// How many letters of `a` are to be inserted, removed, replaced or swapped with their neighbour to get `b`.
 pub fn edit_distance(a: &str, b: &str) -> usize {
     let letters = |text: &str| text.chars().collect::<Vec<char>>();
@@ -122,7 +162,7 @@ fn different<'a>(a: &'a [char], b: &'a [char]) -> (&'a [char], &'a [char]) {
 
 #[cfg(test)]
 mod tests {
-    use super::{counts, distance, edit_distance, far, nearest};
+    use super::{counts, distance, edit_distance, far, is_slip, nearest};
 
     #[test]
     fn words() {
@@ -162,6 +202,35 @@ mod tests {
                 assert_eq!(distance(a, b, most), Some(exact).filter(|&exact| exact <= most), "{a:?} {b:?}");
                 assert!(far(counts(a), b) <= 2 * exact, "{a:?} {b:?}");
             }
+        }
+    }
+
+    #[test]
+    fn slips_of_the_fingers() {
+        for (name, meant) in [
+            ("preifx", "prefix"),
+            ("M_IP", "M_PI"),
+            ("masss", "mass"),
+            ("naem", "name"),
+            ("wheel_radus", "wheel_radius"),
+            ("wheel_rsdius", "wheel_radius"),
+            ("arm_1_loewr_limit", "arm_1_lower_limit"),
+        ] {
+            assert!(is_slip(name, meant) && is_slip(meant, name), "{name} {meant}");
+        }
+        for (name, other) in [
+            ("link_1", "link_2"),
+            ("arm_x", "arm_y"),
+            ("wheels", "wheel"),
+            ("wheels_mass", "wheel_mass"),
+            ("box_size", "box_side"),
+            ("base_link", "baselink"),
+            ("rear", "ear"),
+            ("prefix", "suffix"),
+            ("lr", "rl"),
+            ("same", "same"),
+        ] {
+            assert!(!is_slip(name, other) && !is_slip(other, name), "{name} {other}");
         }
     }
 }

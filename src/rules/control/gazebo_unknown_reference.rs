@@ -6,6 +6,7 @@ use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use crate::base::FastSet;
+use crate::model::Gazebo;
 use crate::workspace::nearest;
 
 pub(super) const RULE: Rule = Rule {
@@ -22,7 +23,8 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let joints: FastSet<&str> = cx.robot.joints.iter().map(|joint| joint.shown()).collect();
-    for text in cx.robot.gazebo.iter().filter_map(|block| block.reference.as_ref()) {
+    for block in &cx.robot.gazebo {
+        let Some(text) = &block.reference else { continue };
         let Some(name) = text.name() else { continue };
         if cx.kinematics.link(name).is_some() || joints.contains(name.as_str()) {
             continue;
@@ -38,7 +40,16 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                     report.help(format!("SDFormat drops the element; a similar name exists: `{near}`"));
                 rename(report, cx.expansion, text, near).done();
             }
-            None => report.help("SDFormat drops the element: name a link or a joint of this robot").done(),
+            None => report
+                .severity(if is_colour(cx, block) { Severity::Info } else { Severity::Warning })
+                .help("SDFormat drops the element: name a link or a joint of this robot")
+                .done(),
         }
     }
+}
+
+/// Whether an element gives a colour and nothing else: without it, nothing behaves differently.
+fn is_colour(cx: &RobotCx<'_>, block: &Gazebo) -> bool {
+    let tree = &cx.expansion.tree;
+    tree.elements(block.element).all(|child| tree.get(child).text == "material")
 }

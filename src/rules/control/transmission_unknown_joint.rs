@@ -1,9 +1,12 @@
 //! A transmission for a joint that does not exist.
 
+use ecow::EcoString;
+
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::joints::unknown_joints;
+use crate::model::Text;
 use crate::workspace::Target;
 
 pub(super) const RULE: Rule = Rule {
@@ -19,10 +22,15 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    // nothing in ROS 2 reads these elements
-    let root = cx.expansion.files.first().map(|file| &*file.source.path);
-    let is_ros2 = root.and_then(|root| cx.world.packages.generation(root)) == Some(Target::Ros2);
-    let severity = if is_ros2 { Severity::Warning } else { RULE.severity };
     let joints = cx.robot.transmissions.iter().flat_map(|transmission| &transmission.joints);
-    unknown_joints(cx, out, joints.filter_map(|(_, name)| name.as_ref()), "a transmission", severity);
+    let names: Vec<&Text> = joints.filter_map(|(_, name)| name.as_ref()).collect();
+    let is_known = |name: &EcoString| cx.robot.joints.iter().any(|joint| joint.shown() == name);
+    let root = cx.expansion.files.first().map(|file| &*file.source.path);
+    // nothing in ROS 2 reads these elements: not one that fits is what is left of ROS 1
+    let severity = match root.and_then(|root| cx.world.packages.generation(root)) {
+        Some(Target::Ros2) if names.iter().filter_map(|text| text.name()).any(is_known) => Severity::Warning,
+        Some(Target::Ros2) => Severity::Info,
+        _ => RULE.severity,
+    };
+    unknown_joints(cx, out, names.into_iter(), "a transmission", severity);
 }

@@ -3,7 +3,7 @@
 use nalgebra::UnitQuaternion;
 
 use super::super::context::RobotCx;
-use super::super::numbers::short;
+use super::super::numbers::{comes_from_a_name, short};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::names::prefix_of;
@@ -49,12 +49,19 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             text.numbers::<3>().is_some_and(|[roll, pitch, _]| roll.abs().max(pitch.abs()) > LEVEL)
         };
         let Some(at) = tilts.find(tilted) else { continue };
+        // a tilt that has a name is meant
+        let is_named = at
+            .words()
+            .zip(at.numbers::<3>().unwrap_or_default())
+            .take(2)
+            .any(|(range, angle)| angle.abs() > LEVEL && comes_from_a_name(cx.expansion, at, range));
         let message = format!(
             "`{name}` is tilted against `{prefix}base_footprint` (roll {}, pitch {})",
             short(roll),
             short(pitch)
         );
         out.report(at.origin, message)
+            .severity(if is_named { Severity::Info } else { Severity::Warning })
             .help("the footprint is the base put down on the floor: only height and yaw may differ")
             .done();
     }

@@ -30,7 +30,14 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let Some((joint, kind)) = moving.and_then(|joint| Some((joint, joint.kind.as_ref()?))) else {
             continue;
         };
+        // with a shape or a mass, `base` is a part of its own, such as a turntable
+        let is_body =
+            cx.robot.links.get(base).is_some_and(|link| link.has_geometry() || link.inertial.is_some());
+        let severity = if is_body { Severity::Info } else { Severity::Warning };
         let message = format!("joint `{}` moves `{prefix}base` against `{name}`", joint.shown());
-        out.report(kind.origin, message).help("both are frames of one body: fix one to the other").done();
+        out.report(kind.origin, message)
+            .severity(severity)
+            .help("both are frames of one body: fix one to the other")
+            .done();
     }
 }

@@ -5,8 +5,9 @@ use super::super::numbers::{rewrite, short, vector};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::thresholds::MAX_JOINT_OFFSET;
+use super::super::vocabulary::is_surroundings;
 use crate::base::FastSet;
-use crate::model::{Joint, Robot};
+use crate::model::{Joint, JointType, Robot};
 
 pub(super) const RULE: Rule = Rule {
     code: "FRM003",
@@ -20,8 +21,10 @@ pub(super) const RULE: Rule = Rule {
     check: Check::Document(check),
 };
 
-/// Links that stand for the surroundings.
-const SURROUNDINGS: [&str; 4] = ["world", "map", "odom", "earth"];
+/// Parts of a robot are closer to each other, metres.
+const LARGE: f64 = 1.0;
+/// So many joints show how large a model is.
+const MANY: usize = 10;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let Some(robot) = cx.robot else { return };
@@ -30,12 +33,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         cx.joints().iter().filter_map(offset).filter(|offset| *offset > 1e-9).collect();
     offsets.sort_by(f64::total_cmp);
     let median = offsets.get(offsets.len() / 2).copied().unwrap_or(0.0);
+    let large = is_large(cx.joints());
     let held: FastSet<&str> =
         cx.joints().iter().filter_map(|joint| Some(joint.child.as_ref()?.value.as_str())).collect();
     for joint in cx.joints() {
         let Some(length) = offset(joint) else { continue };
         let far = length > most || (length > 1000.0 * median && length > 5.0);
-        if !far || is_placed(robot, joint, &held) {
+        let is_part_of_building = large && joint.is(&[JointType::Fixed]);
+        if !far || is_part_of_building || is_placed(robot, joint, &held) {
             continue;
         }
         let Some(text) = joint.origin.as_ref().and_then(|origin| origin.xyz.as_ref()) else { continue };
@@ -56,10 +61,19 @@ fn offset(joint: &Joint) -> Option<f64> {
     Some((x * x + y * y + z * z).sqrt())
 }
 
+/// Whether a document describes a building or a landscape: most of its joints are fixed, and most of these are farther
+/// than [`LARGE`] from their parent.
+fn is_large(joints: &[Joint]) -> bool {
+    let fixed: Vec<f64> =
+        joints.iter().filter(|joint| joint.is(&[JointType::Fixed])).filter_map(offset).collect();
+    let far = fixed.iter().filter(|&&offset| offset > LARGE).count();
+    fixed.len() >= MANY && 2 * fixed.len() > joints.len() && 2 * far > fixed.len()
+}
+
 /// Whether a joint places the robot in its surroundings: that may be anywhere.
 fn is_placed(robot: &Robot, joint: &Joint, held: &FastSet<&str>) -> bool {
     let Some(parent) = &joint.parent else { return false };
     let empty_root =
         |parent: &str| !held.contains(parent) && robot.link(parent).is_some_and(|link| !link.has_geometry());
-    SURROUNDINGS.contains(&parent.value.as_str()) || empty_root(&parent.value)
+    is_surroundings(&parent.value) || empty_root(&parent.value)
 }

@@ -1,7 +1,7 @@
 //! Angles of an orientation that look like degrees.
 
 use super::super::context::DocumentCx;
-use super::super::numbers::from_degrees;
+use super::super::numbers::{from_degrees, is_part_of_pi};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::poses::{ANGLES, poses};
@@ -29,7 +29,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(text) = &placed.pose.rpy else { continue };
         let Some(angles) = placed.pose.angles() else { continue };
         for ((angle, name), range) in angles.into_iter().zip(ANGLES).zip(text.words()) {
-            if angle.abs() > MOST || ROUND.contains(&angle.abs()) {
+            if angle.abs() > MOST && !is_part_of_pi(angle) || ROUND.contains(&angle.abs()) {
                 let shown = text.value.get(range.clone()).unwrap_or_default();
                 let message = format!("{name} {shown} of {} looks like degrees", placed.owner());
                 let report = out.report(text.part(range.clone()), message).help("angles are in radians");

@@ -4,7 +4,7 @@ use super::super::context::{DocumentCx, RootKind};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::is_defined;
-use crate::model::{source_has_elements, tag_start};
+use crate::model::{Material, Text, source_has_elements, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO031",
@@ -22,6 +22,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for material in
         cx.robot.into_iter().flat_map(|robot| &robot.materials).filter(|material| !is_defined(material))
     {
+        if is_of_gazebo(cx, material) {
+            continue;
+        }
         // what xacro tags inside would have given may be lost
         let certain = cx.kind == RootKind::Robot && cx.expansion.whole && cx.expansion.problems.is_empty();
         if certain || !source_has_elements(cx.expansion, material.element) {
@@ -31,4 +34,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             out.report(origin, message).help("urdfdom refuses the robot: add a `color`").done();
         }
     }
+}
+
+/// Whether a macro that nothing calls gives the colour of a `gazebo` element: without a name, and with the color as text.
+fn is_of_gazebo(cx: &DocumentCx<'_>, material: &Material) -> bool {
+    let is_root = cx.expansion.tree.root() == Some(cx.element);
+    !is_root && material.name.is_none() && Text::content(&cx.expansion.tree, material.element).is_some()
 }

@@ -7,7 +7,7 @@ use super::super::thresholds::{MAX_EXTENT, MIN_EXTENT};
 use super::resources::MeshUse;
 use crate::base::TextRange;
 use crate::expand::{FileIdx, Origin};
-use crate::model::tag_start;
+use crate::model::{Robot, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO007",
@@ -39,7 +39,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             true => "it seems to be in millimetres: scale it by 0.001",
             false => "meshes are in metres: check its unit and `scale`",
         };
-        let report = out.report(mesh.file.origin, message).help(help);
+        // an object without joints may be a building or a floor
+        let is_object = cx.robot.is_some_and(Robot::is_rigid);
+        let may_be_meant = is_object && most < extent && extent < 10.0 * most;
+        let severity = if may_be_meant { Severity::Info } else { Severity::Warning };
+        let report = out.report(mesh.file.origin, message).severity(severity).help(help);
         match rescaled(cx, &mesh).filter(|_| is_millimetres) {
             Some((origin, content)) => {
                 let edit = cx.expansion.place(origin).map(|place| (place.file, place.range));

@@ -25,7 +25,12 @@ const READ: [&str; 12] =
 /// Those of which another ending may be a misspelling.
 const USUAL: [&str; 3] = ["stl", "dae", "obj"];
 
+/// Those of construction programs, which no program for robots reads.
+const CONSTRUCTION: [&str; 10] =
+    ["step", "stp", "iges", "igs", "sldprt", "sldasm", "ipt", "iam", "fcstd", "blend"];
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let common = common_ending(cx);
     for mesh in cx.meshes() {
         let name = mesh.name();
         let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
@@ -43,6 +48,21 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             || "convert it to STL, OBJ, DAE or GLB".to_owned(),
             |near| format!("did you mean `.{near}`? Otherwise convert the mesh to STL, OBJ, DAE or GLB"),
         );
-        out.report(mesh.file.origin, message).group(mesh.group()).help(help).done();
+        // all meshes in one format are a choice: some program reads it
+        let is_chosen = near.is_none() && common.as_deref() == Some(&*ending.to_lowercase());
+        let severity = if is_chosen { Severity::Info } else { Severity::Warning };
+        out.report(mesh.file.origin, message).severity(severity).group(mesh.group()).help(help).done();
     }
+}
+
+/// The ending that several meshes of a robot have and no other mesh lacks, when it is that of meshes.
+fn common_ending(cx: &DocumentCx<'_>) -> Option<String> {
+    let mut endings = cx.meshes().map(|mesh| {
+        let name = mesh.name();
+        name.rsplit_once('.').map_or("", |(_, ending)| ending).to_lowercase()
+    });
+    let first = endings.next()?;
+    let others: Vec<String> = endings.collect();
+    let is_common = !others.is_empty() && others.iter().all(|ending| *ending == first);
+    (is_common && !first.is_empty() && !CONSTRUCTION.contains(&first.as_str())).then_some(first)
 }

@@ -1,10 +1,12 @@
 //! A mass that does not fit the volume of the link.
 
 use super::super::context::DocumentCx;
-use super::super::geometry::{Extent, extent_of, volume};
+use super::super::geometry::volume;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use super::joined::{is_in_world, shape};
 use super::moments::{inertials, short};
+use super::placeholder_inertia::is_placeholder;
 use crate::model::Link;
 
 pub(super) const RULE: Rule = Rule {
@@ -42,8 +44,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let message = format!("link `{}` has a density of {} kg/m^3", link.shown(), short(density));
-        let is_gross =
-            !(FAR_TOO_LIGHT..FAR_TOO_HEAVY).contains(&density) && mass >= LEAST_MASS && is_known(cx, link);
+        let is_gross = !(FAR_TOO_LIGHT..FAR_TOO_HEAVY).contains(&density)
+            && mass >= LEAST_MASS
+            && !fits_in_shape(cx, link, mass)
+            && !is_in_world(cx, link)
+            && !is_placeholder(cx, link, inertial);
         out.report(text.origin, message)
             .severity(if is_gross { Severity::Warning } else { Severity::Info })
             .help("check units: kilograms, and metres for the geometry")
@@ -51,7 +56,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
-/// Whether all shapes of a link could be read.
-fn is_known(cx: &DocumentCx<'_>, link: &Link) -> bool {
-    [&link.collisions, &link.visuals].into_iter().all(|bodies| extent_of(cx, bodies) != Extent::Unknown)
+/// Whether a mass is possible in the box around visuals and collisions, or that box is not known: the collision alone may
+/// be a marker.
+fn fits_in_shape(cx: &DocumentCx<'_>, link: &Link, mass: f64) -> bool {
+    shape(cx, link).is_none_or(|shape| {
+        let density = mass / shape.size().into_iter().product::<f64>();
+        (FAR_TOO_LIGHT..=HEAVY).contains(&density)
+    })
 }

@@ -4,6 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::geometry::{Extent, extent};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use super::joined::{LIGHT, is_in_world, is_joined, shape};
 use super::moments::{Verdict, inertia_tag, inertials, short, verdict};
 use super::placeholder_inertia::is_placeholder;
 use crate::model::Link;
@@ -25,8 +26,8 @@ const FAR: f64 = 5.0;
 /// From this ratio to the greatest moment that the geometry admits on, it is no matter of rough shapes.
 const GROSS: f64 = 10.0;
 
-/// A geometry up to this radius in metres is a marker that stands for a link without a shape.
-const MARKER: f64 = 0.002;
+/// Up to this mass in kg, a link that is fixed to another one is a sensor or a cover, which changes little.
+const LIGHT_PART: f64 = 0.1;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
@@ -38,7 +39,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         };
         let made_up = is_same_about_all_axes(entries);
-        let (severity, help) = match misfit.is_gross && !made_up {
+        let (severity, help) = match misfit.is_gross && !made_up && matters(cx, link, mass) {
             true => (Severity::Warning, "check units: kg m^2, not kg mm^2 or g mm^2"),
             false => (Severity::Info, "compute it from mass and shape"),
         };
@@ -46,6 +47,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let message = format!("inertia of link `{name}` means a radius of gyration of {radius} m; {beside}");
         out.report(inertia_tag(cx.expansion, inertial), message).severity(severity).help(help).done();
     }
+}
+
+/// Whether a simulation depends on the inertia of a link.
+fn matters(cx: &DocumentCx<'_>, link: &Link, mass: f64) -> bool {
+    let least = if is_joined(cx, link) { LIGHT_PART } else { LIGHT };
+    mass > least && !is_in_world(cx, link)
 }
 
 /// How a radius of gyration does not fit a link.
@@ -65,10 +72,13 @@ fn misfit(cx: &DocumentCx<'_>, link: &Link, radius: f64) -> Option<Misfit> {
         Extent::Known(bounds) => {
             let half = bounds.diagonal() / 2.0;
             let wrong = half > 0.0 && (radius > 2.0 * half || radius < half / 50.0);
-            // moments go with the square of the radius
-            let ratio = (radius / half).powi(2);
+            // moments go with the square of the radius; a rough collision says less than the shape with the visuals
+            let ratio = |half: f64| (radius / half).powi(2);
+            let is_gross = shape(cx, link).is_some_and(|shape| {
+                let misfits = |half: f64| !(1.0 / GROSS..GROSS).contains(&ratio(half));
+                misfits(half) && misfits(shape.diagonal() / 2.0)
+            });
             let beside = format!("its geometry has a radius of {} m", short(half));
-            let is_gross = half > MARKER && !(1.0 / GROSS..GROSS).contains(&ratio);
             wrong.then_some(Misfit { is_gross, beside })
         }
     }

@@ -41,9 +41,9 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// Whether a simulator loads the robot: a Gazebo tag or hardware of a simulator says so. A ros2_control block for
-/// real hardware or for a mock does not.
+/// real hardware or for a mock does not, nor does one for MuJoCo: it reads a model of its own.
 fn is_simulated(cx: &RobotCx<'_>) -> bool {
-    const SIMULATORS: [&str; 6] = ["gazebo", "gz_", "ign_", "isaac", "mujoco", "webots"];
+    const SIMULATORS: [&str; 5] = ["gazebo", "gz_", "ign_", "isaac", "webots"];
     let tree = &cx.expansion.tree;
     let is_simulator = |control: &Ros2Control| {
         let plugin = control.plugin(tree).and_then(|element| Text::content(tree, element));

@@ -5,6 +5,7 @@ mod implausible_density;
 mod implausible_inertia;
 mod inertia_not_positive_definite;
 mod inertia_triangle_inequality;
+mod joined;
 mod missing_inertial;
 mod moments;
 mod negative_mass;

@@ -3,6 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use super::joined::{LIGHT, is_in_world, is_joined};
 use super::moments::{Verdict, inertia_tag, inertials, verdict};
 
 pub(super) const RULE: Rule = Rule {
@@ -25,7 +26,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let heavy = inertial.mass().is_some_and(|mass| mass > NOTHING);
         if heavy && inertial.entries().map(verdict) == Some(Verdict::Zero) {
             let message = format!("link `{}` has a mass, but its inertia is zero", link.shown());
+            // what is joined to a heavier body, or never turns, needs no inertia of its own
+            let is_frame = !link.has_geometry() && inertial.mass().is_some_and(|mass| mass <= LIGHT);
+            let without_effect = is_frame || is_joined(cx, link) || is_in_world(cx, link);
+            let severity = if without_effect { Severity::Info } else { Severity::Warning };
             out.report(inertia_tag(cx.expansion, inertial), message)
+                .severity(severity)
                 .help("simulators become unstable: compute it from mass and shape")
                 .done();
         }

@@ -1,7 +1,7 @@
 //! Limits of a joint that look like degrees.
 
 use super::super::context::DocumentCx;
-use super::super::numbers::{UNLIMITED, from_degrees, short, whole};
+use super::super::numbers::{UNLIMITED, from_degrees, is_part_of_pi, short, whole};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use crate::model::JointType;
@@ -26,10 +26,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(limit) = &joint.limit else { continue };
         for (name, text) in [("lower", &limit.lower), ("upper", &limit.upper)] {
             let Some(text) = text else { continue };
-            let Some(value) = text.number().filter(|value| value.abs() > MOST && value.abs() < UNLIMITED)
-            else {
-                continue;
-            };
+            let is_large =
+                |value: &f64| value.abs() > MOST && value.abs() < UNLIMITED && !is_part_of_pi(*value);
+            let Some(value) = text.number().filter(is_large) else { continue };
             let turns = short((value / std::f64::consts::TAU).abs().round());
             let message =
                 format!("joint `{}`: the {name} limit {} rad is {turns} turns", joint.shown(), text.value);

@@ -21,6 +21,8 @@ pub(super) const RULE: Rule = Rule {
 
 /// What calculation may lose.
 const ROUNDING: f64 = 1e-9;
+/// Part of a distance that the rounding of limits to a few digits may change.
+const BY_THE_SAME: f64 = 1e-3;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for joint in cx.joints().iter().filter(|joint| joint.is(&[Revolute, Prismatic])) {
@@ -54,5 +56,5 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether both soft limits are outside by the same amount: somebody put them out of the way.
 fn is_switched_off(below: f64, above: f64) -> bool {
-    below > ROUNDING && (below - above).abs() <= ROUNDING
+    below > ROUNDING && (below - above).abs() <= BY_THE_SAME * below
 }

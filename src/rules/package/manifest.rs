@@ -7,13 +7,16 @@ use roxmltree::{Document, Node, ParsingOptions};
 
 use super::super::context::Surroundings;
 use crate::base::limits::MANIFEST_NODES;
-use crate::base::{FastMap, FileId, Span, TextRange};
+use crate::base::{FastMap, FastSet, FileId, Span, TextRange};
 use crate::expand::FileIdx;
 use crate::vfs::TextFile;
 use crate::workspace::Package;
 
 /// The elements that make a package come along with another one at run time.
 const RUNTIME: [&str; 4] = ["depend", "exec_depend", "run_depend", "build_export_depend"];
+
+/// Packages looked at to find what comes along with a package.
+const MOST_PACKAGES: usize = 100;
 
 /// Manifests, read once for each text they have.
 #[derive(Default)]
@@ -58,6 +61,29 @@ impl Manifest {
         let path = package.folder.join("package.xml");
         let text = world.vfs.text(&path).ok()?;
         world.manifests.get(world.vfs.file_id(&path), &text, package)
+    }
+
+    /// Whether a package comes along at run time.
+    pub fn declares(&self, package: &str) -> bool {
+        self.runtime.iter().any(|known| known == package)
+    }
+
+    /// Whether a package comes along with one of those that come along, as far as they are in the workspace.
+    pub fn brings(&self, world: Surroundings<'_>, from: &Path, package: &str) -> bool {
+        let mut open: Vec<String> = self.runtime.clone();
+        let mut seen: FastSet<String> = FastSet::default();
+        while let Some(name) = open.pop() {
+            if !seen.insert(name.clone()) || seen.len() > MOST_PACKAGES {
+                continue;
+            }
+            let Ok(folder) = world.packages.find(&name, from) else { continue };
+            let Some(manifest) = Self::around(world, &folder.path.join("package.xml")) else { continue };
+            if manifest.declares(package) {
+                return true;
+            }
+            open.extend(manifest.runtime.iter().cloned());
+        }
+        false
     }
 
     fn read(text: &str, file: FileId, folder: PathBuf, name: String) -> Option<Self> {

@@ -32,13 +32,14 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         mentions.iter().partition(|mention| mention.is_conditional);
     for mention in always.into_iter().chain(maybe) {
         let name = mention.name.as_str();
-        let declared = name == manifest.name || manifest.runtime.iter().any(|known| known == name);
+        let declared = name == manifest.name || manifest.declares(name);
         if declared || !said.insert(name) || is_unknown(cx, name) {
             continue;
         }
         let (span, content) = manifest.addition(name);
-        // what a condition brings in may be optional
-        let severity = if mention.is_conditional { Severity::Info } else { RULE.severity };
+        // what a condition brings in may be optional, and what another dependency brings along is there
+        let comes_along = mention.is_conditional || manifest.brings(cx.world, &cx.source.path, name);
+        let severity = if comes_along { Severity::Info } else { RULE.severity };
         out.report_in(cx.file, mention.range, format!("`{}` does not depend on `{name}`", manifest.name))
             .severity(severity)
             .group(Group::Thing(format!("{} of {}", name, manifest.folder.display()).into()))

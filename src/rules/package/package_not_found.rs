@@ -7,6 +7,7 @@ use super::super::finding::Finding;
 use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
+use super::manifest;
 use crate::base::TextRange;
 use crate::expand::{Expansion, FileIdx, Origin, Read, XAttr, XId};
 use crate::workspace::NotFound;
@@ -67,6 +68,15 @@ pub(in super::super) fn warn_once(findings: &mut [Finding], expansion: &Expansio
             return;
         }
         missing.push(name);
+    }
+    // what the package declares is installed along with it, and only not here; a folder around the file with the name of
+    // a package is a copy of it
+    let manifest = manifest::of_file(world, expansion, FileIdx(0));
+    let is_around = |name: &&str| from.as_ref().is_some_and(|from| from.iter().any(|part| part == *name));
+    if missing.iter().any(is_around)
+        || manifest.is_some_and(|manifest| missing.iter().any(|name| manifest.declares(name)))
+    {
+        return;
     }
     let first = findings.iter_mut().find(|finding| finding.rule.code == RULE.code);
     let Some(first) = first.filter(|first| first.severity == Severity::Info) else { return };

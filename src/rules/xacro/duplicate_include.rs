@@ -115,6 +115,7 @@ fn report(
     let range = TextRange::new(start, start + element.len());
     let removal = source::removal(&file.source.document, range);
     report
+        .severity(Severity::Info)
         .help("what it defines is there already: remove this one")
         .fix(Safety::Safe, "remove it", later.tag.file, [(removal, String::new())])
         .done();

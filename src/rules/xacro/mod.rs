@@ -34,7 +34,7 @@ pub(super) static RULES: &[Rule] = &[
     Rule::found("XAC001", "undefined-property", Xacro, Error, page!("undefined-property")).fixed(Unsafe),
     Rule::found("XAC002", "undefined-macro", Xacro, Error, page!("undefined-macro")).fixed(Unsafe),
     Rule::found("XAC003", "undefined-arg", Xacro, Error, page!("undefined-arg")).fixed(Unsafe),
-    Rule::found("XAC004", "undefined-block", Xacro, Error, page!("undefined-block")),
+    Rule::found("XAC004", "undefined-block", Xacro, Error, page!("undefined-block")).fixed(Unsafe),
     Rule::found("XAC005", "missing-macro-param", Xacro, Error, page!("missing-macro-param")).fixed(Unsafe),
     Rule::found("XAC006", "unknown-macro-param", Xacro, Error, page!("unknown-macro-param")).fixed(Unsafe),
     Rule::found("XAC007", "macro-block-mismatch", Xacro, Error, page!("macro-block-mismatch")),

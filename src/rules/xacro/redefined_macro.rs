@@ -1,12 +1,14 @@
 //! A macro that replaces another one of its name.
 
+use std::collections::BTreeMap;
+
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::source::{self, Inclusion};
 use crate::base::{FastMap, FastSet};
 use crate::expand::{FileIdx, Place, SymbolKind};
-use crate::xml::Node;
+use crate::xml::{Node, NodeKind};
 
 pub(super) const RULE: Rule = Rule {
     code: "XAC017",
@@ -46,9 +48,40 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
-/// Whether two macros are written with the same words.
+/// Whether two macros are written with the same words, whatever the blanks, comments and XML style.
 fn is_same(a: Node<'_>, b: Node<'_>) -> bool {
-    a.raw().split_whitespace().eq(b.raw().split_whitespace())
+    let mut open = vec![(a, b)];
+    while let Some((a, b)) = open.pop() {
+        let (inner_a, inner_b) = (content(a), content(b));
+        let same_text = a.kind() != NodeKind::Text || words(a.raw()) == words(b.raw());
+        if a.kind() != b.kind() || a.name() != b.name() || attributes(a) != attributes(b) {
+            return false;
+        }
+        if !same_text || inner_a.len() != inner_b.len() {
+            return false;
+        }
+        open.extend(inner_a.into_iter().zip(inner_b));
+    }
+    true
+}
+
+/// The elements and texts inside an element, comments and blanks left out.
+fn content(node: Node<'_>) -> Vec<Node<'_>> {
+    let matters = |child: &Node<'_>| match child.kind() {
+        NodeKind::Element => true,
+        NodeKind::Text => !child.raw().trim().is_empty(),
+        _ => false,
+    };
+    node.children().filter(matters).collect()
+}
+
+/// The attributes of an element in any order.
+fn attributes(node: Node<'_>) -> BTreeMap<String, Vec<String>> {
+    node.attrs().map(|attr| (attr.name().to_owned(), words(attr.raw()))).collect()
+}
+
+fn words(text: &str) -> Vec<String> {
+    text.split_whitespace().map(str::to_owned).collect()
 }
 
 /// The namespace that each file's macros go into; files that are included into several, or only sometimes,

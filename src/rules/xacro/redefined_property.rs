@@ -1,10 +1,10 @@
 //! A property whose value is replaced before anything reads it.
 
-use super::super::context::DocumentCx;
+use super::super::context::{DocumentCx, elements};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::{source, unused};
-use crate::base::FastMap;
+use crate::base::{FastMap, TextRange};
 use crate::expand::{Definition, DefinitionId, FileIdx, Place, SymbolKind};
 use crate::xml::Node;
 
@@ -36,12 +36,15 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             && first.range.end < place.range.start
             && source::macro_around(first_node) == source::macro_around(node)
             && !mentioned_between(cx, first, place, node, &definition.name)
+            && !included_between(cx, first, place)
         {
+            let is_same = written(first_node).is_some() && written(first_node) == written(node);
             out.report_in(
                 place.file,
                 place.range,
                 format!("property `{}` is defined again", definition.name),
             )
+            .severity(if is_same { Severity::Info } else { Severity::Warning })
             .also_at(first, "this value is never read")
             .help("remove one of them, or rename it")
             .done();
@@ -58,12 +61,28 @@ fn plain<'a>(cx: &DocumentCx<'a>, definition: &Definition) -> Option<(Place, Nod
     plain.then_some((place, node))
 }
 
+/// The value that a tag spells out.
+fn written(node: Node<'_>) -> Option<String> {
+    Some(node.attr("value")?.raw().trim().to_owned())
+}
+
+/// Whether a file is included between two definitions: it may read the first one, in another branch or in the macros that
+/// it defines.
+fn included_between(cx: &DocumentCx<'_>, first: Place, second: Place) -> bool {
+    let Some(file) = cx.expansion.files.get(second.file.0 as usize) else { return true };
+    let between = TextRange::new(first.range.end, second.range.start);
+    let mut nodes = elements(&file.source.document);
+    nodes.any(|(base, node)| {
+        node.name() == "xacro:include" && between.contains_range(node.name_range().shift(base))
+    })
+}
+
 /// Whether an expression between two definitions, or in the second one, mentions the name: a branch not taken
 /// here may read it.
 fn mentioned_between(cx: &DocumentCx<'_>, first: Place, second: Place, node: Node<'_>, name: &str) -> bool {
     let Some(file) = cx.expansion.files.get(second.file.0 as usize) else { return true };
     let end = second.range.end + node.start_tag_range().len();
-    let between = crate::base::TextRange::new(first.range.end, end);
+    let between = TextRange::new(first.range.end, end);
     let text = file.source.document.slice(between);
     text.split('$').skip(1).any(|part| {
         let end = part.find(['"', '\n']).unwrap_or(part.len());

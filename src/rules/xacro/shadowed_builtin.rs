@@ -25,7 +25,10 @@ pub(in super::super) fn is_news(expansion: &Expansion, problem: &Problem) -> boo
     }
 }
 
-/// Whether a property has the value of the symbol that it hides, as doubles.
+/// Part of a value that a symbol written with ten digits may differ in.
+const ROUNDING: f64 = 1e-9;
+
+/// Whether a property has the value of the symbol that it hides, to ten digits.
 fn is_same_value(expansion: &Expansion, place: Place, node: Node<'_>) -> bool {
     let name = node.attr("name").map(|name| name.raw().to_owned()).unwrap_or_default();
     let Some(Value::Float(known)) = global_symbol(&name) else { return false };
@@ -39,5 +42,5 @@ fn is_same_value(expansion: &Expansion, place: Place, node: Node<'_>) -> bool {
             _ => None,
         }
     });
-    written.or(computed) == Some(known)
+    written.or(computed).is_some_and(|value| (value - known).abs() <= ROUNDING * known.abs())
 }

@@ -128,12 +128,26 @@ impl Forwards {
     }
 }
 
+/// Whether the body of a macro has links or joints; other macros often take the block that goes with them, and need none.
+fn places_parts(cx: &DocumentCx<'_>, of: DefinitionId) -> bool {
+    let found = cx.expansion.symbols.get(of).and_then(|owner| source::tag(cx.expansion, owner.place));
+    let mut open: Vec<Node<'_>> = found.map(|(_, node)| node).into_iter().collect();
+    while let Some(node) = open.pop() {
+        if matches!(node.name(), "link" | "joint" | "inertial" | "visual" | "collision") {
+            return true;
+        }
+        open.extend(node.children());
+    }
+    false
+}
+
 fn report(cx: &DocumentCx<'_>, of: DefinitionId, param: &Definition, out: &mut Sink<'_>) {
     let Some(place) = source::place(cx.expansion, param.place) else { return };
     let owner = cx.expansion.symbols.get(of).map_or("", |owner| owner.name.as_str());
     // with a block, what callers write is lost, such as a pose
     let (what, verb, severity) = match param.kind {
-        SymbolKind::BlockParameter => ("block", "inserted", Severity::Warning),
+        SymbolKind::BlockParameter if places_parts(cx, of) => ("block", "inserted", Severity::Warning),
+        SymbolKind::BlockParameter => ("block", "inserted", Severity::Info),
         _ => ("parameter", "used", Severity::Info),
     };
     let message = format!("{what} `{}` of macro `{owner}` is never {verb}", param.name);

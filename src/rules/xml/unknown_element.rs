@@ -8,7 +8,7 @@ use super::super::sink::Sink;
 use super::walk::{self, Seen};
 use crate::base::TextRange;
 use crate::expand::{FileIdx, XId};
-use crate::model::tag_start;
+use crate::model::{Text, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "XML006",
@@ -57,6 +57,7 @@ fn report(
     let report = out.report(tag_start(cx.expansion, id), message).group(group);
     let Some((near, sure)) = near else {
         let (severity, help) = unlike_all(name, parent);
+        let severity = if is_identity(cx, id) { Severity::Hint } else { severity };
         return report.severity(severity).help(help).done();
     };
     let report = report
@@ -84,6 +85,16 @@ fn unlike_all(name: &str, parent: &ElementSpec) -> (Severity, String) {
         format!("readers skip it in silence; `{}` may hold {}", parent.name, children.join(", "))
     };
     (severity, help)
+}
+
+/// Whether an element is an `origin` that moves nothing: without it, all is the same.
+fn is_identity(cx: &DocumentCx<'_>, id: XId) -> bool {
+    let node = cx.expansion.tree.get(id);
+    let is_zero = |name| {
+        let text = Text::attr(&cx.expansion.tree, id, name);
+        text.is_none_or(|text| text.numbers::<3>().is_some_and(|numbers| numbers == [0.0; 3]))
+    };
+    node.text == "origin" && is_zero("xyz") && is_zero("rpy")
 }
 
 /// Where the name stands in the start tag and in the end tag, when the source spells it.

@@ -31,7 +31,15 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         TextRange::new(name.start - 1, name.end),
         format!("`{}` in a file that ends in `.urdf`", node.name()),
     )
-    .severity(if reads_as_it_stands(cx) { Severity::Warning } else { Severity::Info })
+    .severity(if reads_as_it_stands(cx) && has_effect(cx) { Severity::Warning } else { Severity::Info })
     .help("readers of plain URDF skip it in silence: rename the file to `.urdf.xacro`, and expand it")
     .done();
+}
+
+/// Whether something is lost when the tags are skipped: properties that no expression reads give nothing.
+fn has_effect(cx: &FileCx<'_>) -> bool {
+    cx.elements().any(|(_, node)| {
+        let is_other = node.name().starts_with("xacro:") && node.name() != "xacro:property";
+        is_other || node.attrs().any(|attr| attr.raw().contains("${"))
+    })
 }
