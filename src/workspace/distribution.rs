@@ -17,7 +17,7 @@ impl Packages {
     /// its manifest, pages, scripts and workflows, or those of the repository.
     pub fn is_before_jazzy(&self, file: &Path) -> bool {
         if let Some(distribution) = self.env.var("ROS_DISTRO").filter(|name| !name.is_empty()) {
-            return BEFORE_JAZZY.contains(&&*distribution);
+            return BEFORE_JAZZY.contains(&distribution);
         }
         let Some(package) = self.containing(file) else { return false };
         let of_package = self.names_distributions(&package.folder);

@@ -7,7 +7,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use super::joints::unknown_joints;
 use crate::model::Text;
-use crate::workspace::Target;
+use crate::workspace::{Target, misspelled};
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL012",
@@ -22,13 +22,15 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    let joints = cx.robot.transmissions.iter().flat_map(|transmission| &transmission.joints);
-    let names: Vec<&Text> = joints.filter_map(|(_, name)| name.as_ref()).collect();
-    let is_known = |name: &EcoString| cx.robot.joints.iter().any(|joint| joint.shown() == name);
+    let listed = cx.robot.transmissions.iter().flat_map(|transmission| &transmission.joints);
+    let names: Vec<&Text> = listed.filter_map(|(_, name)| name.as_ref()).collect();
+    let joints = || cx.robot.joints.iter().map(|joint| joint.shown());
+    let is_meant =
+        |name: &EcoString| joints().any(|joint| joint == name) || misspelled(name, joints()).is_some();
     let root = cx.expansion.files.first().map(|file| &*file.source.path);
     // nothing in ROS 2 reads these elements: not one that fits is what is left of ROS 1
     let severity = match root.and_then(|root| cx.world.packages.generation(root)) {
-        Some(Target::Ros2) if names.iter().filter_map(|text| text.name()).any(is_known) => Severity::Warning,
+        Some(Target::Ros2) if names.iter().filter_map(|text| text.name()).any(is_meant) => Severity::Warning,
         Some(Target::Ros2) => Severity::Info,
         _ => RULE.severity,
     };
