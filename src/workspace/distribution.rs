@@ -7,7 +7,8 @@ use super::manifest::MANIFEST;
 use crate::base::limits::CALLER_BYTES;
 
 /// Distributions before Jazzy that have ros2_control.
-const BEFORE_JAZZY: [&str; 4] = ["foxy", "galactic", "humble", "iron"];
+/// Without Iron, whose name is a word of workshops.
+const BEFORE_JAZZY: [&str; 3] = ["foxy", "galactic", "humble"];
 const SINCE_JAZZY: [&str; 4] = ["jazzy", "kilted", "lyrical", "rolling"];
 /// Folders of a repository in which builds and tests are described.
 const FOLDERS: [&str; 4] = ["", "docker", ".docker", ".github/workflows"];
