@@ -257,7 +257,7 @@ fn material_bytes() {
         sparse(&folder, "a.mtl", "newmtl m\nmap_Kd gone.png\n", size);
         let (meshes, vfs, path) = (Meshes::default(), vfs(), folder.join("a.obj"));
         let mesh = meshes.get(&vfs, &path);
-        meshes.missing(&vfs, &path, &mesh).len()
+        meshes.missing(&vfs, &path, &mesh, &|_| true).len()
     };
     assert_eq!((missing(25), missing(MATERIAL_BYTES + 1)), (1, 0));
 }

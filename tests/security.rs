@@ -167,15 +167,24 @@ fn links_to_keys_show_nothing_of_them() {
     for name in LINKS {
         std::os::unix::fs::symlink(folder.join("key.txt"), arm.join(name)).unwrap();
     }
-    let more = ["v S3CRET 0 0\nf 1 S3CRET 3\nmtllib S3CRET", "solid S3CRET\nfacet normal S3CRET 0 0\nS3CRET"];
+    let more = [
+        "v S3CRET 0 0\nf 1 S3CRET 3\nmtllib S3CRET",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nmtllib S3CRET",
+        "solid S3CRET\nfacet normal S3CRET 0 0\nS3CRET",
+        "\"S3CRET\"",
+        "[\"S3CRET\"]",
+        "{\"asset\": \"S3CRET\", \"meshes\": [{\"primitives\": \"S3CRET\"}]}",
+        "{\"extensionsRequired\": [\"S3CRET_draco\"], \"buffers\": [{\"uri\": \"S3CRET.bin\", \"byteLength\": 1}]}",
+        "<COLLADA><S3CRET></COLLADA>",
+        "<COLLADA a=\"&S3CRET;\"/>",
+        "target = \"S3CRET\"\nS3CRET = 1\n[rules]\nS3CRET = \"S3CRET\"",
+    ];
     for secret in SECRETS.iter().chain(&more) {
         fs::write(folder.join("key.txt"), secret).unwrap();
         for format in ["text", "json"] {
             let said = run(&arm, &["check", "--output-format", format, "--select", "ALL", "."]);
             assert!(said.contains("m.stl") && said.contains("[exit 1]"), "{secret:?}, {format}: {said}");
-            // a configuration says which of its keys it does not know
-            let told = said.matches("S3CRET").count() - said.matches("unknown key `S3CRET`").count();
-            assert_eq!(told, 0, "{secret:?}, {format}: {said}");
+            assert!(!said.contains("S3CRET"), "{secret:?}, {format}: {said}");
         }
     }
 }

@@ -15,9 +15,10 @@ use super::session::Session;
 use super::suppress::Hiding;
 use super::walk;
 use crate::base::limits::MESSAGE_LETTERS;
-use crate::base::{CancelFlag, FastSet};
+use crate::base::{CancelFlag, FastMap, FastSet, FileId};
 use crate::expand::large_stacks;
 use crate::rules::{Finding, Severity, invalid_config};
+use crate::workspace::UNQUOTED;
 
 /// What to check.
 #[derive(Clone, Debug, Default)]
@@ -63,6 +64,22 @@ impl Session {
         Report { unreadable: report.unreadable, reads, ..self.conclude(options, kept) }
     }
 
+    /// Take the words out of findings in files that belong to no robot: a link or an include can lead to any file, and
+    /// the report may stand in a public log.
+    fn conceal(&self, report: &Report, findings: &mut [Finding]) {
+        let around = self.packages.around(report.roots.iter().map(PathBuf::as_path));
+        let mut known: FastMap<FileId, bool> = FastMap::default();
+        for finding in findings {
+            let file = finding.span.file;
+            if !*known.entry(file).or_insert_with(|| around.hold(&self.vfs.path(file))) {
+                finding.message = UNQUOTED.to_owned();
+                (finding.help, finding.fix) = (None, None);
+                finding.related.clear();
+                finding.ways.clear();
+            }
+        }
+    }
+
     fn run_all(&self, options: &CheckOptions, jobs: Vec<Job>) -> Vec<Outcome> {
         let run = |job| {
             let outcome = job::run(self, options, job);
@@ -95,6 +112,7 @@ impl Session {
         findings.extend(hiding.finish());
         findings.extend(self.config_findings());
         findings.retain_mut(|finding| self.admit(finding, &homes));
+        self.conceal(&report, &mut findings);
         if let Some(change) = Change::of(self, options) {
             findings.retain(|finding| change.concerns(finding));
         }

@@ -20,7 +20,7 @@ use crate::expand::{
 use crate::ide::source_map;
 use crate::vfs::{Environment, LoadError, Vfs};
 use crate::workspace::config::Config;
-use crate::workspace::{PackageOptions, Packages};
+use crate::workspace::{PackageOptions, Packages, UNQUOTED};
 
 const USAGE: &str = "usage: xacro-lint expand [options] <input> [name:=value ...]";
 const HELP: &str = "\
@@ -157,11 +157,23 @@ fn unreadable(error: &LoadError, request: &Request) -> String {
 /// Print the problems of an expansion under the headlines of the reference.
 fn report(expansion: &Expansion, options: &ExpandOptions, packages: &Packages, cwd: &Path, io: &mut Io<'_>) {
     let files = LazyCell::new(|| shown_files(expansion, packages, cwd));
+    let belongs = LazyCell::new(|| {
+        let around = packages.around(expansion.files.first().map(|root| &*root.source.path));
+        expansion.files.iter().map(|file| around.hold(&file.source.path)).collect::<Vec<_>>()
+    });
     let (mut errors, mut drawn) = (0, 0);
     for problem in &expansion.problems {
         if problem.reference.is_empty() && problem.severity == Severity::Warning {
             continue;
         }
+        let concealed;
+        let problem = match belongs.get(problem.place.file.0 as usize) {
+            Some(false) => {
+                concealed = unquoted(problem);
+                &concealed
+            }
+            _ => problem,
+        };
         errors += usize::from(problem.severity == Severity::Error);
         if options.verbosity < 1 && problem.severity == Severity::Warning {
             io.line(&visible(&format!("warning: {}", problem.reference)));
@@ -179,6 +191,17 @@ fn report(expansion: &Expansion, options: &ExpandOptions, packages: &Packages, c
     }
     if errors > 1 {
         io.line(&format!("error: {errors} errors, nothing was written"));
+    }
+}
+
+/// A problem without the words that may quote its file.
+fn unquoted(problem: &Problem) -> Problem {
+    Problem {
+        message: UNQUOTED.to_owned(),
+        reference: UNQUOTED.to_owned(),
+        help: None,
+        replacement: None,
+        ..problem.clone()
     }
 }
 

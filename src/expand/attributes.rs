@@ -56,7 +56,10 @@ impl Expander<'_> {
         if matches!(value, Value::Unknown) {
             return None;
         }
-        let truth = literal::boolean(value);
+        let truth = match value {
+            Value::Scope(scope) => Some(!self.scopes.entries(*scope).is_empty()),
+            _ => literal::boolean(value),
+        };
         if truth.is_none() {
             let shown = display::to_str(value)?;
             let message = if raw == shown {

@@ -12,6 +12,7 @@ use super::symbols::{SymbolKind, UseKind};
 use super::tree::{XAttr, XId, XKind};
 use crate::base::limits::BLOCK_DEPTH;
 use crate::expr::{Value, display};
+use crate::xml::Attr;
 
 impl Expander<'_> {
     /// `xacro:if` (`wanted` true) and `xacro:unless`.
@@ -27,8 +28,10 @@ impl Expander<'_> {
             None => self.unknown_branch(tag, cx),
             Some(truth) if truth == wanted => {
                 let content = self.container(self.tag_origin(tag, cx));
-                // the reference evaluates the condition once more; seen only when that changes something
-                if text.contains('$') && text.contains('(') {
+                // the reference evaluates the attributes, the condition once more; seen only when that changes something
+                let is_code = |attr: Attr<'_>| attr.value(self.entities(tag.src)).contains('$');
+                let others = tag.attrs().filter(|attr| attr.name() != "value").any(is_code);
+                if others || text.contains('$') && text.contains('(') {
                     self.eval_attributes(tag, content, cx);
                 }
                 self.conditions += 1;
@@ -120,7 +123,7 @@ impl Expander<'_> {
                 if let Some(item) = self.item(at.src) {
                     let node = item.node(at.node);
                     let content = self.container(Origin { src: at.src, range: node.range(), frame });
-                    let tag = Tag { node, src: at.src, name: node.name(), used: None };
+                    let tag = Tag { node, src: at.src, name: node.name(), used: &[] };
                     self.eval_attributes(tag, content, cx);
                     self.eval_children(node, at.src, content, cx);
                     // no comments vanish in front of this tag, so the marker stays in front of the block

@@ -13,8 +13,8 @@ use super::stack::with_stack;
 use super::tree::{XAttr, XId, XKind};
 use crate::base::TextRange;
 use crate::base::limits::ELEMENT_DEPTH;
-use crate::expr::{Value, display};
-use crate::xml::{Attr, Entities, Item, Node, NodeKind};
+use crate::expr::{Value, display, literal};
+use crate::xml::{Attr, Entities, Item, Node, NodeKind, printed_doctype};
 
 /// An element of the source as the pass sees it: `xacro:element` and `xacro:call` go on under another name.
 #[derive(Clone, Copy)]
@@ -22,14 +22,14 @@ pub(super) struct Tag<'a> {
     pub node: Node<'a>,
     pub src: SrcId,
     pub name: &'a str,
-    /// An attribute that was used up by the renaming.
-    pub used: Option<&'a str>,
+    /// Attributes that were used up by renaming it.
+    pub used: &'static [&'static str],
 }
 
 impl<'a> Tag<'a> {
     pub fn attrs(&self) -> impl Iterator<Item = Attr<'a>> + use<'a> {
         let used = self.used;
-        self.node.attrs().filter(move |a| Some(a.name()) != used)
+        self.node.attrs().filter(move |a| !used.contains(&a.name()))
     }
 
     pub fn attr(&self, name: &str) -> Option<Attr<'a>> {
@@ -67,7 +67,7 @@ impl Expander<'_> {
         let origin = Origin { src, range: node.start_tag_range(), frame: cx.frame };
         let root = self.result.tree.add(XKind::Element, node.name().into(), origin);
         self.result.tree.append(XId::DOCUMENT, root);
-        let tag = Tag { node, src, name: node.name(), used: None };
+        let tag = Tag { node, src, name: node.name(), used: &[] };
         self.eval_attributes(tag, root, cx);
         let namespace = self.attr(tag, "xacro:targetNamespace", cx).filter(|(value, _)| !value.is_empty());
         if let Some((text, place)) = namespace {
@@ -135,7 +135,7 @@ impl Expander<'_> {
                 NodeKind::Element => {
                     siblings.eval_comments = false;
                     let has_next = more || node.next_sibling().is_some();
-                    let tag = Tag { node, src, name: node.name(), used: None };
+                    let tag = Tag { node, src, name: node.name(), used: &[] };
                     self.eval_tag(tag, has_next, out, cx);
                 }
                 NodeKind::Text => self.eval_text_node(node, src, out, cx, siblings),
@@ -171,6 +171,10 @@ impl Expander<'_> {
         cx: Cx,
         siblings: &mut Siblings,
     ) {
+        // references to empty entities only: an XML parser makes no node of that
+        if text.is_empty() {
+            return;
+        }
         let origin = Origin { src, range: node.range(), frame: cx.frame };
         let value = self.eval_pieces(text, Place { origin, is_attr: false }, cx).0;
         if !strip(&value).is_empty() {
@@ -205,7 +209,10 @@ impl Expander<'_> {
         let (kind, text) = match node.kind() {
             NodeKind::Comment => (XKind::Comment, normalise_lines(node.raw())),
             NodeKind::CData => (XKind::CData, normalise_lines(node.raw())),
-            NodeKind::Doctype => (XKind::Doctype, normalise_lines(node.raw())),
+            NodeKind::Doctype => {
+                let text = normalise_lines(node.raw());
+                (XKind::Doctype, Cow::Owned(printed_doctype(&text, self.keeps_subset(src))))
+            }
             NodeKind::Pi => {
                 let data = normalise_lines(node.raw());
                 (XKind::Pi, Cow::Owned(format!("{} {data}", node.name())))
@@ -215,6 +222,17 @@ impl Expander<'_> {
         let origin = Origin { src, range: node.range(), frame: cx.frame };
         let id = self.result.tree.add(kind, text.as_ref().into(), origin);
         self.result.tree.append(out, id);
+    }
+
+    /// Whether the internal subset of a document is printed. minidom looks for it only when the first portion of
+    /// the text that it reads holds the whole start tag of the root.
+    fn keeps_subset(&self, header: SrcId) -> bool {
+        const PORTION: usize = 16 * 1024;
+        let text = self.item(header).map_or(0, |item| {
+            let text = item.text();
+            text.chars().count() - text.matches("\r\n").count()
+        });
+        text <= PORTION
     }
 
     /// One element, by the name it has now.
@@ -260,7 +278,7 @@ impl Expander<'_> {
         let mut attrs = std::mem::take(&mut self.attrs);
         for attr in tag.attrs() {
             let name = attr.name();
-            if name.starts_with("xacro:") || name == "xmlns:xacro" {
+            if name.starts_with("xacro:") {
                 continue;
             }
             let origin = Origin { src: tag.src, range: attr.value_range(), frame: cx.frame };
@@ -270,7 +288,10 @@ impl Expander<'_> {
             } else {
                 (EcoString::from(text.as_ref()), Box::default())
             };
-            attrs.push(XAttr { name: name.into(), value, origin, pieces });
+            // evaluated as any other, and only then dropped
+            if name != "xmlns:xacro" {
+                attrs.push(XAttr { name: name.into(), value, origin, pieces });
+            }
         }
         self.result.tree.get_mut(out).attrs = attrs.drain(..).collect();
         self.attrs = attrs;
@@ -295,7 +316,7 @@ impl Expander<'_> {
                 return;
             }
         };
-        self.eval_tag(Tag { name: &name, used: Some("xacro:name"), ..tag }, has_next, out, cx);
+        self.eval_tag(Tag { name: &name, used: &["xacro:name"], ..tag }, has_next, out, cx);
     }
 
     /// `xacro:attribute`: onto the element around it.
@@ -304,14 +325,23 @@ impl Expander<'_> {
         let Some((value, value_place)) = self.required_attr(tag, "value", cx) else { return };
         let name = self.eval_text(&name, name_place, cx.scope);
         let (value, pieces) = self.eval_pieces(&value, value_place, cx);
-        match display::to_str(&name) {
-            None => {}
-            Some(name) if name.is_empty() => {
-                let message = "the name of this attribute is empty";
-                self.error("XAC025", name_place.origin, message, "xacro:attribute: empty name");
+        let at = name_place.origin;
+        match name {
+            Value::Str(name) if !name.is_empty() => {
+                self.result.tree.set_attr(out, XAttr { name, value, origin: value_place.origin, pieces });
             }
-            Some(name) => {
-                self.result.tree.set_attr(out, XAttr { name, value, origin: value_place.origin, pieces })
+            Value::Unknown => {}
+            name if literal::truth(&name) == Some(false) => {
+                let message = "the name of this attribute is empty";
+                self.error("XAC025", at, message, "xacro:attribute: empty name");
+            }
+            name => {
+                let message = match display::repr(&name) {
+                    Some(shown) => format!("the name of this attribute is {shown}, which is no text"),
+                    None => "the name of this attribute is no text".to_owned(),
+                };
+                let reference = format!("'{}' object has no attribute 'split'", name.type_name());
+                self.error("XAC025", at, message, reference);
             }
         }
     }

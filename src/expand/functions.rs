@@ -42,6 +42,14 @@ impl Host for ExprHost<'_, '_, '_> {
         }
     }
 
+    fn scope_entries(&mut self, scope: ScopeId) -> Option<Vec<(EcoString, Value)>> {
+        Some(self.machine.scopes.entries(scope))
+    }
+
+    fn scope_holds(&mut self, scope: ScopeId, name: &str) -> bool {
+        self.machine.scopes.holder(scope, name).is_some()
+    }
+
     fn current_scope(&self) -> Option<ScopeId> {
         Some(self.scope)
     }
@@ -72,6 +80,8 @@ impl Host for ExprHost<'_, '_, '_> {
                 let text = joined(args).unwrap_or_default();
                 Err(EvalError::new(ErrorKind::Xacro, text))
             }
+            // no name of an expression stands for these
+            HostFn::Env | HostFn::OptEnv | HostFn::Find | HostFn::Dirname => Ok(Value::Unknown),
         }
     }
 
@@ -230,7 +240,7 @@ fn refused(name: &str, loaded: &YamlFile) -> EvalError {
 }
 
 /// The only argument of a function, as text.
-fn text_argument(
+pub(super) fn text_argument(
     function: &str,
     name: &str,
     args: &[Value],

@@ -99,7 +99,7 @@ impl Expander<'_> {
         let Some(used) = self.result.files.get(file.0 as usize) else { return };
         let (document, header) = (used.source.document.clone(), used.first_source);
         if let Some(node) = document.root() {
-            self.eval_attributes(Tag { node, src: header, name: node.name(), used: None }, root, cx);
+            self.eval_attributes(Tag { node, src: header, name: node.name(), used: &[] }, root, cx);
         }
         self.eval_root_content(file, root, cx);
     }

@@ -108,7 +108,9 @@ impl Expander<'_> {
         let value = self.eval_text(&text, place, cx.scope);
         let Some(name) = display::to_str(&value) else { return self.skip_unknown(tag, cx) };
         let tag_name = format!("xacro:{name}");
-        let tag = Tag { name: &tag_name, used: Some("macro"), ..tag };
+        // `xacro:element` may have made it a call
+        let used: &[&str] = if tag.used.is_empty() { &["macro"] } else { &["xacro:name", "macro"] };
+        let tag = Tag { name: &tag_name, used, ..tag };
         // a computed name can end a recursion just as a condition can
         self.conditions += 1;
         self.call(tag, &name, has_next, out, cx);
@@ -149,11 +151,8 @@ impl Expander<'_> {
 
     /// The text that names the macro of a call.
     fn called_name(&self, tag: Tag<'_>, def: &MacroDef, cx: Cx) -> Origin {
-        let range = match tag.used {
-            // `xacro:call`, and a macro called through `xacro:element`
-            Some(name) => tag.node.attr(name).map(|attr| attr.value_range()),
-            None => None,
-        };
+        // `xacro:call`, and a macro called through `xacro:element`
+        let range = tag.used.last().and_then(|name| tag.node.attr(name)).map(|attr| attr.value_range());
         let name = tag.node.name_range();
         let own = TextRange::new(name.end.saturating_sub(def.name.len() as u32).max(name.start), name.end);
         Origin { src: tag.src, range: range.unwrap_or(own), frame: cx.frame }
@@ -163,7 +162,7 @@ impl Expander<'_> {
         let Some(item) = self.item(def.body.src) else { return };
         let node = item.node(def.body.node);
         // the reference evaluates the attributes of the macro tag as well
-        self.eval_attributes(Tag { node, src: def.body.src, name: node.name(), used: None }, body, cx);
+        self.eval_attributes(Tag { node, src: def.body.src, name: node.name(), used: &[] }, body, cx);
         self.eval_children(node, def.body.src, body, cx);
     }
 

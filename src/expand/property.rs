@@ -12,7 +12,7 @@ use super::scope::{Binding, Block, Place, Scopes, SrcRef, State};
 use super::symbols::SymbolKind;
 use super::tree::XId;
 use crate::base::TextRange;
-use crate::expr::{ScopeId, Value, display, is_global_symbol, is_identifier, literal};
+use crate::expr::{ScopeId, Value, display, is_global_symbol, is_identifier, literal, normalized};
 
 type AttrText<'a> = Option<(Cow<'a, str>, Place)>;
 
@@ -157,15 +157,19 @@ impl Expander<'_> {
         } else {
             return Some(name.clone());
         };
-        let message = if name.starts_with("__") {
-            format!("property name `{name}` must not start with two underscores")
+        let lookup = normalized(name);
+        let (message, help) = if name.starts_with("__") {
+            (format!("property name `{name}` must not start with two underscores"), None)
+        } else if is_identifier(&lookup) {
+            let message =
+                format!("property name `{name}` cannot be looked up: expressions look for `{lookup}`");
+            (message, Some(format!("write `{lookup}`, the NFKC form of the same name")))
         } else {
-            format!("property name `{name}` is not an identifier")
+            (format!("property name `{name}` is not an identifier"), None)
         };
-        let problem = self
-            .problem("XAC022", place.origin, message)
-            .says(reference)
-            .help("use letters, digits and `_`, do not start with a digit, and avoid Python's keywords");
+        let general = "use letters, digits and `_`, do not start with a digit, and avoid Python's keywords";
+        let help = help.unwrap_or_else(|| general.to_owned());
+        let problem = self.problem("XAC022", place.origin, message).says(reference).help(help);
         self.push(problem);
         None
     }

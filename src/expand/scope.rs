@@ -4,6 +4,8 @@
 use std::sync::Arc;
 
 use ecow::EcoString;
+use indexmap::IndexMap;
+use rustc_hash::FxBuildHasher;
 
 use super::origin::{Origin, SrcId};
 use super::symbols::DefinitionId;
@@ -65,6 +67,8 @@ pub(super) struct Scope {
     pub vars: Vars,
     /// Lazy properties of this scope that are being evaluated right now.
     pub resolving: Vec<EcoString>,
+    /// How many names there were when an expression was first evaluated here: Python puts `__builtins__` behind them.
+    pub evaluated: Option<usize>,
 }
 
 /// The names of a scope. Most scopes are those of macro calls and hold a few, which are searched one by one; a robot
@@ -73,7 +77,7 @@ pub(super) struct Scope {
 pub(super) struct Vars {
     few: Vec<(EcoString, Binding)>,
     /// All, once they are not few.
-    many: FastMap<EcoString, Binding>,
+    many: IndexMap<EcoString, Binding, FxBuildHasher>,
 }
 
 impl Vars {
@@ -84,6 +88,11 @@ impl Vars {
             return self.many.get_key_value(name);
         }
         self.few.iter().find(|(known, _)| known == name).map(|(name, binding)| (name, binding))
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.few.len() + self.many.len()
     }
 
     pub fn get_mut(&mut self, name: &str) -> Option<&mut Binding> {
@@ -106,9 +115,10 @@ impl Vars {
 
     fn remove(&mut self, name: &str) {
         self.few.retain(|(known, _)| known != name);
-        self.many.remove(name);
+        self.many.shift_remove(name);
     }
 
+    /// In the order in which they were first defined.
     fn iter(&self) -> impl Iterator<Item = (&EcoString, &Binding)> {
         self.few.iter().map(|(name, binding)| (name, binding)).chain(&self.many)
     }
@@ -168,6 +178,28 @@ impl Scopes {
     pub fn find(&self, id: ScopeId, name: &str) -> Option<(ScopeId, &Binding)> {
         let holder = self.holder(id, name)?;
         self.get(holder).vars.get(name).map(|(_, binding)| (holder, binding))
+    }
+
+    /// What a scope holds itself, as the dict that it is in the reference: properties without a value yet as text.
+    pub fn entries(&self, id: ScopeId) -> Vec<(EcoString, Value)> {
+        let scope = self.get(id);
+        let value = |binding: &Binding| match &binding.state {
+            State::Lazy(text, _) => Value::Str(text.clone()),
+            State::Ready(value) => value.clone(),
+            State::Block(_) => Value::Unknown,
+        };
+        let mut entries: Vec<_> =
+            scope.vars.iter().map(|(name, binding)| (name.clone(), value(binding))).collect();
+        if let Some(place) = scope.evaluated {
+            entries.insert(place.min(entries.len()), ("__builtins__".into(), Value::dict_from([], false)));
+        }
+        entries
+    }
+
+    /// Note that an expression is evaluated in a scope.
+    pub fn note_evaluation(&mut self, id: ScopeId) {
+        let scope = self.get_mut(id);
+        scope.evaluated.get_or_insert(scope.vars.len());
     }
 
     /// Delete `name` from `id` and everything around it.

@@ -2,6 +2,7 @@
 
 use ecow::EcoString;
 
+use super::functions::text_argument;
 use super::machine::Expander;
 use super::origin::Origin;
 use super::problem::Outside;
@@ -10,8 +11,8 @@ use super::symbols::UseKind;
 use super::text::TextSite;
 use crate::base::TextRange;
 use crate::expr::{
-    self, EvalError, Host, HostFn, Lookup, Module, ScopeId, Subst, SubstArg, SubstError, Value, display,
-    literal,
+    self, ErrorKind, EvalError, Host, HostFn, Lookup, Module, ScopeId, Subst, SubstArg, SubstError, Value,
+    display, literal,
 };
 use crate::workspace::RosVariable;
 
@@ -65,15 +66,7 @@ impl Expander<'_> {
         match subst {
             Subst::Arg(name) => self.argument(name, here),
             Subst::Find(name) => self.package(name, here),
-            Subst::Env(name) => {
-                match self.env_var(&name.text).map(Some).or_else(|| self.ros_variable(&name.text)) {
-                    Some(value) => value.ok_or(Failure::Reported),
-                    None => {
-                        let message = format!("environment variable '{}' is not set", name.text);
-                        Err(Failure::Error(SubstError::new(message)))
-                    }
-                }
-            }
+            Subst::Env(name) => self.environment(&name.text),
             Subst::OptEnv { name, default } => {
                 Ok(self.env_var(&name.text).unwrap_or_else(|| default.clone()))
             }
@@ -83,7 +76,7 @@ impl Expander<'_> {
                 let text = if text.len() > 1 { text.trim_end_matches('/') } else { &text };
                 Ok(normalised(text).into())
             }
-            Subst::Eval { code } => self.eval_substitution(code.slice(here.inner)),
+            Subst::Eval { code } => self.eval_substitution(code.slice(here.inner), here),
             _ => Ok(format!("$({})", here.inner).into()),
         }
     }
@@ -145,6 +138,17 @@ impl Expander<'_> {
         }
     }
 
+    /// The value of an environment variable that must be set.
+    fn environment(&mut self, name: &str) -> Result<EcoString, Failure> {
+        match self.env_var(name).map(Some).or_else(|| self.ros_variable(name)) {
+            Some(value) => value.ok_or(Failure::Reported),
+            None => {
+                let message = format!("environment variable '{name}' is not set");
+                Err(Failure::Error(SubstError::new(message)))
+            }
+        }
+    }
+
     fn env_var(&mut self, name: &str) -> Option<EcoString> {
         let value = self.world.env.var(name).map(EcoString::from);
         self.result.record.add(Read::Env(name.to_owned(), value.as_ref().map(EcoString::to_string)));
@@ -167,18 +171,21 @@ impl Expander<'_> {
     }
 
     /// `$(eval code)`: arguments are its variables.
-    fn eval_substitution(&mut self, code: &str) -> Result<EcoString, Failure> {
+    fn eval_substitution(&mut self, code: &str, here: Here<'_>) -> Result<EcoString, Failure> {
         let parsed = expr::parse(code);
         if let Some(error) = parsed.errors.first() {
             let error = SubstError { class: "SyntaxError", message: error.reference.clone() };
             return Err(Failure::Error(error));
         }
         let mut budget = self.budget.clone();
-        let mut host = ArgHost { machine: self, undefined: None };
+        let mut host = ArgHost { machine: self, here, undefined: None, failed: None };
         let value = expr::evaluate(&parsed.expr, &mut host, &mut budget);
-        let undefined = host.undefined.take();
+        let (undefined, failed) = (host.undefined.take(), host.failed.take());
         self.budget.steps = self.budget.steps.min(budget.steps);
         self.budget.bytes = self.budget.bytes.min(budget.bytes);
+        if let Some(failure) = failed {
+            return Err(failure);
+        }
         if let Some(name) = undefined {
             let message = format!("name '{name}' is not defined");
             return Err(Failure::Error(SubstError { class: "NameError", message }));
@@ -250,21 +257,70 @@ fn normalised(path: &str) -> String {
     format!("/{}", parts.join("/"))
 }
 
-/// The names of `$(eval)`: arguments, converted by their looks.
-struct ArgHost<'m, 'w> {
+/// The names of `$(eval)`: its functions, `math`, and arguments, converted by their looks.
+struct ArgHost<'m, 'w, 't> {
     machine: &'m mut Expander<'w>,
+    here: Here<'t>,
     undefined: Option<String>,
+    /// Why the first call of a function has no value.
+    failed: Option<Failure>,
 }
 
-impl Host for ArgHost<'_, '_> {
+impl ArgHost<'_, '_, '_> {
+    /// A function or type of Python that needs no import. Nothing else of the reference's own can be reached.
+    fn python_symbol(&mut self, name: &str) -> Lookup {
+        let found = expr::module_symbol(Module::Python, name).unwrap_or_else(|| {
+            self.undefined.get_or_insert_with(|| name.to_owned());
+            Value::Unknown
+        });
+        Lookup::Found(found)
+    }
+
+    fn function(
+        &mut self,
+        function: HostFn,
+        args: &[Value],
+        keywords: &[(EcoString, Value)],
+    ) -> Result<Result<Value, Failure>, EvalError> {
+        let word = |text: EcoString| SubstArg { text, range: TextRange::default() };
+        Ok(match function {
+            HostFn::Arg => {
+                let name = text_argument("_eval_arg_context", "name", args, keywords)?;
+                self.machine.argument(&word(name), self.here).map(|text| converted(&text))
+            }
+            HostFn::Env => {
+                let name = text_argument("_eval_env", "name", args, keywords)?;
+                self.machine.environment(&name).map(Value::Str)
+            }
+            HostFn::OptEnv => {
+                let is_default = |(keyword, _): &&(EcoString, Value)| keyword == "default";
+                let default = args.get(1).or(keywords.iter().find(is_default).map(|(_, value)| value));
+                let others: Vec<_> = keywords.iter().filter(|pair| !is_default(pair)).cloned().collect();
+                let first = if args.len() > 2 { args } else { args.get(..1).unwrap_or_default() };
+                let name = text_argument("_eval_optenv", "name", first, &others)?;
+                let value = self.machine.env_var(&name).map(Value::Str);
+                Ok(value.or_else(|| default.cloned()).unwrap_or_else(|| Value::Str(EcoString::new())))
+            }
+            HostFn::Find => {
+                let name = text_argument("_eval_find", "pkg", args, keywords)?;
+                self.machine.package(&word(name), self.here).map(Value::Str)
+            }
+            HostFn::Dirname => return Err(EvalError::new(ErrorKind::Key, "'filename'")),
+            _ => Ok(Value::Unknown),
+        })
+    }
+}
+
+impl Host for ArgHost<'_, '_, '_> {
     fn lookup(&mut self, name: &str, _: TextRange) -> Lookup {
         match name {
             "true" => return Lookup::Found(Value::Bool(true)),
             "false" => return Lookup::Found(Value::Bool(false)),
             _ => {}
         }
-        if expr::module_symbol(Module::Math, name).is_some() {
-            return Lookup::Missing;
+        let own = expr::eval_symbol(name).or_else(|| expr::module_symbol(Module::Math, name));
+        if let Some(value) = own {
+            return Lookup::Found(value);
         }
         match self.machine.args.get(name) {
             Some((Some(value), info)) => {
@@ -273,8 +329,13 @@ impl Host for ArgHost<'_, '_> {
                 Lookup::Found(converted(&value))
             }
             Some((None, _)) => Lookup::Found(Value::Unknown),
-            None => expr::module_symbol(Module::Python, name).map_or(Lookup::Missing, Lookup::Found),
+            None => self.python_symbol(name),
         }
+    }
+
+    fn lookup_inside(&mut self, name: &str, _: TextRange) -> Lookup {
+        // arguments and functions are the locals of the whole: what is nested has only globals
+        self.python_symbol(name)
     }
 
     fn scope_attribute(&mut self, _: ScopeId, _: &str, _: TextRange) -> Lookup {
@@ -283,12 +344,15 @@ impl Host for ArgHost<'_, '_> {
 
     fn call(
         &mut self,
-        _: HostFn,
-        _: &[Value],
-        _: &[(EcoString, Value)],
+        function: HostFn,
+        args: &[Value],
+        keywords: &[(EcoString, Value)],
         _: TextRange,
     ) -> Result<Value, EvalError> {
-        Ok(Value::Unknown)
+        self.function(function, args, keywords)?.or_else(|failure| {
+            self.failed.get_or_insert(failure);
+            Err(EvalError::new(ErrorKind::Reported, ""))
+        })
     }
 
     fn deprecated(&mut self, _: &str, _: &str, _: TextRange) {}

@@ -238,6 +238,7 @@ impl Expander<'_> {
         if let Some(error) = parsed.errors.first() {
             return self.syntax_error(error, at);
         }
+        self.scopes.note_evaluation(scope);
         // the most common expression by far needs no evaluator
         if let ExprKind::Name(name) = &parsed.expr.kind
             && let Some(value) = self.resolve(scope, name, self.origin_of(at, parsed.expr.range))

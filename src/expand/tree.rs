@@ -46,7 +46,7 @@ pub enum XKind {
     CData,
     /// A processing instruction: target, blank, data.
     Pi,
-    /// A document type declaration, as it is written.
+    /// A document type declaration, as it is printed.
     Doctype,
 }
 
@@ -257,13 +257,17 @@ impl XTree {
         self.get(id).attrs.iter().find(|a| a.name == name)
     }
 
-    /// Set or replace an attribute.
+    /// Set or replace an attribute. As in minidom, a new one replaces one without a prefix that has the same local name.
     pub fn set_attr(&mut self, id: XId, attr: XAttr) {
         let attrs = &mut self.get_mut(id).attrs;
         let mut all = attrs.to_vec();
         match all.iter_mut().find(|a| a.name == attr.name) {
             Some(old) => *old = attr,
-            None => all.push(attr),
+            None => {
+                let local_name = attr.name.split_once(':').map(|(_, local)| EcoString::from(local));
+                all.retain(|old| local_name.as_ref() != Some(&old.name) || old.name == "xmlns");
+                all.push(attr);
+            }
         }
         *attrs = all.into_iter().collect();
     }

@@ -8,7 +8,7 @@ use super::interp::Interp;
 use super::methods;
 use super::numeric::Num;
 use super::stop::{Eval, Stop};
-use super::value::{Bound, Key, Type, Value};
+use super::value::{Bound, Dict, Key, Type, Value};
 use crate::base::TextRange;
 
 impl Interp<'_> {
@@ -17,6 +17,13 @@ impl Interp<'_> {
         match value {
             Value::Unknown => return Err(Stop::Unknown),
             Value::Module(_) | Value::Scope(_) => {
+                if matches!(name, "copy" | "get" | "items" | "keys" | "values") {
+                    let entries = Value::Dict(self.entries(value)?);
+                    return self.attribute(&entries, name, place);
+                }
+                if name == "depth" && matches!(value, Value::Module(_)) {
+                    return Ok(Value::Int(0));
+                }
                 if is_namespace_attribute(name) {
                     return Err(Stop::Unknown);
                 }
@@ -47,6 +54,47 @@ impl Interp<'_> {
                 Lookup::Missing => builtins::global(name),
             },
             _ => None,
+        }
+    }
+
+    /// What a namespace holds itself: in the reference it is a dict.
+    pub(crate) fn entries(&mut self, namespace: &Value) -> Eval<Dict> {
+        let entries = match namespace {
+            Value::Module(module) => {
+                let names = builtins::names(*module).iter();
+                names
+                    .filter_map(|name| Some((Key::text(*name), builtins::attribute(*module, name)?)))
+                    .collect()
+            }
+            Value::Scope(scope) => {
+                let entries = self.host.scope_entries(*scope).ok_or(Stop::Unknown)?;
+                entries.into_iter().map(|(name, value)| (Key::text(name), value)).collect()
+            }
+            _ => return Err(Stop::Unknown),
+        };
+        let dict = Dict::new(entries, false);
+        self.budget.items(dict.len() as u128)?;
+        Ok(dict)
+    }
+
+    /// The dict that a value is, or None.
+    pub(crate) fn mapping(&mut self, value: &Value) -> Eval<Option<Dict>> {
+        match value {
+            Value::Dict(dict) => Ok(Some(dict.clone())),
+            Value::Module(_) | Value::Scope(_) => self.entries(value).map(Some),
+            _ => Ok(None),
+        }
+    }
+
+    /// `item in namespace`: also what is around it counts.
+    pub(crate) fn namespace_holds(&mut self, namespace: &Value, item: &Value) -> Eval<bool> {
+        let key = Key::new(item.clone())?;
+        match (namespace, item) {
+            (Value::Scope(scope), Value::Str(name)) => {
+                Ok(self.host.scope_holds(*scope, name) || builtins::global(name).is_some())
+            }
+            (Value::Scope(_), _) => Ok(false),
+            _ => Ok(self.entries(namespace)?.get(&key).is_some()),
         }
     }
 }

@@ -88,7 +88,7 @@ impl Interp<'_> {
     }
 
     fn double_star(&mut self, func: &Expr, value: &Value, args: &mut Args) -> Eval<()> {
-        let Value::Dict(dict) = value else {
+        let Some(dict) = self.mapping(value)? else {
             if value.is_unknown() {
                 return Err(Stop::Unknown);
             }

@@ -193,15 +193,12 @@ impl Interp<'_> {
                 }
                 None => {
                     enter(&mut waiting, &mut map)?;
-                    match self.eval(value)?.known()? {
-                        Value::Dict(other) => {
-                            map.extend(other.snapshot().iter().map(|(k, v)| (k.clone(), v.clone())));
-                        }
-                        other => {
-                            let message = format!("'{}' object is not a mapping", other.type_name());
-                            return Err(Stop::typ(message));
-                        }
-                    }
+                    let other = self.eval(value)?.known()?;
+                    let Some(entries) = self.mapping(&other)? else {
+                        let message = format!("'{}' object is not a mapping", other.type_name());
+                        return Err(Stop::typ(message));
+                    };
+                    map.extend(entries.snapshot().iter().map(|(k, v)| (k.clone(), v.clone())));
                 }
             }
         }

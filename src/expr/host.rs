@@ -20,7 +20,7 @@ pub enum Lookup {
     Missing,
 }
 
-/// Functions of the `xacro.` namespace that need the host.
+/// Functions of the `xacro.` namespace, and of `$(eval)`, that need the host.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs)]
 pub enum HostFn {
@@ -32,6 +32,14 @@ pub enum HostFn {
     Error,
     PrintLocation,
     Fatal,
+    /// `env(name)` of `$(eval)`.
+    Env,
+    /// `optenv(name, default)` of `$(eval)`.
+    OptEnv,
+    /// `find(package)` of `$(eval)`.
+    Find,
+    /// `dirname()` of `$(eval)`.
+    Dirname,
 }
 
 /// The world an expression is evaluated in.
@@ -45,7 +53,23 @@ pub trait Host {
     /// (the evaluator then tries the global symbols, as the reference does).
     fn scope_attribute(&mut self, scope: ScopeId, name: &str, range: TextRange) -> Lookup;
 
-    /// Call a function of the `xacro.` namespace.
+    /// A name used inside of a comprehension or lambda, where `$(eval)` sees less.
+    fn lookup_inside(&mut self, name: &str, range: TextRange) -> Lookup {
+        self.lookup(name, range)
+    }
+
+    /// What a scope value holds itself, in the order of the definitions: names and values, properties that were
+    /// never used as their text. None when the host does not know.
+    fn scope_entries(&mut self, _: ScopeId) -> Option<Vec<(EcoString, Value)>> {
+        None
+    }
+
+    /// Whether a scope value or one of its parents has a name.
+    fn scope_holds(&mut self, _: ScopeId, _: &str) -> bool {
+        false
+    }
+
+    /// Call a function of the `xacro.` namespace, or of `$(eval)`.
     ///
     /// # Errors
     /// Whatever the function raises, with the message Python would give.

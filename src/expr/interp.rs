@@ -78,8 +78,11 @@ impl Interp<'_> {
     }
 
     /// Python's `bool()`.
-    pub(crate) fn truth(&self, value: &Value) -> Eval<bool> {
-        literal::truth(value).ok_or(Stop::Unknown)
+    pub(crate) fn truth(&mut self, value: &Value) -> Eval<bool> {
+        match value {
+            Value::Scope(_) => Ok(!self.entries(value)?.is_empty()),
+            _ => literal::truth(value).ok_or(Stop::Unknown),
+        }
     }
 
     /// What a lambda or generator written here takes along.
@@ -112,6 +115,7 @@ impl Interp<'_> {
         }
         let place = self.place(range);
         let found = match self.scope {
+            None if self.env.is_some() => self.host.lookup_inside(name, place),
             None => self.host.lookup(name, place),
             Some(scope) => self.host.scope_attribute(scope, name, place),
         };

@@ -110,8 +110,8 @@ impl Interp<'_> {
     /// Python's `iter()`.
     pub(crate) fn iter(&mut self, value: &Value) -> Eval<Cursor> {
         Ok(match value {
-            // What a namespace holds is known to the host only.
-            Value::Unknown | Value::Scope(_) | Value::Module(_) => return Err(Stop::Unknown),
+            Value::Unknown => return Err(Stop::Unknown),
+            Value::Scope(_) | Value::Module(_) => entries(&self.entries(value)?, ViewKind::Keys),
             Value::List(list) => Cursor::List(list.clone(), 0),
             Value::Tuple(tuple) => Cursor::Items(tuple.snapshot(), 0),
             Value::Str(text) => Cursor::Chars(text.clone(), 0),

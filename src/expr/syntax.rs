@@ -1,5 +1,9 @@
 //! What the parser hands out, and questions about names.
 
+use std::borrow::Cow;
+
+use unicode_normalization::{UnicodeNormalization, is_nfkc};
+
 use super::ast::{Expr, ExprKind};
 use super::{parser, visit};
 use crate::base::{FastSet, TextRange};
@@ -51,9 +55,19 @@ pub fn is_python_space(c: char) -> bool {
 }
 
 /// Whether `name` is a Python identifier and not a keyword: what a property may be called.
+///
+/// Python compares identifiers in their NFKC form, so a name of another form can never be looked up.
 pub fn is_identifier(name: &str) -> bool {
     let mut chars = name.chars();
-    chars.next().is_some_and(is_name_start) && chars.all(is_name_continue) && !super::token::is_keyword(name)
+    chars.next().is_some_and(is_name_start)
+        && chars.all(is_name_continue)
+        && !super::token::is_keyword(name)
+        && normalized(name) == name
+}
+
+/// The NFKC form of a name: the one under which Python looks it up.
+pub fn normalized(name: &str) -> Cow<'_, str> {
+    if name.is_ascii() || is_nfkc(name) { Cow::Borrowed(name) } else { Cow::Owned(name.nfkc().collect()) }
 }
 
 /// Whether an identifier may start with `c`.
@@ -112,11 +126,26 @@ mod tests {
 
     #[test]
     fn identifiers() {
-        for name in ["a", "_", "_1", "été", "名", "match", "case", "type", "print", "__x", "ᵃ", "a٣"] {
+        for name in ["a", "_", "_1", "été", "名", "match", "case", "type", "print", "__x", "grö", "a٣"] {
             assert!(is_identifier(name), "{name}");
         }
-        for name in ["", "1a", "a-b", "a.b", "a b", " a", "True", "None", "if", "lambda", "async", "€", "a²"]
-        {
+        for name in [
+            "",
+            "1a",
+            "a-b",
+            "a.b",
+            "a b",
+            " a",
+            "True",
+            "None",
+            "if",
+            "lambda",
+            "async",
+            "€",
+            "a²",
+            "ᵃ",
+            "gro\u{308}",
+        ] {
             assert!(!is_identifier(name), "{name}");
         }
     }

@@ -104,7 +104,7 @@ fn symbol(node: Node<'_>, base: u32, entities: &Entities) -> Option<Outline> {
     };
     let text = |name: &str| node.attr(name).map(|attr| attr.value(entities).into_owned()).unwrap_or_default();
     let named = node.attr(attr).filter(|attr| !attr.raw().is_empty());
-    let tag = node.name().trim_start_matches("xacro:");
+    let tag = node.name().strip_prefix("xacro:").unwrap_or(node.name());
     let value = text(attr);
     let name = match kind {
         OutlineKind::Call if named.is_some() => format!("{tag} name={value}"),
@@ -113,6 +113,8 @@ fn symbol(node: Node<'_>, base: u32, entities: &Entities) -> Option<Outline> {
         _ if named.is_some() => value,
         _ => tag.to_owned(),
     };
+    // the protocol forbids symbols without a name
+    let name = Some(name).filter(|name| !name.trim().is_empty()).unwrap_or_else(|| node.name().to_owned());
     let own =
         matches!(kind, OutlineKind::Call | OutlineKind::Condition | OutlineKind::Block) || named.is_none();
     let name_range =
@@ -130,4 +132,19 @@ fn symbol(node: Node<'_>, base: u32, entities: &Entities) -> Option<Outline> {
 fn is_call(name: &str) -> bool {
     const OTHERS: &[&str] = &["attribute", "call", "element", "eval-comments", "insert_block"];
     name.strip_prefix("xacro:").is_some_and(|called| !OTHERS.contains(&called))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::outline;
+    use crate::xml::Document;
+
+    #[test]
+    fn every_symbol_has_a_name() {
+        let text = "<!DOCTYPE robot [<!ENTITY none \"\">]><robot><xacro: a=\"1\"/><xacro:xacro:/><link/><link name=\"\"/>\
+                    <link name=\"&none;\"/><joint name=\" \"/><xacro:if value=\"\"/><xacro:m/></robot>";
+        let names: Vec<String> =
+            outline(&Document::parse(text)).into_iter().map(|symbol| symbol.name).collect();
+        assert_eq!(names, ["xacro:", "xacro:", "link", "link", "link", "joint", "if ", "m"]);
+    }
 }

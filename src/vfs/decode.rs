@@ -14,6 +14,8 @@ pub(super) struct Decoded {
 /// that are not UTF-8 are an error; for people they are shown in the encoding they seem to have.
 pub(super) fn decode(bytes: Vec<u8>) -> Decoded {
     let marked = match bytes.as_slice() {
+        // a second mark is no longer a mark: the parser has to see that there were two
+        [0xEF, 0xBB, 0xBF, 0xEF, 0xBB, 0xBF, ..] => return utf8(bytes, 0),
         [0xEF, 0xBB, 0xBF, rest @ ..] => return utf8(rest.to_vec(), 3),
         [0xFF, 0xFE, rest @ ..] => Some((UTF_16LE, rest)),
         [0xFE, 0xFF, rest @ ..] => Some((UTF_16BE, rest)),
@@ -84,6 +86,7 @@ mod tests {
         let table: Vec<(Vec<u8>, &str, Option<u32>)> = vec![
             (b"plain".to_vec(), "plain", None),
             ("\u{FEFF}<a/>é".into(), "<a/>é", None),
+            ("\u{FEFF}\u{FEFF}<a/>".into(), "\u{FEFF}\u{FEFF}<a/>", None),
             (utf16("<a>ä€</a>", &[0xFF, 0xFE]), "<a>ä€</a>", Some(0)),
             (utf16("<?xml version='1.0'?><a/>", &[]), "<?xml version='1.0'?><a/>", Some(0)),
             (vec![0xFE, 0xFF, 0, b'<', 0, b'a'], "<a", Some(0)),

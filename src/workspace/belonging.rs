@@ -5,6 +5,10 @@ use std::path::{Path, PathBuf};
 use super::Packages;
 use crate::base::FastSet;
 
+/// What is said instead of a message about a file that belongs to no robot: the message may quote the file.
+pub const UNQUOTED: &str =
+    "this file lies outside of packages and of the folders around the robot, so nothing of it is quoted";
+
 /// What belongs to some robots: see [`Packages::around`].
 pub struct Vicinity<'p> {
     packages: &'p Packages,

@@ -19,7 +19,7 @@ mod uri;
 #[cfg(test)]
 mod tests;
 
-pub use belonging::Vicinity;
+pub use belonging::{UNQUOTED, Vicinity};
 pub use callers::{Caller, Callers, GivenArg};
 pub use install::{BUILD_FILES, Build, Built};
 pub use packages::{Entry, Found, NotFound, Package, PackageOptions, Packages, Target};

@@ -1,8 +1,11 @@
-//! General entities: what the internal DTD subset declares, and what references to them stand for.
+//! What the internal DTD subset declares: general entities with what references to them stand for, and types of
+//! attributes.
 
 use std::borrow::Cow;
 
 use super::decode::{Piece, Place, Reference, pieces, references};
+use super::document::Document;
+use super::error::{SyntaxErrorKind, expat};
 use crate::base::FastMap;
 use crate::base::limits::{ENTITIES_BYTES, ENTITY_BYTES, ENTITY_DEPTH};
 
@@ -16,6 +19,8 @@ pub struct Entities {
     pub(super) standalone: bool,
     /// Bytes all values take.
     total: usize,
+    /// The attributes with an `ATTLIST`, by element and name: whether their type is other than `CDATA`.
+    attributes: FastMap<Box<str>, Vec<(Box<str>, bool)>>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,6 +55,8 @@ pub(super) enum EntityFault {
     Unfinished,
     /// Its replacement text refers to a forbidden character.
     BadCharacter,
+    /// Its replacement text has markup that is not well-formed by itself; what expat says.
+    Markup(&'static str),
 }
 
 impl Entities {
@@ -57,6 +64,25 @@ impl Entities {
         // The first declaration counts.
         let declared = Declared { entity, values: [None, None] };
         self.declared.entry(name.into()).or_insert(declared);
+    }
+
+    /// Note the type of an attribute; the first declaration counts.
+    pub(super) fn declare_attribute(&mut self, element: &str, attribute: &str, is_tokenized: bool) {
+        let known = self.attributes.entry(element.into()).or_default();
+        if known.iter().all(|(name, _)| **name != *attribute) {
+            known.push((attribute.into(), is_tokenized));
+        }
+    }
+
+    /// Whether the document declares types of attributes.
+    pub(super) fn has_attributes(&self) -> bool {
+        !self.attributes.is_empty()
+    }
+
+    /// Whether the blanks of an attribute are reduced to single ones between its words.
+    pub(super) fn is_tokenized(&self, element: &str, attribute: &str) -> bool {
+        let declared = self.attributes.get(element);
+        declared.is_some_and(|known| known.iter().any(|(name, tokenized)| **name == *attribute && *tokenized))
     }
 
     /// Work out all values; to be called when all declarations are known.
@@ -100,6 +126,10 @@ impl Entities {
             return Err(EntityFault::TooLarge);
         }
         check_replacement(&text, is_attr)?;
+        if text.contains('<') {
+            self.check_markup(&text, depth)?;
+            return Ok(text);
+        }
         let mut out = String::new();
         for (piece, _) in pieces(&text, if is_attr { Place::Attribute } else { Place::Replacement }) {
             match piece {
@@ -112,6 +142,29 @@ impl Entities {
             }
         }
         Ok(out.into())
+    }
+
+    /// Check replacement text with markup. It must be well-formed by itself wherever it is referred to, also where
+    /// its elements are not used.
+    fn check_markup(&mut self, text: &str, depth: u32) -> Result<(), EntityFault> {
+        // the element around it has a name that the text does not hold, so that it cannot close it
+        let longest = text.split(|c| c != 'e').map(str::len).max().unwrap_or(0);
+        let name = "e".repeat(longest + 1);
+        let start = name.len() + 2;
+        let document = Document::parse(&format!("<{name}>{text}</{name}>"));
+        let depends =
+            |kind| matches!(kind, SyntaxErrorKind::UndefinedEntity | SyntaxErrorKind::UnboundPrefix);
+        if let Some(error) = document.errors().into_iter().find(|error| !depends(error.kind)) {
+            let is_left_open = error.expat_offset as usize >= start + text.len();
+            let is_wrapper_hit = error.expat == expat::MISMATCH && is_left_open;
+            return Err(EntityFault::Markup(if is_wrapper_hit { expat::ASYNC_ENTITY } else { error.expat }));
+        }
+        for (_, item) in document.parts() {
+            for used in item.entity_uses() {
+                self.resolve_one(&used.name, used.in_attribute, depth + 1)?;
+            }
+        }
+        Ok(())
     }
 
     /// The value of `&name;`, or why it has none.

@@ -118,6 +118,7 @@ pub(super) mod expat {
     pub(crate) const JUNK: &str = "junk after document element";
     pub(crate) const UNDEFINED_ENTITY: &str = "undefined entity";
     pub(crate) const RECURSIVE_ENTITY: &str = "recursive entity reference";
+    pub(crate) const ASYNC_ENTITY: &str = "asynchronous entity";
     pub(crate) const BINARY_ENTITY: &str = "reference to binary entity";
     pub(crate) const EXTERNAL_IN_ATTRIBUTE: &str = "reference to external entity in attribute";
     pub(crate) const BAD_CHAR_REF: &str = "reference to invalid character number";

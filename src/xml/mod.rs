@@ -4,6 +4,7 @@
 mod chars;
 mod chunks;
 mod decode;
+mod doctype;
 mod document;
 mod edit;
 mod entities;
@@ -17,6 +18,7 @@ mod positions;
 mod verdict;
 
 pub use decode::{decode as decode_text, source_offset, source_offsets};
+pub use doctype::printed_doctype;
 pub use document::{Document, Part, Place};
 pub use entities::Entities;
 pub use error::{SyntaxError, SyntaxErrorKind};

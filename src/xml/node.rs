@@ -363,12 +363,25 @@ impl<'a> Attr<'a> {
         self.data.flags & QUOTED != 0
     }
 
-    /// The value as XML defines it: white space characters as blanks, references resolved.
+    /// The value as XML defines it: white space characters as blanks, references resolved, and for types of words
+    /// (`NMTOKENS` and the like) single blanks between them.
     pub fn value(self, entities: &Entities) -> Cow<'a, str> {
+        if entities.has_attributes() && self.is_tokenized(entities) {
+            let value = decode(self.raw(), entities, true);
+            let words: Vec<&str> = value.split(' ').filter(|word| !word.is_empty()).collect();
+            return Cow::Owned(words.join(" "));
+        }
         if self.data.flags & NEEDS_DECODING == 0 {
             return Cow::Borrowed(self.raw());
         }
         decode(self.raw(), entities, true)
+    }
+
+    fn is_tokenized(self, entities: &Entities) -> bool {
+        // nothing begins inside a start tag, so the last node that begins in front of the name is the element
+        let behind = self.item.nodes.partition_point(|node| node.start <= self.data.name);
+        let element = self.item.node(NodeId(behind.saturating_sub(1) as u32));
+        entities.is_tokenized(element.name(), self.name())
     }
 
     /// Whether the raw value holds a `$`.

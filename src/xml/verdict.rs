@@ -178,6 +178,10 @@ fn describe(fault: EntityFault, name: &str) -> (SyntaxErrorKind, &'static str, S
         EntityFault::Unfinished => {
             (BadEntity, expat::UNCLOSED_TOKEN, format!("the text of entity `{name}` ends inside a reference"))
         }
+        EntityFault::Markup(verdict) => {
+            let message = format!("the markup in the text of entity `{name}` is not well-formed by itself");
+            (BadEntity, verdict, message)
+        }
         EntityFault::Malformed => {
             (BadEntity, expat::INVALID, format!("the text of entity `{name}` does not fit here"))
         }

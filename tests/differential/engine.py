@@ -107,7 +107,7 @@ def run_command(command, program, folder):
 
 #: Limits of ours and faults of the reference that docs/compatibility.md lists: what follows is no difference.
 LIMITS = re.compile(rb"the method '\w+' of bytes is not supported here|range bounds of more than 120 bits")
-ADDRESS = re.compile(rb'&lt;function \w+ at 0x')
+ADDRESS = re.compile(rb'&lt;function \S+ at 0x')
 FAULTS = re.compile(rb'ElementInfo\.isIdNS\(\) missing')
 
 

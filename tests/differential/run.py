@@ -48,6 +48,7 @@ def parse_options():
     parser.add_argument('--seconds', type=float, default=20, help='time for making one program smaller')
     parser.add_argument('--verify', type=int, default=3, metavar='N', help='check N programs against the command of the reference')
     parser.add_argument('--disable', action='append', default=[], metavar='FEATURE', help='walrus, entity-markup or encodings; may be given again')
+    parser.add_argument('--corners', action='store_true', help='only small programs about the corners of XML, names and namespaces')
     parser.add_argument('--show', type=int, metavar='INDEX', help='print one program and what both make of it')
     options = parser.parse_args()
     options.python = os.path.abspath(reference.python(options.python))
@@ -130,7 +131,7 @@ def try_program(index):
     from generator import expressions
     from generator.program import generate
     expressions.COUNTS.clear()
-    program = generate('%s:%d' % (OPTIONS.seed, index), OPTIONS.disable)
+    program = generate('%s:%d' % (OPTIONS.seed, index), OPTIONS.disable, OPTIONS.corners)
     forms = Counter(expressions.COUNTS) if OPTIONS.stats else Counter()
     wanted, got = both(program)
     verdict = engine.judge(wanted, got)
@@ -142,7 +143,7 @@ def try_smaller(index):
     import engine
     from generator.program import generate
     from minimise import Minimiser
-    program = generate('%s:%d' % (OPTIONS.seed, index), OPTIONS.disable)
+    program = generate('%s:%d' % (OPTIONS.seed, index), OPTIONS.disable, OPTIONS.corners)
     wanted, got = both(program)
     aim = signature(engine.judge(wanted, got), wanted, got)
 
@@ -159,7 +160,7 @@ def verify(index):
     """Whether the forked reference does what its command does."""
     import engine
     from generator.program import generate
-    program = generate('%s:%d' % (OPTIONS.seed, index), OPTIONS.disable)
+    program = generate('%s:%d' % (OPTIONS.seed, index), OPTIONS.disable, OPTIONS.corners)
     engine.write(program, scratch())
     here = engine.run_reference(program, scratch())
     there = engine.run_command(reference.command(OPTIONS.python), program, scratch())
@@ -243,7 +244,7 @@ def report_failures(pool, failures):
 def show(index):
     """Print one program and both results."""
     from generator.program import generate
-    program = generate('%s:%d' % (OPTIONS.seed, index), OPTIONS.disable)
+    program = generate('%s:%d' % (OPTIONS.seed, index), OPTIONS.disable, OPTIONS.corners)
     wanted, got = both(program)
     print(printed(program))
     print('reference: exit %s\n%s' % (wanted.code, (wanted.out or wanted.err).decode('utf-8', 'replace')))

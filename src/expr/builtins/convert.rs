@@ -124,7 +124,7 @@ pub(super) fn entries(interp: &mut Interp, args: Args) -> Eval<DictMap> {
 
 /// What `dict.update(source)` adds.
 pub(crate) fn add_entries(interp: &mut Interp, map: &mut DictMap, source: &Value) -> Eval<()> {
-    if let Value::Dict(dict) = source {
+    if let Some(dict) = interp.mapping(source)? {
         let other = dict.snapshot();
         interp.budget.items(other.len() as u128)?;
         map.extend(other.iter().map(|(key, value)| (key.clone(), value.clone())));

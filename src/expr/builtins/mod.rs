@@ -144,6 +144,20 @@ pub fn module_symbol(module: Module, name: &str) -> Option<Value> {
     attribute(module, name)
 }
 
+/// The function called `name` that only `$(eval)` has.
+pub fn eval_symbol(name: &str) -> Option<Value> {
+    value_of(xacro::OF_EVAL, name)
+}
+
+/// The names of a module in the order in which the reference's namespace has them.
+pub(crate) fn names(module: Module) -> &'static [&'static str] {
+    match module {
+        Module::Math => math::NAMES,
+        Module::Python => python::NAMES,
+        Module::Xacro => xacro::NAMES,
+    }
+}
+
 /// Whether `name` is a global symbol, which a property would redefine.
 pub fn is_global_symbol(name: &str) -> bool {
     global(name).is_some()
@@ -155,8 +169,20 @@ mod tests {
 
     #[test]
     fn tables_are_sorted() {
-        for table in [python::FUNCTIONS, math::FUNCTIONS, xacro::FUNCTIONS, types::CONSTRUCTORS] {
+        for table in
+            [python::FUNCTIONS, math::FUNCTIONS, xacro::FUNCTIONS, xacro::OF_EVAL, types::CONSTRUCTORS]
+        {
             assert!(table.is_sorted_by_key(|function| function.name));
+        }
+    }
+
+    #[test]
+    fn modules_hold_what_their_lists_say() {
+        for module in [Module::Math, Module::Python, Module::Xacro] {
+            assert!(names(module).iter().all(|name| attribute(module, name).is_some()), "{module:?}");
+            let known = global_symbols().filter(|symbol| symbol.namespace == Some(module)).count();
+            let constants = if module == Module::Python { ["True", "False"].len() } else { 0 };
+            assert_eq!(names(module).len(), known + constants, "{module:?}");
         }
     }
 

@@ -20,6 +20,46 @@ const fn function(
     Function { name, owner: "", params, doc, arity, run }
 }
 
+/// All names in the order in which the reference lists them.
+pub(super) static NAMES: &[&str] = &[
+    "sorted",
+    "range",
+    "list",
+    "dict",
+    "map",
+    "len",
+    "str",
+    "float",
+    "int",
+    "bool",
+    "True",
+    "False",
+    "min",
+    "max",
+    "round",
+    "abs",
+    "all",
+    "any",
+    "complex",
+    "divmod",
+    "enumerate",
+    "filter",
+    "frozenset",
+    "hash",
+    "isinstance",
+    "issubclass",
+    "ord",
+    "repr",
+    "reversed",
+    "slice",
+    "set",
+    "sum",
+    "tuple",
+    "type",
+    "vars",
+    "zip",
+];
+
 /// Sorted by name.
 pub(super) static FUNCTIONS: &[Function] = &[
     function("abs", "x", Arity::One, abs, "The absolute value."),
@@ -205,7 +245,7 @@ fn len(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
         Value::View(view) => view.dict.len() as u128,
         Value::Set(set) => set.len() as u128,
         Value::Range(range) => range.len(),
-        Value::Scope(_) | Value::Module(_) => return Err(Stop::Unknown),
+        Value::Scope(_) | Value::Module(_) => interp.entries(value)?.len() as u128,
         other => return Err(Stop::typ(format!("object of type '{}' has no len()", other.type_name()))),
     };
     match i64::try_from(count) {

@@ -83,7 +83,15 @@ impl<'a> Run<'a> {
     /// Whether values can be taken by key.
     fn is_mapping(&self) -> bool {
         !matches!(self.values, Value::Tuple(_) | Value::Str(_))
-            && matches!(self.values, Value::Dict(_) | Value::List(_) | Value::Range(_) | Value::Bytes(_))
+            && matches!(
+                self.values,
+                Value::Dict(_)
+                    | Value::Module(_)
+                    | Value::Scope(_)
+                    | Value::List(_)
+                    | Value::Range(_)
+                    | Value::Bytes(_)
+            )
     }
 
     /// A mapping or list need not be used up.

@@ -82,7 +82,7 @@ fn is_big_endian(value: Option<&Value>, function: &str) -> Eval<bool> {
     }
 }
 
-fn is_signed(interp: &Interp, args: &Args) -> Eval<bool> {
+fn is_signed(interp: &mut Interp, args: &Args) -> Eval<bool> {
     args.get(2).map_or(Ok(false), |value| interp.truth(value))
 }
 

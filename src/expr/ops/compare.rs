@@ -218,6 +218,7 @@ pub(crate) fn contains(interp: &mut Interp, container: &Value, item: &Value) -> 
         },
         Value::Bytes(bytes) => bytes_contain(bytes, item),
         Value::Dict(dict) => Ok(dict.get(&Key::new(item.clone())?).is_some()),
+        Value::Module(_) | Value::Scope(_) => interp.namespace_holds(container, item),
         Value::Set(set) => Ok(set.snapshot().contains(&Key::sought(item)?)),
         Value::Range(range) if matches!(item, Value::Int(_) | Value::Bool(_) | Value::Big(_)) => {
             let number = super::as_index(item).unwrap_or(0);

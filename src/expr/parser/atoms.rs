@@ -29,7 +29,7 @@ impl Parser<'_> {
     fn atom(&mut self) -> Expr {
         let token = self.token();
         let kind = match token.kind {
-            Tok::Name => ExprKind::Name(token.range.slice(self.text).into()),
+            Tok::Name => ExprKind::Name(self.identifier(token.range)),
             Tok::Number => self.number(token.range),
             Tok::BadNumber => ExprKind::Missing,
             Tok::None => ExprKind::Const(Const::None),

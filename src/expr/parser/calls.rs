@@ -4,6 +4,7 @@ use super::Parser;
 use crate::base::{FastSet, TextRange};
 use crate::expr::ast::{Expr, ExprKind, Keyword};
 use crate::expr::report::Stage;
+use crate::expr::syntax::normalized;
 use crate::expr::token::{Bracket, Tok};
 
 /// The arguments of a call, while they are read.
@@ -40,7 +41,7 @@ impl Parser<'_> {
                 }
             }
         };
-        let name = name_range.slice(self.text).trim().into();
+        let name = normalized(name_range.slice(self.text).trim()).into();
         let range = self.range_from(start);
         Expr { kind: ExprKind::Attribute { value: Box::new(value), name, name_range }, range }
     }
@@ -186,7 +187,7 @@ impl Parser<'_> {
             self.error(name_range, "a generator cannot start with `name =`", reference);
             self.clauses();
         }
-        let name = Some(name_range.slice(self.text).into());
+        let name = Some(self.identifier(name_range));
         found.keywords.push(Keyword { name, name_range, value });
     }
 

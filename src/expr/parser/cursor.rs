@@ -1,9 +1,12 @@
 //! Moving over the tokens, and reporting what is wrong with them.
 
+use ecow::EcoString;
+
 use super::Parser;
 use crate::base::TextRange;
 use crate::expr::ast::{Expr, ExprKind};
 use crate::expr::report::{Report, Stage};
+use crate::expr::syntax::normalized;
 use crate::expr::token::{Tok, Token};
 
 const END: Token = Token { kind: Tok::End, range: TextRange { start: 0, end: 0 } };
@@ -25,6 +28,11 @@ impl<'t> Parser<'t> {
             items_end: 0,
             walrus: false,
         }
+    }
+
+    /// The name at `range`, as Python compares it.
+    pub(super) fn identifier(&self, range: TextRange) -> EcoString {
+        normalized(range.slice(self.text)).into()
     }
 
     pub(super) fn token_at(&self, index: usize) -> Token {

@@ -30,7 +30,7 @@ impl Parser<'_> {
             let value = self.expression();
             self.walrus = true;
             self.grow();
-            let text = name.slice(self.text).into();
+            let text = self.identifier(name);
             return self.node(start, value, |value| ExprKind::NamedExpr {
                 name: text,
                 name_range: name,

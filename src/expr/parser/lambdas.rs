@@ -103,7 +103,8 @@ impl Parser<'_> {
 
     fn parameter_name(&mut self) -> ecow::EcoString {
         if self.at(Tok::Name) {
-            self.bump().range.slice(self.text).into()
+            let name = self.bump().range;
+            self.identifier(name)
         } else {
             self.hole("the name of a parameter");
             ecow::EcoString::new()
@@ -143,7 +144,8 @@ impl Parser<'_> {
         }
         list.star = true;
         let name = if self.at(Tok::Name) {
-            let name = self.bump().range.slice(self.text).into();
+            let name = self.bump().range;
+            let name = self.identifier(name);
             self.no_default("var-positional");
             name
         } else {

@@ -35,9 +35,10 @@ fn parse(text: &str) -> Result<Document<'_>, Defect> {
             Defect::too_large(format!("it has more than {MESH_NODES} nodes"))
         }
         error => {
-            // it shows characters as they are
-            let error = error.to_string().replace('\n', "\\n").replace('\r', "\\r");
-            Defect::corrupt(format!("it is not well-formed XML: {error}"))
+            // names and characters of the file are quoted: it may be a link to one that is nobody else's business
+            let said = Some(error.to_string()).filter(|said| !said.contains('\''));
+            let said = said.unwrap_or_else(|| format!("unexpected text at {}", error.pos()));
+            Defect::corrupt(format!("it is not well-formed XML: {said}"))
         }
     })
 }

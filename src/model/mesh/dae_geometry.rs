@@ -106,9 +106,9 @@ fn points<'a, 'input>(
 /// The numbers in the text of an element.
 pub(super) fn numbers<T: FromStr>(element: Node<'_, '_>) -> Result<Vec<T>, Defect> {
     let text = element.text().unwrap_or_default();
-    let parsed = text.split_ascii_whitespace().map(|word| {
+    let parsed = text.split_ascii_whitespace().zip(1_usize..).map(|(word, number)| {
         let name = element.tag_name().name();
-        word.parse().map_err(|_| Defect::corrupt(format!("`{word:.20}` in `{name}` is no number")))
+        word.parse().map_err(|_| Defect::corrupt(format!("value {number} of `{name}` is no number")))
     });
     parsed.collect()
 }

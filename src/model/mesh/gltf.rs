@@ -18,8 +18,7 @@ pub(super) type Beside<'a> = &'a dyn Fn(&str) -> Option<Vec<u8>>;
 /// Read a glTF file.
 pub(super) fn read(bytes: &[u8], beside: Beside<'_>, draft: &mut Draft) -> Result<(), Defect> {
     let (json, binary) = if bytes.starts_with(b"glTF") { chunks(bytes)? } else { (bytes, None) };
-    let gltf: Gltf = serde_json::from_slice(json)
-        .map_err(|error| Defect::corrupt(format!("its JSON is not that of glTF: {error}")))?;
+    let gltf: Gltf = serde_json::from_slice(json).map_err(|error| not_gltf(&error))?;
     draft.up_axis = Some(UpAxis::Y);
     draft.unit = Some(1.0);
     for uri in gltf.images.iter().chain(&gltf.buffers).filter_map(|part| part.uri.as_deref()) {
@@ -27,8 +26,8 @@ pub(super) fn read(bytes: &[u8], beside: Beside<'_>, draft: &mut Draft) -> Resul
             draft.needs(Dependency::file(uri));
         }
     }
-    if let Some(extension) = gltf.extensions_required.iter().find(|name| changes_geometry(name)) {
-        return Err(Defect::unread(format!("it needs the extension `{extension}`")));
+    if let Some(extension) = gltf.extensions_required.iter().find_map(|name| changes_geometry(name)) {
+        return Err(Defect::unread(format!("it needs an extension for `{extension}`")));
     }
     let mut buffers = Vec::new();
     for (index, buffer) in gltf.buffers.iter().enumerate() {
@@ -37,9 +36,15 @@ pub(super) fn read(bytes: &[u8], beside: Beside<'_>, draft: &mut Draft) -> Resul
     scene(&gltf, &Data { gltf: &gltf, buffers: &buffers, budget: Cell::new(MESH_ELEMENTS) }, draft)
 }
 
-/// Whether what is read here would not be the geometry.
-fn changes_geometry(extension: &str) -> bool {
-    ["draco", "meshopt", "quantization", "gpu_instancing"].iter().any(|word| extension.contains(word))
+/// What is wrong with the JSON, without its text: the file may be a link to one that is nobody else's business.
+fn not_gltf(error: &serde_json::Error) -> Defect {
+    let what = if error.is_data() { "its JSON is not that of glTF" } else { "it is not JSON" };
+    Defect::corrupt(format!("{what}, from {}:{} on", error.line(), error.column()))
+}
+
+/// The feature of an extension with which what is read here would not be the geometry.
+fn changes_geometry(extension: &str) -> Option<&'static str> {
+    ["draco", "meshopt", "quantization", "gpu_instancing"].into_iter().find(|word| extension.contains(word))
 }
 
 /// JSON and binary part of a GLB file.

@@ -65,9 +65,19 @@ impl Meshes {
         Triangles::read(&ending(path), &bytes, &|name| beside(vfs, path, name))
     }
 
-    /// The files that the mesh at `path` needs and that are not there.
-    pub fn missing(&self, vfs: &Vfs, path: &Path, mesh: &Mesh) -> Vec<Missing> {
+    /// The files that the mesh at `path` needs and that are not there. What files say that do not belong to the robot,
+    /// as `belongs` tells, is not repeated.
+    pub fn missing(
+        &self,
+        vfs: &Vfs,
+        path: &Path,
+        mesh: &Mesh,
+        belongs: &dyn Fn(&Path) -> bool,
+    ) -> Vec<Missing> {
         let mut missing = Vec::new();
+        if mesh.dependencies.is_empty() || !belongs(path) {
+            return missing;
+        }
         for Dependency { name, is_material_library } in &mesh.dependencies {
             // several libraries may be named in one line; a name may have blanks
             let words = name.split_whitespace().collect::<Vec<_>>();
@@ -77,7 +87,7 @@ impl Meshes {
             for name in if is_list { words } else { vec![name.as_str()] } {
                 match find(vfs, path, name) {
                     None => missing.push(Missing::new(name, None)),
-                    Some(library) if *is_material_library => {
+                    Some(library) if *is_material_library && belongs(&library) => {
                         missing.extend(self.missing_textures(vfs, &library, name));
                     }
                     Some(_) => {}

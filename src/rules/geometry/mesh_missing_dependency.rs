@@ -1,5 +1,8 @@
 //! A mesh whose textures, materials or buffers are missing.
 
+use std::cell::OnceCell;
+use std::path::Path;
+
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
@@ -21,9 +24,12 @@ pub(super) const RULE: Rule = Rule {
 const MOST_NAMES: usize = 3;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let roots = cx.expansion.files.first().map(|file| &*file.source.path);
+    let around = OnceCell::new();
+    let belongs = |path: &Path| around.get_or_init(|| cx.world.packages.around(roots)).hold(path);
     for mesh in cx.meshes() {
         let (Some(path), Some(content)) = (mesh.target.file(), mesh.mesh) else { continue };
-        let missing = cx.world.meshes.missing(cx.world.vfs, path, content);
+        let missing = cx.world.meshes.missing(cx.world.vfs, path, content, &belongs);
         if missing.is_empty() {
             continue;
         }

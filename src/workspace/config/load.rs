@@ -46,7 +46,9 @@ impl Config {
     /// When the file itself cannot be read. One that it extends gives a warning only.
     pub fn load(vfs: &Vfs, path: &Path) -> Result<Loaded, LoadError> {
         let mut loaded = Loaded::default();
-        load_over(vfs, &vfs.absolute(path), &mut Vec::new(), &mut loaded)?;
+        let path = vfs.absolute(path);
+        let home = vfs.canonical(path.parent().unwrap_or(Path::new("")));
+        load_over(vfs, &path, &home, &mut Vec::new(), &mut loaded)?;
         loaded.config.files.reverse();
         Ok(loaded)
     }
@@ -137,8 +139,14 @@ fn rename(entries: &mut Vec<Entry>) {
     }
 }
 
-/// Apply the file `path` over what is loaded, the files it extends first.
-fn load_over(vfs: &Vfs, path: &Path, chain: &mut Vec<PathBuf>, loaded: &mut Loaded) -> Result<(), LoadError> {
+/// Apply the file `path` over what is loaded, the files it extends first. `home` is the folder of the first one.
+fn load_over(
+    vfs: &Vfs,
+    path: &Path,
+    home: &Path,
+    chain: &mut Vec<PathBuf>,
+    loaded: &mut Loaded,
+) -> Result<(), LoadError> {
     let file = vfs.text(path)?;
     let folder = path.parent().unwrap_or(Path::new("")).to_owned();
     let (entries, errors) = from_toml(&file.text);
@@ -158,7 +166,7 @@ fn load_over(vfs: &Vfs, path: &Path, chain: &mut Vec<PathBuf>, loaded: &mut Load
                 format!("more than {CONFIG_CHAIN} files extend each other"),
                 None,
             );
-        } else if let Err(error) = load_over(vfs, &base, chain, loaded) {
+        } else if let Err(error) = load_over(vfs, &base, home, chain, loaded) {
             let message = format!("cannot read `{}`: {}", error.path.display(), error.reason());
             applier.warn(entry.value.range, message, None);
         }
@@ -167,7 +175,22 @@ fn load_over(vfs: &Vfs, path: &Path, chain: &mut Vec<PathBuf>, loaded: &mut Load
     applier.config(&mut loaded.config, &entries);
     loaded.config.note_origins(&entries, path);
     loaded.config.files.push(path.to_owned());
+    if !is_configuration(&vfs.canonical(path), home) {
+        for warning in &mut applier.warnings {
+            warning.message =
+                "this has no effect; it is not quoted, because the file lies in another folder and is not \
+                               named as a configuration is"
+                    .to_owned();
+            warning.nearest = None;
+        }
+    }
     applier.warnings.sort_by_key(|warning| warning.place.range.start);
     loaded.warnings.append(&mut applier.warnings);
     Ok(())
+}
+
+/// Whether the file at `path` is meant as a configuration. A link, or `extend`, can name any file, also a key.
+fn is_configuration(path: &Path, home: &Path) -> bool {
+    let is_named = |name: &str| path.file_name().is_some_and(|own| own == name);
+    path.starts_with(home) || CONFIG_NAMES.into_iter().any(is_named)
 }

@@ -149,7 +149,13 @@ impl<'t> Parser<'t> {
                         entities.declare(name, entity);
                     }
                 }
-                (Token::DeclarationOpen, "<!ATTLIST") => self.attribute_list()?,
+                (Token::DeclarationOpen, "<!ATTLIST") => {
+                    for (element, attribute, is_tokenized) in self.attribute_list()? {
+                        if counts {
+                            entities.declare_attribute(element, attribute, is_tokenized);
+                        }
+                    }
+                }
                 (Token::DeclarationOpen, "<!ELEMENT") => self.element_type()?,
                 (Token::DeclarationOpen, "<!NOTATION") => self.notation()?,
                 _ => return Err((expat::SYNTAX, start)),
@@ -231,17 +237,19 @@ impl<'t> Parser<'t> {
         }
     }
 
-    fn attribute_list(&mut self) -> Checked {
+    /// The attributes of an `ATTLIST`: element, attribute, and whether its type is other than `CDATA`.
+    fn attribute_list(&mut self) -> Checked<Vec<(&'t str, &'t str, bool)>> {
         let names = [Token::Name, Token::PrefixedName];
-        self.expect(&names)?;
+        let element = self.expect(&names)?.2;
+        let mut attributes = Vec::new();
         loop {
             let found = self.next_token()?;
             match found.0 {
-                Token::Punctuation(b'>') => return Ok(()),
+                Token::Punctuation(b'>') => return Ok(attributes),
                 Token::Name | Token::PrefixedName => {}
                 _ => return Err(unexpected(found)),
             }
-            self.attribute_type()?;
+            attributes.push((element, found.2, self.attribute_type()?));
             let (token, start, text) = self.expect(&[Token::PoundName, Token::Literal])?;
             match (token, text) {
                 (Token::Literal, _) => self.default_value(start)?,
@@ -255,21 +263,23 @@ impl<'t> Parser<'t> {
         }
     }
 
-    fn attribute_type(&mut self) -> Checked {
+    /// The type of an attribute; gives whether it is other than `CDATA`.
+    fn attribute_type(&mut self) -> Checked<bool> {
         let open = Token::Punctuation(b'(');
         let (token, start, text) = self.expect(&[Token::Name, open])?;
         let notation = token == Token::Name && text == "NOTATION";
         if notation {
             self.expect(&[open])?;
         } else if token == Token::Name {
-            return if ATTRIBUTE_TYPES.contains(&text) { Ok(()) } else { Err((expat::SYNTAX, start)) };
+            let is_known = ATTRIBUTE_TYPES.contains(&text);
+            return if is_known { Ok(text != "CDATA") } else { Err((expat::SYNTAX, start)) };
         }
         let values: &[Token] =
             if notation { &[Token::Name] } else { &[Token::Name, Token::PrefixedName, Token::NameToken] };
         loop {
             self.expect(values)?;
             if self.expect(&[Token::CloseParen, Token::Punctuation(b'|')])?.0 == Token::CloseParen {
-                return Ok(());
+                return Ok(true);
             }
         }
     }

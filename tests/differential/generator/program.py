@@ -3,6 +3,7 @@ import random
 from dataclasses import dataclass, field
 
 from . import literals
+from .corners import Corners
 from .errors import Errors
 from .files import URIS, Files
 from .macros import Macros
@@ -25,11 +26,11 @@ class Program:
     files: dict
     args: list
     env: dict
-    kind: str = 'plain'  # 'plain', 'error' or 'mutated'
+    kind: str = 'plain'  # 'plain', 'error', 'mutated' or 'corner'
     uses: list = field(default_factory=list)
 
 
-class Generator(Values, Properties, Macros, Files, Errors):
+class Generator(Values, Properties, Macros, Files, Errors, Corners):
     """Writes one program; everything random comes from the seed."""
 
     def __init__(self, seed, disabled=()):
@@ -254,14 +255,29 @@ class Generator(Values, Properties, Macros, Files, Errors):
             body += self.rng.choice(['\n  <!-- c -->', '\n  <!ELEMENT a ANY>', '\n  <!ATTLIST a q CDATA "dflt">'])
         return '<!DOCTYPE %s [%s\n]>\n' % (self.rng.choice(['robot', 'x']), body)
 
-    def program(self):
-        """The whole program."""
+    def program(self, corner=False):
+        """The whole program; `corner`: a small one about the corners."""
         rng = self.rng
+        if corner:
+            return self.corner_program()
         roll = rng.random()
         self.kind = 'error' if roll < 0.07 else 'mutated' if roll < 0.13 else 'plain'
         self.given = [rng.choice(['unused:=1', '_private:=x', 'spaced := 5', 'empty:='])] if rng.random() < 0.1 else []
         self.files['input.xacro'] = ''
         self.files['input.xacro'] = self.main_file()
+        return self.finished()
+
+    def corner_program(self):
+        """A program about the corners; some are damaged at random."""
+        self.given = []
+        self.corner()
+        if self.rng.random() < 0.1:
+            self.kind = 'mutated'
+        return self.finished()
+
+    def finished(self):
+        """The program with what every one has."""
+        rng = self.rng
         self.shared_files()
         files = {path: self.encode(path, text) for path, text in self.files.items()}
         program = Program(files, self.given, {'SITE': rng.choice(['hall 3', 'x', '42']), 'AMENT_PREFIX_PATH': '@DIR@/prefix'}, self.kind, self.uses)
@@ -286,6 +302,6 @@ class Generator(Values, Properties, Macros, Files, Errors):
         return text.encode()
 
 
-def generate(seed, disabled=()):
+def generate(seed, disabled=(), corner=False):
     """The program of a seed."""
-    return Generator(seed, disabled).program()
+    return Generator(seed, disabled).program(corner)
