@@ -110,6 +110,12 @@ impl Expander<'_> {
             return cx;
         };
         let value = self.eval_text(&text, place, cx.scope);
+        if let Value::List(_) | Value::Dict(_) | Value::Set(_) = value {
+            let shown = display::repr(&value).unwrap_or_default();
+            let message = format!("the name of this namespace is {shown}, which is no text");
+            self.error("XAC025", place.origin, message, "namespaces are supported with in-order option only");
+            return cx;
+        }
         let Some(name) = display::to_str(&value) else { return cx };
         let macros = self.macros.push(None);
         let scope = self.scopes.push(cx.scope, true);

@@ -349,9 +349,9 @@ impl Host for ArgHost<'_, '_, '_> {
         keywords: &[(EcoString, Value)],
         _: TextRange,
     ) -> Result<Value, EvalError> {
-        self.function(function, args, keywords)?.or_else(|failure| {
+        self.function(function, args, keywords)?.map_err(|failure| {
             self.failed.get_or_insert(failure);
-            Err(EvalError::new(ErrorKind::Reported, ""))
+            EvalError::new(ErrorKind::Reported, "")
         })
     }
 

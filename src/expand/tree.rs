@@ -10,7 +10,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::origin::Origin;
-use crate::base::TextRange;
+use crate::base::{FastSet, TextRange};
 
 /// A node of the expanded document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -142,11 +142,13 @@ pub struct Piece {
 #[derive(Clone, Debug)]
 pub struct XTree {
     nodes: Vec<XNode>,
+    /// Attributes with a prefix that were set: minidom takes them for attributes of no namespace.
+    set_with_prefix: FastSet<(XId, EcoString)>,
 }
 
 impl Default for XTree {
     fn default() -> Self {
-        let mut tree = Self { nodes: Vec::with_capacity(256) };
+        let mut tree = Self { nodes: Vec::with_capacity(256), set_with_prefix: FastSet::default() };
         tree.add(XKind::Container, EcoString::new(), Origin::NOWHERE);
         tree
     }
@@ -257,19 +259,24 @@ impl XTree {
         self.get(id).attrs.iter().find(|a| a.name == name)
     }
 
-    /// Set or replace an attribute. As in minidom, a new one replaces one without a prefix that has the same local name.
+    /// Set or replace an attribute. As in minidom, a new one replaces what has the same local name and no namespace:
+    /// attributes without a prefix, and those that were set before.
     pub fn set_attr(&mut self, id: XId, attr: XAttr) {
-        let attrs = &mut self.get_mut(id).attrs;
-        let mut all = attrs.to_vec();
-        match all.iter_mut().find(|a| a.name == attr.name) {
-            Some(old) => *old = attr,
-            None => {
-                let local_name = attr.name.split_once(':').map(|(_, local)| EcoString::from(local));
-                all.retain(|old| local_name.as_ref() != Some(&old.name) || old.name == "xmlns");
-                all.push(attr);
+        let mut all = self.get(id).attrs.to_vec();
+        if let Some(old) = all.iter_mut().find(|a| a.name == attr.name) {
+            *old = attr;
+        } else {
+            let has_namespace = |name: &EcoString| match name.contains(':') {
+                true => !self.set_with_prefix.contains(&(id, name.clone())),
+                false => name == "xmlns",
+            };
+            all.retain(|old| local_name(&old.name) != local_name(&attr.name) || has_namespace(&old.name));
+            if attr.name.contains(':') {
+                self.set_with_prefix.insert((id, attr.name.clone()));
             }
+            all.push(attr);
         }
-        *attrs = all.into_iter().collect();
+        self.get_mut(id).attrs = all.into_iter().collect();
     }
 
     /// Put a node without parent behind the last child of `parent`.
@@ -331,4 +338,9 @@ impl XTree {
         from.first = XId::NIL;
         from.last = XId::NIL;
     }
+}
+
+/// A qualified name without its prefix.
+fn local_name(name: &str) -> &str {
+    name.split_once(':').map_or(name, |(_, local)| local)
 }

@@ -24,7 +24,8 @@ impl Interp<'_> {
                 if name == "depth" && matches!(value, Value::Module(_)) {
                     return Ok(Value::Int(0));
                 }
-                if is_namespace_attribute(name) {
+                // the host knows the depth of a scope
+                if is_namespace_attribute(name) && name != "depth" {
                     return Err(Stop::Unknown);
                 }
                 return self.member(value, name, place).ok_or_else(|| {

@@ -89,7 +89,13 @@ pub(super) fn reversed(interp: &mut Interp, value: &Value) -> Eval {
             let cursor = Cursor::Range { next, step: -range.step, left: len };
             return Ok(Value::Iter(Iter::new(IterKind::Other("range_iterator"), cursor)));
         }
-        Value::Tuple(_) | Value::Str(_) | Value::Bytes(_) | Value::Dict(_) | Value::View(_) => {
+        Value::Tuple(_)
+        | Value::Str(_)
+        | Value::Bytes(_)
+        | Value::Dict(_)
+        | Value::View(_)
+        | Value::Module(_)
+        | Value::Scope(_) => {
             let mut items = interp.collect(value)?;
             items.make_mut().reverse();
             Cursor::Items(items, 0)

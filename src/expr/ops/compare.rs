@@ -46,6 +46,14 @@ pub(crate) fn equal(interp: &mut Interp, a: &Value, b: &Value) -> Eval<bool> {
             }
             Ok(true)
         }
+        (Value::Module(_) | Value::Scope(_), Value::Module(_) | Value::Scope(_) | Value::Dict(_))
+        | (Value::Dict(_), Value::Module(_) | Value::Scope(_))
+            if !a.same(b) =>
+        {
+            let both = (interp.mapping(a)?, interp.mapping(b)?);
+            let (Some(x), Some(y)) = both else { return Ok(false) };
+            equal(interp, &Value::Dict(x), &Value::Dict(y))
+        }
         (Value::Slice(x), Value::Slice(y)) => {
             let parts = |s: &crate::expr::value::Slice| [s.start.clone(), s.stop.clone(), s.step.clone()];
             equal_items(interp, &parts(x), &parts(y))

@@ -158,7 +158,7 @@ class Corners:
         return self.rng.choice(["len({s})", "'{k}' in {s}", "'{k}' not in {s}", "list({s})", "[k for k in {s}]", "{s}.keys()", "len({s}.keys())", "sorted({s})", "python.sorted({s})[0:3]", "max({s})",
                                 "'-'.join({s})", "tuple({s})", "len(dict({s}))", "'{k}' in {s}.keys()", "{s}['{k}']", "isinstance({s}, dict)", "{s} is {s}", "1 in {s}", "[] in {s}", "len(set({s}))",
                                 "len(list({s}.items()))", "len({s}.values())", "list(map(len, {s}))", "python.enumerate({s}) is None", "python.any({s})", "len({s}.copy())", "len(python.tuple({s}))",
-                                "python.all({s})", "{s}.get('nope')", "{s}.get('nope', 3)", "len([*{s}])", "python.repr(list({s})[0:1])"]).format(s=space, k=key)
+                                "python.all({s})", "{s} == dict({s})", "{s} == math", "list(python.reversed({s}))[0:1]", "{s}.depth", "{s}.get('nope')", "{s}.get('nope', 3)", "len([*{s}])", "python.repr(list({s})[0:1])"]).format(s=space, k=key)
 
     def corner_spaces(self):
         self.use('a namespace as a dict')
@@ -186,9 +186,11 @@ class Corners:
     def corner_added(self):
         self.use('xacro:attribute with odd names')
         rng = self.rng
-        name = rng.choice(['${1}', '${0}', '${1.5}', '${True}', '${None}', '${[]}', "${['a']}", "${'a'}", 'n${1}', 'xmlns:q', 'xacro:n', "${''}", '${dict()}', '${(1,)}'])
+        name = rng.choice(['${1}', '${0}', '${1.5}', '${True}', '${None}', '${[]}', "${['a']}", "${'a'}", 'n${1}', 'xmlns:q', 'xacro:n', "${''}", '${dict()}', '${(1,)}', 'q:n', 'p:n', 'n', 'n'])
         node = '<xacro:attribute name="%s" value="x"/>' % name
-        return rng.choice(['<a>%s</a>', '%s', '<a n="1">%s</a>', '<a><xacro:if value="1">%s</xacro:if></a>', '<xacro:macro name="ma">%s</xacro:macro><xacro:ma/>']) % node
+        if rng.random() < 0.3:
+            node += '<xacro:attribute name="%s" value="y"/>' % rng.choice(['n', 'q:n', 'p:n', 'o'])
+        return rng.choice(['<a>%s</a>', '%s', '<a n="1">%s</a>', '<a n="1" xmlns:q="u" q:n="2">%s</a>', '<a><xacro:if value="1">%s</xacro:if></a>', '<xacro:macro name="ma">%s</xacro:macro><xacro:ma/>']) % node
 
     def corner_renamed(self):
         self.use('xacro:element as another tag')
