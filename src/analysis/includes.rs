@@ -121,6 +121,12 @@ fn pattern(name: &str, from: &Path, packages: &Packages) -> Option<Pattern> {
         let end = after.find(close)?;
         match after.get(2..end)?.trim().strip_prefix("find ") {
             Some(package) => pattern.push_str(packages.find(package.trim(), from).ok()?.path.to_str()?),
+            // a whole step of the path may be several
+            None if (pattern.is_empty() || pattern.ends_with('/'))
+                && after.get(end + 1..)?.starts_with('/') =>
+            {
+                pattern.push_str("**");
+            }
             None => pattern.push('*'),
         }
         rest = after.get(end + 1..)?;
@@ -194,6 +200,7 @@ mod tests {
             ("p/urdf/arm_left.xacro", true),
             ("p/urdf/deep/arm_left.xacro", false),
             ("p/hands/parts/u.xacro", true),
+            ("p/hands/left/parts/u.xacro", true),
             ("p/hands/u.xacro", false),
             ("p/robots/self.xacro", false),
             ("p/robots/r.xacro", false),

@@ -17,7 +17,7 @@ use super::walk;
 use crate::base::FastSet;
 use crate::expand::{Expansion, Outside};
 use crate::model::{Kinematics, Robot};
-use crate::rules::{Check, Finding, RootKind, Severity};
+use crate::rules::{Check, Finding, RootKind, Severity, is_plain_urdf};
 
 /// What a file is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,6 +88,11 @@ impl Session {
         }
         let misspelt =
             || findings.iter().any(|finding| finding.rule.code == "STR003" && finding.fix.is_some());
+        // a file in xacro without content is one that somebody has yet to write
+        let is_begun = |robot: &Robot| !robot.links.is_empty() || document.is_some_and(graph::gives_robot);
+        if !is_plain_urdf(&job.file) && robot.is_some_and(|robot| !is_begun(robot)) && !is_called() {
+            return Role::Unknown;
+        }
         let missing = robot.and_then(above_fragment);
         // whoever names the file together with the link attaches it there
         let is_whole = |link: &EcoString| misspelt() || is_called() && !self.is_named_with(&job.file, link);
@@ -157,15 +162,15 @@ fn verdict(role: Role, finding: &Finding) -> Verdict {
     }
 }
 
-/// The link that a robot does not have and that is above all of its links: the robot is made to be attached there.
+/// A link that a robot does not have; it and others like it are above all of its links: the robot is made to be attached
+/// there.
 fn above_fragment(robot: &Robot) -> Option<&EcoString> {
     let names: FastSet<&EcoString> =
         robot.links.iter().filter_map(|link| link.name.as_ref()?.name()).collect();
     let parents = robot.joints.iter().filter_map(|joint| joint.parent.as_ref()?.name());
-    let missing: FastSet<&EcoString> = parents.filter(|parent| !names.contains(parent)).collect();
-    let is_fragment =
-        missing.len() == 1 && !robot.links.is_empty() && Kinematics::of(robot).roots(robot).is_empty();
-    missing.into_iter().next().filter(|_| is_fragment)
+    let missing = parents.filter(|parent| !names.contains(parent)).min()?;
+    let is_fragment = !robot.links.is_empty() && Kinematics::of(robot).roots(robot).is_empty();
+    is_fragment.then_some(missing)
 }
 
 #[cfg(test)]
@@ -262,6 +267,11 @@ mod tests {
             &[("hand.urdf", hand), ("a.launch", "send hand.urdf -l tool0")],
             &["hand.urdf info undefined-link"],
         );
+        // two chains below two links of another robot
+        let second = "<link name='tip'/><joint name='t' type='fixed'><parent link='flange'/><child link='tip'/></joint></robot>";
+        let both = hand.replace("</robot>", second);
+        let found = ["hand.urdf info undefined-link", "hand.urdf info undefined-link"];
+        check_roles(&[("hand.urdf", &both)], &found);
         // the robot has a root: the parent of one link is misspelled
         let robot = "<robot name='r'><link name='base'/><link name='arm'/><joint name='j' type='fixed'>\
                      <parent link='bse'/><child link='arm'/></joint></robot>";
@@ -275,6 +285,8 @@ mod tests {
                       </ros2_control></robot>";
         check_roles(&[("device.urdf", device)], &[]);
         check_roles(&[("empty.urdf", "<robot name='e'/>")], &["empty.urdf error no-links"]);
+        // somebody has begun a description
+        check_roles(&[("empty.urdf.xacro", "<link_/>")], &["empty.urdf.xacro info no-links"]);
         check_roles(
             &[("joints.urdf", "<robot name='e'><joint name='j' type='fixed'/></robot>")],
             &["joints.urdf error no-links"],

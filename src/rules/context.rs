@@ -61,7 +61,7 @@ impl FileCx<'_> {
 }
 
 /// Whether the name of a file calls it plain URDF.
-pub(super) fn is_plain_urdf(path: &Path) -> bool {
+pub fn is_plain_urdf(path: &Path) -> bool {
     let name = path.file_name().map(|name| name.to_string_lossy().to_lowercase()).unwrap_or_default();
     name.ends_with(".urdf") && !name.contains(".xacro")
 }

@@ -34,7 +34,7 @@ mod xacro;
 mod xml;
 
 pub use catalogue::{catalogue, catalogue_of};
-pub use context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings};
+pub use context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings, is_plain_urdf};
 pub use finding::{Edit, Finding, Fix, Related, Way};
 pub use geometry::{FileTarget, factors, link_bounds, resolve_file};
 pub use grouping::Group;

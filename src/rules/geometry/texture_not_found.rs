@@ -5,7 +5,8 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use super::missing::{MissingFiles, shown};
 use super::resources::{Target, resolve};
-use super::shapes::materials;
+use super::shapes::{materials, visual_materials};
+use crate::base::FastSet;
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO030",
@@ -21,7 +22,14 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let mut missing = MissingFiles::default();
+    let visuals = cx.robot.into_iter().flat_map(visual_materials);
+    let used: FastSet<&str> =
+        visuals.filter_map(|(_, material)| Some(&*material.name.as_ref()?.value)).collect();
     for material in materials(cx) {
+        // nobody reads the texture of a material that no visual names
+        if material.name.as_ref().is_some_and(|name| !used.contains(&*name.value)) {
+            continue;
+        }
         let Some(file) = material.texture_file.as_ref().filter(|file| file.is_known()) else { continue };
         let name = material.name.as_ref().map_or("", |name| name.value.as_str());
         match resolve(cx.expansion, cx.world, file) {
