@@ -286,7 +286,7 @@ mod tests {
         check_roles(&[("device.urdf", device)], &[]);
         check_roles(&[("empty.urdf", "<robot name='e'/>")], &["empty.urdf error no-links"]);
         // somebody has begun a description
-        check_roles(&[("empty.urdf.xacro", "<link_/>")], &["empty.urdf.xacro info no-links"]);
+        check_roles(&[("begun.xacro", "<robot name='e'/>")], &["begun.xacro info no-links"]);
         check_roles(
             &[("joints.urdf", "<robot name='e'><joint name='j' type='fixed'/></robot>")],
             &["joints.urdf error no-links"],
