@@ -89,7 +89,9 @@ impl Session {
         let misspelt =
             || findings.iter().any(|finding| finding.rule.code == "STR003" && finding.fix.is_some());
         // a file in xacro without content is one that somebody has yet to write
-        let is_begun = |robot: &Robot| !robot.links.is_empty() || document.is_some_and(graph::gives_robot);
+        let is_begun = |robot: &Robot| {
+            !robot.links.is_empty() || !robot.joints.is_empty() || document.is_some_and(graph::gives_robot)
+        };
         if !is_plain_urdf(&job.file) && robot.is_some_and(|robot| !is_begun(robot)) && !is_called() {
             return Role::Unknown;
         }
