@@ -11,8 +11,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
-use xacro_lsp::analysis::{CheckOptions, Fixed, Overrides, Report, Session, Setup};
+use xacro_lsp::analysis::{CheckOptions, FixOptions, Fixed, Overrides, Report, Session, Setup};
 use xacro_lsp::cli::{self, Io};
 use xacro_lsp::rules::{self, Finding, Safety, Severity};
 use xacro_lsp::vfs::Environment;
@@ -79,7 +80,7 @@ fn fix(folder: &Path, file: &str, extend_select: Option<Vec<String>>, most: Safe
     let setup = Setup { about: folder.to_owned(), overrides, ..Setup::default() };
     let session = Session::new(&environment(folder), setup).unwrap();
     let options = CheckOptions { paths: vec![file.into()], ..CheckOptions::default() };
-    let fixed = session.fix(&options, most);
+    let fixed = session.fix(&options, FixOptions { most, shown: Severity::Hint });
     for file in &fixed.files {
         session.vfs.rewrite(&file.path, &file.before, &file.after).unwrap();
     }
@@ -167,6 +168,135 @@ fn fixes_of_the_examples() {
         }
     }
     assert!(names.len() >= 4);
+}
+
+/// What safe fixes of all rules make of a robot with this content: the text of the file afterwards, as it was apart from
+/// `expected`, pairs of old and new text.
+#[track_caller]
+fn check_safe_fix(content: &str, parts: &[(&str, &str)], expected: &[(&str, &str)]) {
+    static COUNT: AtomicUsize = AtomicUsize::new(0);
+    let folder = temporary(&format!("safe-{}", COUNT.fetch_add(1, Ordering::Relaxed)));
+    let robot = |content: &str| {
+        format!(
+            "<?xml version=\"1.0\"?>\n<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n{content}\n</robot>\n"
+        )
+    };
+    for (name, content) in parts {
+        fs::write(folder.join(name), robot(content)).unwrap();
+    }
+    let before = robot(content);
+    fs::write(folder.join("r.urdf.xacro"), &before).unwrap();
+    let mut wanted = before.clone();
+    for (old, new) in expected {
+        assert!(wanted.contains(old), "{old}");
+        wanted = wanted.replacen(old, new, 1);
+    }
+    for _ in 0..2 {
+        fix(&folder, ".", Some(vec!["ALL".to_owned()]), Safety::Safe);
+        assert_eq!(fs::read_to_string(folder.join("r.urdf.xacro")).unwrap(), wanted, "{content}");
+    }
+}
+
+#[test]
+fn comparisons_that_other_values_need() {
+    let switch = |value: &str| {
+        format!(
+            "<xacro:property name=\"q\" value=\"{value}\"/><xacro:if value=\"${{q == 'true'}}\"><link name=\"a\"/></xacro:if>"
+        )
+    };
+    // in every robot this is false, and would be true
+    check_safe_fix(&switch("true"), &[], &[]);
+    let argument = "<xacro:arg name=\"q\" default=\"true\"/>";
+    check_safe_fix(&format!("{argument}{}", switch("$(arg q)")), &[], &[]);
+    let called = "<xacro:macro name=\"m\" params=\"q\"><xacro:if value=\"${q == 'true'}\"><link name=\"a\"/></xacro:if></xacro:macro>";
+    check_safe_fix(&format!("{called}<xacro:m q=\"true\"/><xacro:m q=\"maybe\"/>"), &[], &[]);
+    check_safe_fix(called, &[], &[]);
+}
+
+const PAIR: &str = "<link name=\"base\"/><link name=\"b\"/><link name=\"c\"/>";
+
+#[test]
+fn elements_that_other_calls_need() {
+    let joint = |parts: &str| {
+        format!(
+            "{PAIR}<xacro:macro name=\"j\" params=\"n type parent child\"><joint name=\"${{n}}\" type=\"${{type}}\">\
+             <parent link=\"${{parent}}\"/><child link=\"${{child}}\"/>{parts}</joint></xacro:macro>\
+             <xacro:j n=\"one\" type=\"fixed\" parent=\"base\" child=\"b\"/>\
+             <xacro:j n=\"two\" type=\"revolute\" parent=\"b\" child=\"c\"/>"
+        )
+    };
+    let limit = "<limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/>";
+    check_safe_fix(&joint(&format!("<axis xyz=\"0 1 0\"/>{limit}")), &[], &[]);
+    // written for one call, without effect for the other: neither rule may undo what the other one did
+    check_safe_fix(&joint(limit), &[], &[]);
+    // without effect in both
+    let fixed = joint("<axis xyz=\"0 1 0\"/>").replace("revolute", "fixed");
+    check_safe_fix(&fixed, &[], &[("<axis xyz=\"0 1 0\"/>", "")]);
+    // the type of the joint is an argument
+    let by_argument = "<xacro:arg name=\"kind\" default=\"fixed\"/><link name=\"base\"/><link name=\"b\"/><joint name=\"j\" type=\"$(arg kind)\">\
+                       <parent link=\"base\"/><child link=\"b\"/><axis xyz=\"0 1 0\"/></joint>";
+    check_safe_fix(by_argument, &[], &[]);
+}
+
+#[test]
+fn includes_that_do_something_twice() {
+    let include = "<xacro:include filename=\"p.xacro\"/>";
+    let twice = |between: &str| {
+        format!("<xacro:property name=\"w\" value=\"1\"/>{include}<link name=\"a${{v}}\"/>{between}{include}")
+    };
+    let part = |value: &str| format!("<xacro:property name=\"v\" value=\"{value}\" lazy_eval=\"false\"/>");
+    let again = "<xacro:property name=\"w\" value=\"5\"/>";
+    let uses = "<xacro:macro name=\"m\"><material name=\"${v}\"/></xacro:macro><xacro:m/>";
+    check_safe_fix(&format!("{}{uses}", twice(again)), &[("p.xacro", &part("${w + 1}"))], &[]);
+    let harmless = format!("{}{uses}", twice(""));
+    let gone = format!("<link name=\"a${{v}}\"/>{include}");
+    check_safe_fix(&harmless, &[("p.xacro", &part("2"))], &[(&gone, "<link name=\"a${v}\"/>")]);
+}
+
+#[test]
+fn suppressions_that_other_arguments_need() {
+    let comment = "<!-- xacro-lint: disable-next-line orphan-link, zero-mass: reason -->\n";
+    let link = "<link name=\"base\"/>";
+    let argument = "<xacro:arg name=\"sim\" default=\"false\"/>";
+    let condition =
+        format!("{argument}{link}<xacro:if value=\"$(arg sim)\">\n{comment}<link name=\"b\"/></xacro:if>");
+    check_safe_fix(&condition, &[], &[]);
+    let idle = format!(
+        "{link}<xacro:macro name=\"m\" params=\"n\">\n{comment}<link name=\"${{n}}\"/></xacro:macro>"
+    );
+    check_safe_fix(&idle, &[], &[]);
+    check_safe_fix(&format!("\n{comment}{link}"), &[], &[(comment, "")]);
+    check_safe_fix(
+        &format!("{argument}<xacro:if value=\"$(arg sim)\"><link name=\"b\"/></xacro:if>\n{comment}{link}"),
+        &[],
+        &[],
+    );
+}
+
+#[test]
+fn findings_that_are_not_shown_stay() {
+    let folder = temporary("not-shown");
+    let text = "<?xml version=\"1.0\"?>\n<robot name=\"r\" xmlns:xacro=\"http://ros.org/wiki/xacro\"><link name=\"base\"/></robot>\n";
+    fs::write(folder.join("r.urdf.xacro"), text).unwrap();
+    let setup = Setup { about: folder.clone(), ..Setup::default() };
+    let session = Session::new(&environment(&folder), setup).unwrap();
+    let options = CheckOptions { paths: vec![".".into()], ..CheckOptions::default() };
+    let how = FixOptions { most: Safety::Safe, shown: Severity::Warning };
+    let fixed = session.fix(&options, how);
+    assert_eq!((fixed.count, fixed.hidden), (0, 1));
+    let fixed = session.fix(&options, FixOptions { shown: Severity::Info, ..how });
+    assert_eq!((fixed.count, fixed.hidden), (1, 0));
+}
+
+#[test]
+fn line_ends_stay() {
+    let folder = temporary("line-ends");
+    let text = "<robot name=\"r\">\r\n<link name=\"base\"/>\r\n<link name=\"b\"/>\r\n<joint name=\"j\" type=\"continuous\">\r\n  <parent link=\"base\"/>\r\n  <child link=\"b\"/>\r\n</joint>\r\n</robot>\r\n";
+    fs::write(folder.join("r.urdf"), text).unwrap();
+    fix(&folder, ".", Some(vec!["ALL".to_owned()]), Safety::Safe);
+    let after = fs::read_to_string(folder.join("r.urdf")).unwrap();
+    assert!(after.contains("<child link=\"b\"/>\r\n  <axis xyz=\"1 0 0\"/>\r\n"), "{after:?}");
+    assert_eq!(after.matches('\n').count(), after.matches("\r\n").count(), "{after:?}");
 }
 
 fn copy_into(from: &Path, to: &Path) {

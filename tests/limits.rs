@@ -15,7 +15,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use xacro_lsp::analysis::{Effort, Session, Setup};
 use xacro_lsp::base::limits::*;
+use xacro_lsp::base::{CancelFlag, TextRange};
 use xacro_lsp::cli::{self, Io};
 use xacro_lsp::model::{Mesh, Meshes};
 use xacro_lsp::vfs::{Environment, Vfs};
@@ -188,6 +190,44 @@ fn reached(body: &str, files: &[(&str, &str)], words: &[&str]) {
     assert!(said.contains("error[") && said.contains("r.urdf.xacro:"), "{said}");
     for word in words {
         assert!(said.contains(word), "no `{word}` in {said}");
+    }
+}
+
+/// A robot with a file that is included twice, and so many arguments, each of which has five other values to be tried.
+fn included_twice(arguments: usize) -> PathBuf {
+    let folder = folder();
+    let declared = |number| format!("<xacro:arg name=\"kind_{number}\" default=\"fixed\"/>");
+    let declared: String = (0..arguments).map(declared).collect();
+    let include = "<xacro:include filename=\"p.xacro\"/>\n";
+    write(&folder, "r.urdf.xacro", robot(&format!("{declared}{include}{include}<link name=\"${{p}}\"/>")));
+    write(&folder, "p.xacro", robot("<xacro:property name=\"p\" value=\"a\"/>"));
+    folder
+}
+
+#[test]
+fn proof_expansions() {
+    let fixed = |arguments| run(&included_twice(arguments), &["fix", "."], &mut std::io::empty());
+    assert!(fixed(3).contains("fixed 1 finding"), "{}", fixed(3));
+    let said = fixed(PROOF_EXPANSIONS / 5 + 1);
+    assert!(said.contains("1 can be fixed with --fix --unsafe-fixes"), "{said}");
+}
+
+#[test]
+fn quick_proof_expansions() {
+    for (arguments, expected) in
+        [(QUICK_PROOF_EXPANSIONS / 5 - 1, true), (QUICK_PROOF_EXPANSIONS / 5 + 1, false)]
+    {
+        let folder = included_twice(arguments);
+        let env = Environment { vars: BTreeMap::new(), cwd: folder.clone() };
+        let session = Session::new(&env, Setup { about: folder.clone(), ..Setup::default() }).unwrap();
+        let path = folder.join("r.urdf.xacro");
+        let text = fs::read_to_string(&path).unwrap();
+        let include = "<xacro:include filename=\"p.xacro\"/>\n";
+        let at = text.rfind(include).unwrap() as u32;
+        let edits = vec![(TextRange::new(at, at + include.len() as u32), String::new())];
+        let cancel = CancelFlag::default();
+        let effort = Effort { expansions: QUICK_PROOF_EXPANSIONS, roots: Some(vec![path.clone()]), cancel };
+        assert_eq!(session.stays_the_same(&path, edits, &effort), expected, "{arguments} arguments");
     }
 }
 

@@ -86,9 +86,14 @@ impl Baseline {
         self.known.is_empty()
     }
 
-    /// Take the known findings out of a report; of more than are known on a line, the first ones. The result
-    /// is how many were taken out.
-    pub fn subtract(&self, report: &mut Report, folder: &Path) -> usize {
+    /// Take the known findings out of a report; of more than are known on a line, the first ones. The result is how many
+    /// were taken out, and how many did not occur in the files that are `checked`.
+    pub fn subtract(
+        &self,
+        report: &mut Report,
+        folder: &Path,
+        checked: impl Fn(&Path) -> bool,
+    ) -> (usize, usize) {
         let mut left = self.known.clone();
         let before = report.findings.len();
         let mut findings = std::mem::take(&mut report.findings);
@@ -100,7 +105,8 @@ impl Baseline {
             _ => true,
         });
         report.findings = findings;
-        before - report.findings.len()
+        let gone = left.into_iter().filter(|(key, _)| checked(&folder.join(&key.file)));
+        (before - report.findings.len(), gone.map(|(_, count)| count).sum())
     }
 }
 

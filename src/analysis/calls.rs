@@ -193,6 +193,23 @@ mod tests {
     }
 
     #[test]
+    fn branches_of_a_value_that_is_not_known() {
+        let robot = |condition: &str| {
+            format!(
+                "<xacro:arg name='kind' default='none'/>\
+                 <xacro:property name='all' value=\"${{xacro.load_yaml('$(arg kind).yaml')}}\"/>\
+                 <xacro:if value='{condition}'><xacro:property name='own' value=\"${{all['a']}}\"/></xacro:if>\
+                 <xacro:unless value='{condition}'><xacro:property name='own' value=''/></xacro:unless>\
+                 <link name=\"${{own['x']}}\"/>"
+            )
+        };
+        let given = [("r.launch", "xacro r.urdf.xacro kind:=$(arg kind)")];
+        check_called(&robot("${'a' in all}"), &given, &[]);
+        // known whatever the file holds
+        check_called(&robot("${1 > 2}"), &given, &["error expression-error"]);
+    }
+
+    #[test]
     fn values_from_empty_arguments() {
         let number = "<xacro:arg name='width' default=''/><xacro:property name='w' value='$(arg width)'/><link name='${w / 2}'/>";
         check_called(number, &[], &["info expression-error"]);

@@ -9,7 +9,7 @@ use super::change::Change;
 use super::job::{self, Outcome};
 use super::merge::merge;
 use super::progress::Progress;
-use super::report::{Report, Unreadable};
+use super::report::{Report, SkipReason, Skipped, Unreadable};
 use super::roots::{Job, Reason};
 use super::session::Session;
 use super::suppress::Hiding;
@@ -17,7 +17,7 @@ use super::walk;
 use crate::base::limits::MESSAGE_LETTERS;
 use crate::base::{CancelFlag, FastMap, FastSet, FileId};
 use crate::expand::large_stacks;
-use crate::rules::{Finding, Severity, invalid_config};
+use crate::rules::{Finding, Severity};
 use crate::workspace::UNQUOTED;
 
 /// What to check.
@@ -37,9 +37,41 @@ pub struct CheckOptions {
     pub progress: Progress,
 }
 
+/// What a check did, for another one of the same files.
+#[derive(Default)]
+pub(super) struct Done {
+    outcomes: FastMap<JobKey, Outcome>,
+}
+
+/// What tells a job from others.
+type JobKey = (PathBuf, Reason, Vec<(String, String)>, Option<String>);
+
+fn key(job: &Job) -> JobKey {
+    (job.file.clone(), job.reason, job.args.clone(), job.preset.clone())
+}
+
+impl Done {
+    /// Forget what rests on changed files.
+    pub(super) fn forget(&mut self, is_changed: impl Fn(&Path) -> bool) {
+        self.outcomes.retain(|_, outcome| {
+            !is_changed(&outcome.job.file) && !outcome.reads.iter().any(|path| is_changed(path))
+        });
+    }
+
+    /// Forget everything.
+    pub(super) fn clear(&mut self) {
+        self.outcomes.clear();
+    }
+}
+
 impl Session {
     /// Check files and folders.
     pub fn check(&self, options: &CheckOptions) -> Report {
+        self.check_with(options, None)
+    }
+
+    /// The same; what `done` holds is not done again, and what is done is put there.
+    pub(super) fn check_with(&self, options: &CheckOptions, mut done: Option<&mut Done>) -> Report {
         let _held = self.vfs.hold();
         let mut report = Report::default();
         let jobs = self.jobs(options, &mut report);
@@ -47,11 +79,14 @@ impl Session {
         let mut reads: BTreeSet<PathBuf> = jobs.iter().map(|job| job.file.clone()).collect();
         // most files are parts of robots: those are expanded first, and what they include needs no look of its own
         let (first, later) = self.in_turns(jobs);
-        let mut outcomes = self.run_all(options, first);
+        let mut outcomes = self.run_all(options, first, done.as_deref());
         let waiting = later.len();
         let later = self.uncovered(later, &outcomes);
         options.progress.skip(waiting - later.len());
-        outcomes.extend(self.run_all(options, later));
+        outcomes.extend(self.run_all(options, later, done.as_deref()));
+        if let Some(done) = &mut done {
+            done.outcomes = outcomes.iter().map(|outcome| (key(&outcome.job), outcome.clone())).collect();
+        }
         // parts are named by many robots
         let read: FastSet<&PathBuf> = outcomes.iter().flat_map(|outcome| &outcome.reads).collect();
         reads.extend(read.into_iter().cloned());
@@ -61,7 +96,11 @@ impl Session {
         if let Some(change) = Change::of(self, options) {
             kept.retain(|outcome| change.is_read_by(outcome));
         }
-        Report { unreadable: report.unreadable, reads, ..self.conclude(options, kept) }
+        let Report { mut unreadable, skipped, .. } = report;
+        unreadable.extend(
+            self.unreadable_configs().into_iter().map(|error| Unreadable { path: error.path.clone(), error }),
+        );
+        Report { unreadable, skipped, reads, ..self.conclude(options, kept) }
     }
 
     /// Take the words out of findings in files that belong to no robot: a link or an include can lead to any file, and
@@ -80,9 +119,22 @@ impl Session {
         }
     }
 
-    fn run_all(&self, options: &CheckOptions, jobs: Vec<Job>) -> Vec<Outcome> {
+    /// Write the line ends of fixes as the files have them.
+    fn adapt_line_ends(&self, findings: &mut [Finding]) {
+        let edits =
+            findings.iter_mut().filter_map(|finding| finding.fix.as_mut()).flat_map(|fix| &mut fix.edits);
+        for edit in edits.filter(|edit| edit.content.contains('\n') && !edit.content.contains('\r')) {
+            let source = self.vfs.document(&self.vfs.path(edit.span.file));
+            if source.is_ok_and(|source| source.document.line_end() == "\r\n") {
+                edit.content = edit.content.replace('\n', "\r\n");
+            }
+        }
+    }
+
+    fn run_all(&self, options: &CheckOptions, jobs: Vec<Job>, done: Option<&Done>) -> Vec<Outcome> {
         let run = |job| {
-            let outcome = job::run(self, options, job);
+            let known = done.and_then(|done| done.outcomes.get(&key(&job)).cloned());
+            let outcome = known.unwrap_or_else(|| job::run(self, options, job));
             options.progress.step();
             outcome
         };
@@ -106,12 +158,20 @@ impl Session {
         let homes = self.homes(options);
         let mut hiding = Hiding::new(self, options, &kept);
         for outcome in &mut kept {
-            outcome.findings.retain(|finding| !hiding.hides(finding));
+            let includes = std::mem::take(&mut outcome.includes);
+            outcome.findings.retain(|finding| !hiding.hides(finding, &includes));
         }
+        let config_findings = self.config_findings(options, &report, &kept);
         let mut findings = merge(kept);
         findings.extend(hiding.finish());
-        findings.extend(self.config_findings());
+        findings.extend(config_findings);
+        findings.retain(|finding| !is_of_broken_text(finding, &report));
         findings.retain_mut(|finding| self.admit(finding, &homes));
+        self.adapt_line_ends(&mut findings);
+        for finding in &mut findings {
+            let mut seen = FastSet::default();
+            finding.related.retain(|related| seen.insert((related.span, related.message.clone())));
+        }
         self.conceal(&report, &mut findings);
         if let Some(change) = Change::of(self, options) {
             findings.retain(|finding| change.concerns(finding));
@@ -138,7 +198,7 @@ impl Session {
         files.into_iter().collect()
     }
 
-    fn jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<Job> {
+    pub(super) fn jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<Job> {
         let absolute = |path: &PathBuf| self.vfs.absolute(path);
         let plain = |file, reason| Job { file, reason, args: options.args.clone(), preset: None };
         let entries = options.entries.iter().map(|path| plain(absolute(path), Reason::Root));
@@ -147,7 +207,14 @@ impl Session {
         let mut walked = Vec::new();
         for path in options.paths.iter().map(absolute) {
             match self.vfs.is_dir(&path) {
-                true => walked.extend(walk::descriptions(&path, self)),
+                true => {
+                    let (files, skipped) = walk::descriptions(&path, self);
+                    walked.extend(files);
+                    skipped.into_iter().for_each(|skipped| report.skip(skipped, &path));
+                }
+                false if self.settings(&path).excludes(&path) => {
+                    report.skipped.push(Skipped { path, reason: SkipReason::Excluded });
+                }
                 false => named.push(path),
             }
         }
@@ -204,14 +271,6 @@ impl Session {
         homes.flatten().collect()
     }
 
-    /// What in the configurations read so far has no effect.
-    fn config_findings(&self) -> Vec<Finding> {
-        let warnings = self.config_warnings();
-        // what is wrong in the settings of an editor has no place in a file
-        let in_files = warnings.iter().filter(|warning| !warning.place.path.as_os_str().is_empty());
-        in_files.map(|w| invalid_config(self.vfs.file_id(&w.place.path), w)).collect()
-    }
-
     /// Whether a finding is wanted; sets its severity as configured.
     fn admit(&self, finding: &mut Finding, homes: &[PathBuf]) -> bool {
         let path = self.vfs.path(finding.span.file);
@@ -241,4 +300,11 @@ fn shorten(message: &mut String) {
         message.truncate(message.floor_char_boundary(MESSAGE_LETTERS));
         message.push('…');
     }
+}
+/// Whether a finding quotes bytes that could not be read as text: that they cannot is a finding of its own.
+fn is_of_broken_text(finding: &Finding, report: &Report) -> bool {
+    let source = || report.files.get(&finding.span.file);
+    finding.message.contains('\u{fffd}')
+        && finding.rule.name != "xml-encoding-mismatch"
+        && source().is_some_and(|source| source.encoding_error.is_some())
 }

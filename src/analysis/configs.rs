@@ -8,7 +8,9 @@ use crate::rules::{
     Finding, Rule, Selection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector,
 };
 use crate::vfs::{LoadError, Vfs};
-use crate::workspace::config::{Config, ConfigWarning, Level, Loaded, Mention, Profile, find_config};
+use crate::workspace::config::{
+    Config, ConfigWarning, Level, Loaded, Mention, MentionKind, Profile, find_config,
+};
 use crate::workspace::nearest;
 
 /// What the command line says over every configuration file.
@@ -62,6 +64,8 @@ struct State {
     /// By configuration file (none: no file at all) and by the number of the editor's settings.
     files: FastMap<Origin, Arc<Settings>>,
     warnings: Vec<ConfigWarning>,
+    /// Those that cannot be read.
+    unreadable: Vec<LoadError>,
 }
 
 impl Settings {
@@ -80,6 +84,8 @@ impl Settings {
             select: overrides.select.clone().or_else(|| config.select.clone()),
             extend_select: own(&overrides.extend_select, &config.extend_select),
             ignore: own(&overrides.ignore, &config.ignore),
+            commanded: overrides.select.iter().chain(&overrides.extend_select).flatten().cloned().collect(),
+            ignore_is_commanded: overrides.ignore.is_some(),
             profiles,
             severity: severity.collect(),
         });
@@ -94,6 +100,11 @@ impl Settings {
     /// Whether a rule runs for any file.
     pub(super) fn selects(&self, rule: &Rule) -> bool {
         self.selection.runs(rule)
+    }
+
+    /// Whether a rule was selected by name, by code or with `ALL`.
+    pub(super) fn names(&self, rule: &Rule) -> bool {
+        self.selection.names(rule)
     }
 
     /// Whether a rule runs for `path`.
@@ -152,7 +163,11 @@ impl Configs {
             Some(settings) => settings.clone(),
             None => {
                 let path = origin.0.as_ref();
-                let loaded = path.and_then(|path| Config::load(vfs, path).ok()).unwrap_or_default();
+                let loaded = path.map_or_else(|| Ok(Loaded::default()), |path| Config::load(vfs, path));
+                let loaded = loaded.unwrap_or_else(|error| {
+                    state.unreadable.push(error);
+                    Loaded::default()
+                });
                 state.add(origin, loaded, &self.overrides)
             }
         };
@@ -163,6 +178,11 @@ impl Configs {
     /// The configuration files read so far.
     pub(super) fn files(&self) -> Vec<PathBuf> {
         self.lock().files.values().flat_map(|settings| &settings.config.files).cloned().collect()
+    }
+
+    /// The configurations that could not be read so far.
+    pub(super) fn unreadable(&self) -> Vec<LoadError> {
+        self.lock().unreadable.clone()
     }
 
     /// What in the configurations read so far has no effect.
@@ -193,23 +213,21 @@ impl State {
 
 /// Names in a configuration that mean no rule.
 fn unknown_names(config: &Config) -> Vec<ConfigWarning> {
-    let unknown = config.mentions.iter().filter(|mention| !is_known(mention));
     let warning = |mention: &Mention| {
-        let (kind, near) = match mention.is_threshold {
-            true => ("threshold of a rule", nearest(&mention.text, THRESHOLDS.iter().map(|t| t.name))),
-            false => ("rule", nearest_selector(&mention.text)),
+        let name = mention.text.as_str();
+        let (kind, near) = match mention.kind {
+            MentionKind::Threshold if THRESHOLDS.iter().all(|threshold| threshold.name != name) => {
+                ("threshold of a rule", nearest(name, THRESHOLDS.iter().map(|t| t.name)))
+            }
+            MentionKind::Rule if name != "ALL" && find(name).next().is_none() => {
+                ("rule", nearest_selector(name))
+            }
+            _ => return None,
         };
-        let message = format!("`{}` is no {kind}", mention.text);
-        ConfigWarning { place: mention.place.clone(), message, nearest: near.map(str::to_owned) }
+        let message = format!("`{name}` is no {kind}");
+        Some(ConfigWarning { place: mention.place.clone(), message, nearest: near.map(str::to_owned) })
     };
-    unknown.map(warning).collect()
-}
-
-fn is_known(mention: &Mention) -> bool {
-    match mention.is_threshold {
-        true => THRESHOLDS.iter().any(|threshold| threshold.name == mention.text),
-        false => mention.text == "ALL" || find(&mention.text).next().is_some(),
-    }
+    config.mentions.iter().filter_map(warning).collect()
 }
 
 /// None switches off.

@@ -70,6 +70,24 @@ pub struct Context {
 }
 
 impl World {
+    /// The runs of a file that the configuration lists.
+    pub(super) fn configured_variants(&self, file: &Path) -> Vec<RootChoice> {
+        let settings = self.session().settings(file);
+        let roots = settings.config.roots.iter().filter(|root| {
+            root.files(&self.session().vfs).iter().any(|listed| self.session().vfs.absolute(listed) == file)
+        });
+        let variant = |variant: crate::workspace::config::Variant| RootChoice {
+            file: file.to_path_buf(),
+            args: variant.args,
+            preset: variant.preset,
+        };
+        roots.flat_map(|root| root.variants()).map(variant).collect()
+    }
+
+    pub(super) fn is_configured(&self, root: &RootChoice) -> bool {
+        self.configured_variants(&root.file).contains(root)
+    }
+
     /// The context of a file.
     pub fn context(&mut self, path: &Path) -> Context {
         self.refresh(path);

@@ -51,7 +51,7 @@ impl Session {
             }
             kept.push(outcome);
         }
-        leave_out_copies(&mut kept);
+        leave_out_copies(self, &mut kept);
         kept
     }
 

@@ -169,8 +169,18 @@ impl World {
             settled.has_suppressions || source.document.slice(stretch).contains(Suppressions::MARK);
         let files = if may_hide { vec![source.clone()] } else { Vec::new() };
         let is_robot = last.is_robot();
-        let outcome =
-            Outcome { job, is_robot, is_context: false, complete: false, reads: Vec::new(), files, findings };
+        let outcome = Outcome {
+            job,
+            is_robot,
+            is_context: false,
+            complete: false,
+            reads: Vec::new(),
+            files,
+            findings,
+            has_arguments: false,
+            includes: Vec::new(),
+            called: crate::base::FastSet::default(),
+        };
         let report = session.conclude(&self.options(&[path.to_path_buf()]), vec![outcome]);
         let own =
             |finding: &Finding| finding.span.file == source.id && finding.rule.category != Category::Linter;

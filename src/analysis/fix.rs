@@ -1,28 +1,32 @@
 //! Fixing files: from findings to edits, and on until nothing is left to do.
 
 use std::cell::RefCell;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::change::Change;
-use super::check::CheckOptions;
+use super::check::{CheckOptions, Done};
+use super::plan::{Plan, apply, choose};
+use super::proof::{Changed, Claim, Effort};
 use super::report::Report;
 use super::session::Session;
-use crate::base::limits::FIX_ROUNDS;
+use super::walk::is_description;
+use crate::base::limits::{FIX_ROUNDS, PROOF_EXPANSIONS};
 use crate::base::{FastMap, FastSet, FileId, TextRange};
-use crate::rules::{Edit, Finding, Fix, Safety};
+use crate::rules::{Category, Finding, Fix, Safety, Severity};
+use crate::vfs::Vfs;
 use crate::workspace::is_built;
 use crate::xml::Document;
 
-/// Edits that can be made together.
-#[derive(Clone, Debug, Default)]
-pub struct Plan {
-    /// By file: replacements in order, which neither overlap nor touch.
-    pub edits: BTreeMap<FileId, Vec<(TextRange, String)>>,
-    /// Numbers of the findings that they settle.
-    pub settles: Vec<usize>,
+/// Which findings are fixed.
+#[derive(Clone, Copy, Debug)]
+pub struct FixOptions {
+    /// The least safe fixes that are made.
+    pub most: Safety,
+    /// The least severity of findings that are fixed; those of rules that were selected by name are fixed in any case.
+    pub shown: Severity,
 }
 
 /// Files as they would be without the findings that can be fixed. Nothing is written.
@@ -36,6 +40,10 @@ pub struct Fixed {
     pub files: Vec<FixedFile>,
     /// How many findings were fixed.
     pub count: usize,
+    /// How many fixes that should be safe were not made, since it could not be proved that they are.
+    pub unproved: usize,
+    /// How many findings could be fixed that are not shown.
+    pub hidden: usize,
 }
 
 /// A file that changes.
@@ -59,85 +67,72 @@ impl Fixed {
     pub fn into_left(self) -> Report {
         self.left.unwrap_or(self.found)
     }
-}
 
-/// The fixes that can be made together: each with all its edits or not at all, the first of those that get
-/// in each other's way. The same edit wanted by several findings is made once.
-pub fn choose(findings: &[Finding], admits: impl Fn(&Fix) -> bool) -> Plan {
-    let mut plan = Plan::default();
-    for (number, finding) in findings.iter().enumerate() {
-        let Some(fix) = finding.fix.as_ref().filter(|fix| !fix.edits.is_empty() && admits(fix)) else {
-            continue;
+    /// How many errors are left that were hidden before.
+    pub fn revealed(&self) -> usize {
+        let Some(left) = &self.left else { return 0 };
+        let errors = |report: &Report| -> Vec<(&'static str, String)> {
+            let errors = report.findings.iter().filter(|finding| finding.severity == Severity::Error);
+            errors.map(|finding| (finding.rule.code, finding.message.clone())).collect()
         };
-        let is_old = |edit: &&Edit| plan.has(edit);
-        let new: Vec<&Edit> = fix.edits.iter().filter(|edit| !is_old(edit)).collect();
-        let among = new.iter().enumerate().any(|(i, edit)| new.iter().skip(i + 1).any(|o| touch(edit, o)));
-        if among || new.iter().any(|edit| plan.is_in_the_way(edit)) {
-            continue;
-        }
-        for edit in new {
-            let edits = plan.edits.entry(edit.span.file).or_default();
-            let at = edits.partition_point(|(range, _)| range.start < edit.span.range.start);
-            edits.insert(at, (edit.span.range, edit.content.clone()));
-        }
-        plan.settles.push(number);
+        let known: FastSet<_> = errors(&self.found).into_iter().collect();
+        errors(left).iter().filter(|error| !known.contains(error)).count()
     }
-    plan
-}
-
-impl Plan {
-    fn has(&self, edit: &Edit) -> bool {
-        let edits = self.edits.get(&edit.span.file);
-        edits.is_some_and(|edits| edits.iter().any(|(r, c)| *r == edit.span.range && *c == edit.content))
-    }
-
-    fn is_in_the_way(&self, edit: &Edit) -> bool {
-        let Some(edits) = self.edits.get(&edit.span.file) else { return false };
-        edits.iter().any(|(range, _)| touches(*range, edit.span.range))
-    }
-}
-
-fn touch(a: &Edit, b: &Edit) -> bool {
-    a.span.file == b.span.file && touches(a.span.range, b.span.range)
-}
-
-/// Edits that touch wait for the next round, when what stands there is known.
-fn touches(a: TextRange, b: TextRange) -> bool {
-    a.start <= b.end && b.start <= a.end
-}
-
-/// A text with replacements made; they are in order and do not overlap. Everything else stays as it is.
-pub fn apply(text: &str, edits: &[(TextRange, String)]) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut at = 0;
-    for (range, content) in edits {
-        out.push_str(TextRange::new(at, range.start).slice(text));
-        out.push_str(content);
-        at = range.end;
-    }
-    out.push_str(TextRange::new(at, text.len() as u32).slice(text));
-    out
 }
 
 impl Session {
-    /// Fix what can be fixed by fixes that are at most as unsafe as `most`, in memory: the files of this
-    /// session show the new texts from then on. A fix that would break the XML is left out, and so is one
-    /// for files outside of the workspace.
-    pub fn fix(&self, options: &CheckOptions, most: Safety) -> Fixed {
+    /// Fix what can be fixed, in memory: the files of this session show the new texts from then on. Safe fixes are made
+    /// where it is [proved](Session::proves) that they are; a fix that would break the XML is left out, and so is one for
+    /// files outside of the workspace.
+    pub fn fix(&self, options: &CheckOptions, how: FixOptions) -> Fixed {
         let _held = self.vfs.hold();
-        let found = self.check(options);
-        let mut work = Work::new(self, options, most);
+        let mut done = Done::default();
+        let found = self.check_with(options, Some(&mut done));
+        let mut work = Work::new(self, options, how);
         let mut left = None;
         for _ in 0..FIX_ROUNDS {
             let report = left.as_ref().unwrap_or(&found);
             if !work.round(report) {
                 break;
             }
-            self.packages.forget();
-            self.forget_uses();
-            left = Some(self.check(options));
+            self.forget_changed(&work.changed, &mut done);
+            left = Some(self.check_with(options, Some(&mut done)));
         }
-        Fixed { found, left, count: work.count, files: work.files.into_values().collect() }
+        let last = left.as_ref().unwrap_or(&found);
+        let (unproved, hidden) = (work.unproved(last), work.hidden(last));
+        let changed = work.files.into_values().filter(|file| file.before != file.after);
+        let mut changed: Vec<FixedFile> = changed.collect();
+        changed.sort_by(|a, b| a.path.cmp(&b.path));
+        Fixed { found, left, count: work.count, files: changed, unproved, hidden }
+    }
+
+    /// Of the findings of a report with these numbers, the fixes that are proved to be safe, to be made together.
+    pub fn safe_fixes(&self, report: &Report, numbers: &[usize], effort: &Effort) -> Plan {
+        let findings = |numbers: &[usize]| -> Vec<_> {
+            numbers.iter().filter_map(|&number| Some((number, report.findings.get(number)?))).collect()
+        };
+        let safe = findings(numbers).into_iter().filter(|(_, finding)| is_said_safe(finding));
+        let admission = Admission { session: self, report, most: Safety::Safe, effort };
+        let groups = groups(report, &choose(safe).settles);
+        let mut proved: Vec<usize> = groups.iter().flat_map(|group| admission.of(group).good).collect();
+        proved.sort_unstable();
+        choose(findings(&proved))
+    }
+
+    /// Forget what rests on files that changed. Who includes whom may decide about files that did not.
+    fn forget_changed(&self, changed: &[Changed], done: &mut Done) {
+        let includes = |text: &str| text.matches("include").count();
+        let is_simple = |changed: &Changed| {
+            is_description(&changed.path) && includes(&changed.old) == includes(&changed.new)
+        };
+        if changed.iter().all(is_simple) {
+            let files: FastSet<&Path> = changed.iter().map(|changed| &*changed.path).collect();
+            done.forget(|path| files.contains(path));
+            return;
+        }
+        done.clear();
+        self.packages.forget();
+        self.forget_uses();
     }
 
     /// Whether a file belongs to what was installed for ROS.
@@ -150,28 +145,47 @@ impl Session {
         installed.any(|prefix| path.starts_with(prefix))
     }
 
-    /// How many findings of a report can be fixed: by safe fixes, and by those that are not.
-    pub fn fixable(&self, options: &CheckOptions, report: &Report) -> (usize, usize) {
-        let work = Work::new(self, options, Safety::Unsafe);
-        let fixes = report.findings.iter().filter_map(|finding| finding.fix.as_ref());
-        let fixes: Vec<&Fix> = fixes.filter(|fix| !fix.edits.is_empty() && work.admits(fix)).collect();
-        let safe = fixes.iter().filter(|fix| fix.safety == Safety::Safe).count();
-        (safe, fixes.len() - safe)
+    /// How many findings of a report can be fixed: by fixes that should be safe, and by those that are not.
+    pub fn fixable(&self, options: &CheckOptions, report: &Report, shown: Severity) -> (usize, usize) {
+        let work = Work::new(self, options, FixOptions { most: Safety::Unsafe, shown });
+        let fixes = report.findings.iter().filter(|finding| work.admits(finding));
+        let (safe, others): (Vec<_>, Vec<_>) = fixes.partition(|finding| is_said_safe(finding));
+        (safe.len(), others.len())
     }
+}
+
+/// Whether the rule takes the fix of a finding for safe: that remains to be proved.
+pub fn is_said_safe(finding: &Finding) -> bool {
+    finding.fix.as_ref().is_some_and(|fix| fix.safety == Safety::Safe)
+}
+
+/// What a fix that is said to be safe promises.
+pub(super) fn claim(finding: &Finding) -> Claim {
+    use Category::{Joint, Structure, Xacro, Xml};
+    let is_refused = finding.rule.severity == Severity::Error
+        && matches!(finding.rule.category, Joint | Structure | Xacro | Xml);
+    if is_refused { Claim::Repaired } else { Claim::Same }
 }
 
 /// The state of a run.
 struct Work<'a> {
     session: &'a Session,
+    options: &'a CheckOptions,
+    how: FixOptions,
     homes: Vec<PathBuf>,
     /// None: every file may be changed.
     change: Option<Change<'a>>,
-    most: Safety,
     files: BTreeMap<FileId, FixedFile>,
-    /// Files that a fix would have broken.
-    broken: FastSet<FileId>,
-    /// Texts that were there before: a run that comes back to them would not end.
-    seen: FastSet<u64>,
+    /// What the last round changed.
+    changed: Vec<Changed>,
+    /// Whether robots were repaired since the last time that every fix was tried.
+    repaired: bool,
+    /// Fixes that could not be proved, by [`key`], with the files they change: until one of these changes.
+    refused: FastMap<u64, Vec<FileId>>,
+    /// Fixes that led back to texts that were there before.
+    circular: FastSet<u64>,
+    /// By the texts that there were: how many findings were fixed then, and the fixes made since.
+    seen: Vec<(u64, usize, Vec<u64>)>,
     count: usize,
     /// One number for each file, however many paths lead to it.
     first: RefCell<FastMap<u128, FileId>>,
@@ -180,66 +194,135 @@ struct Work<'a> {
 }
 
 impl<'a> Work<'a> {
-    fn new(session: &'a Session, options: &CheckOptions, most: Safety) -> Self {
+    fn new(session: &'a Session, options: &'a CheckOptions, how: FixOptions) -> Self {
         let homes = session.homes(options).iter().map(|home| session.vfs.canonical(home)).collect();
         let change = Change::of(session, options);
-        let (files, count) = (BTreeMap::new(), 0);
-        let (broken, seen, first, own) = Default::default();
-        Self { session, homes, change, most, files, broken, seen, count, first, own }
+        let (files, changed, repaired, refused, circular, count) = Default::default();
+        let (first, own) = Default::default();
+        let seen = vec![(state(&files), 0, Vec::new())];
+        Self {
+            session,
+            options,
+            how,
+            homes,
+            change,
+            files,
+            changed,
+            repaired,
+            refused,
+            circular,
+            seen,
+            count,
+            first,
+            own,
+        }
     }
 
     /// Apply fixes once; whether something changed.
     fn round(&mut self, report: &Report) -> bool {
-        loop {
-            let plan = choose(&report.findings, |fix| self.admits(fix));
-            let mut new = Vec::new();
-            let mut broken = BTreeSet::new();
-            for (&file, edits) in &plan.edits {
-                let path = self.session.vfs.path(file);
-                // the text that the findings are about: the file may be another one by now
-                let Some(source) = report.source(file) else { continue };
-                let old = source.document.text();
-                let text = apply(&old, edits);
-                if errors(&text) > errors(&old) {
-                    broken.insert(file);
-                }
-                new.push((file, path, old, text));
-            }
-            if broken.is_empty() {
-                return self.commit(new, plan.settles.len());
-            }
-            self.broken.extend(broken);
+        let admitted = |(_, finding): &(usize, &Finding)| {
+            self.admits(finding)
+                && (is_said_safe(finding) || self.how.most == Safety::Unsafe)
+                && !self.is_refused(report, finding)
+        };
+        let wanted = choose(report.findings.iter().enumerate().filter(admitted)).settles;
+        let cancel = self.options.cancel.clone();
+        let effort = Effort { expansions: PROOF_EXPANSIONS, roots: None, cancel };
+        let admission = Admission { session: self.session, report, most: self.how.most, effort: &effort };
+        let mut made = Vec::new();
+        self.changed.clear();
+        for group in groups(report, &wanted) {
+            let Admitted { good, refused } = admission.of(&group);
+            let keys = refused
+                .iter()
+                .filter_map(|&n| Some((key(report, report.findings.get(n)?), files_of(report, n))));
+            self.refused.extend(keys);
+            // what is proved next rests on these texts
+            self.show(report, &good);
+            made.extend(good);
         }
+        if !made.is_empty() {
+            self.note(report, &made);
+            return true;
+        }
+        // robots that were repaired since may prove more
+        let again = std::mem::take(&mut self.repaired) && !self.refused.is_empty();
+        if again {
+            self.refused.clear();
+        }
+        again && self.round(report)
     }
 
-    /// Show the new texts.
-    fn commit(&mut self, new: Vec<(FileId, Arc<Path>, String, String)>, count: usize) -> bool {
-        let changed: Vec<_> = new.into_iter().filter(|(_, _, old, text)| old != text).collect();
-        if changed.is_empty() {
-            return false;
-        }
-        for (file, path, old, text) in changed {
-            let before = || old.clone();
-            let fixed = self.files.entry(file).or_insert_with(|| FixedFile {
-                path,
-                before: before(),
-                after: before(),
+    /// Show the texts with the fixes of these findings made.
+    fn show(&mut self, report: &Report, good: &[usize]) {
+        for changed in changes(report, good, &self.session.vfs) {
+            let fixed = self.files.entry(changed.file).or_insert_with(|| FixedFile {
+                path: changed.of.path.clone(),
+                before: changed.of.old.clone(),
+                after: String::new(),
             });
-            fixed.after.clone_from(&text);
-            self.session.vfs.set_buffer(&fixed.path, Some(text));
+            fixed.after.clone_from(&changed.of.new);
+            self.session.vfs.set_buffer(&changed.of.path, Some(changed.of.new.clone()));
+            self.refused.retain(|_, files| !files.contains(&changed.file));
+            self.changed.push(changed.of);
         }
-        self.count += count;
-        let mut hasher = DefaultHasher::new();
-        for (file, fixed) in &self.files {
-            (file.0, &fixed.after).hash(&mut hasher);
-        }
-        self.seen.insert(hasher.finish())
     }
 
-    fn admits(&self, fix: &Fix) -> bool {
-        let is_safe = fix.safety == Safety::Safe || self.most == Safety::Unsafe;
-        let may_change = |file| !self.broken.contains(&file) && self.is_own(file);
-        is_safe && fix.edits.iter().all(|edit| may_change(edit.span.file))
+    /// Note which fixes were made. When they lead back to texts that were there before, they are not made again.
+    fn note(&mut self, report: &Report, made: &[usize]) {
+        let findings = || made.iter().filter_map(|&number| report.findings.get(number));
+        self.repaired |= findings().any(|finding| claim(finding) == Claim::Repaired);
+        let keys = findings().map(|finding| key(report, finding));
+        if let Some((_, _, since)) = self.seen.last_mut() {
+            since.extend(keys);
+        }
+        self.count += made.len();
+        let now = state(&self.files);
+        match self.seen.iter().position(|(known, ..)| *known == now) {
+            Some(back) => {
+                let circle = self.seen.iter_mut().skip(back).flat_map(|(_, _, since)| std::mem::take(since));
+                self.circular.extend(circle);
+                self.seen.truncate(back + 1);
+                self.count = self.seen.last().map_or(0, |(_, count, _)| *count);
+            }
+            None => self.seen.push((now, self.count, Vec::new())),
+        }
+    }
+
+    /// How many findings are left that have fixes which should be safe.
+    fn unproved(&self, report: &Report) -> usize {
+        if self.how.most == Safety::Unsafe {
+            return 0;
+        }
+        let said = report.findings.iter().filter(|finding| is_said_safe(finding) && self.admits(finding));
+        said.filter(|finding| self.is_refused(report, finding)).count()
+    }
+
+    /// How many findings could be fixed if they were shown.
+    fn hidden(&self, report: &Report) -> usize {
+        let is_meant = |finding: &&Finding| is_said_safe(finding) || self.how.most == Safety::Unsafe;
+        let hidden = report.findings.iter().filter(is_meant).filter(|finding| !self.is_shown(finding));
+        hidden.filter(|finding| self.may_fix(finding)).count()
+    }
+
+    fn is_refused(&self, report: &Report, finding: &Finding) -> bool {
+        let key = key(report, finding);
+        self.refused.contains_key(&key) || self.circular.contains(&key)
+    }
+
+    fn admits(&self, finding: &Finding) -> bool {
+        self.is_shown(finding) && self.may_fix(finding)
+    }
+
+    fn is_shown(&self, finding: &Finding) -> bool {
+        let path = self.session.vfs.path(finding.span.file);
+        finding.severity >= self.how.shown || self.session.settings(&path).names(finding.rule)
+    }
+
+    /// Whether there is a fix, in files that may be changed.
+    fn may_fix(&self, finding: &Finding) -> bool {
+        let fix = finding.fix.as_ref().filter(|fix| !fix.edits.is_empty());
+        fix.is_some_and(|fix| fix.edits.iter().all(|edit| self.is_own(edit.span.file)))
     }
 
     fn is_own(&self, file: FileId) -> bool {
@@ -248,7 +331,8 @@ impl<'a> Work<'a> {
         }
         let path = self.session.vfs.path(file);
         let is_meant = self.change.as_ref().is_none_or(|change| change.has(file));
-        let is_own = is_meant && self.is_first(&path, file) && self.lies_in_workspace(&path);
+        let is_text = self.session.vfs.text(&path).is_ok_and(|text| text.encoding_error.is_none());
+        let is_own = is_meant && is_text && self.is_first(&path, file) && self.lies_in_workspace(&path);
         self.own.borrow_mut().insert(file, is_own);
         is_own
     }
@@ -272,54 +356,131 @@ impl<'a> Work<'a> {
     }
 }
 
+/// Which of several fixes are made.
+struct Admission<'a> {
+    session: &'a Session,
+    report: &'a Report,
+    most: Safety,
+    effort: &'a Effort,
+}
+
+/// Fixes that can be made together, and those that cannot be made.
+struct Admitted {
+    good: Vec<usize>,
+    refused: Vec<usize>,
+}
+
+impl Admission<'_> {
+    /// The fixes of these findings that can be made together: all of them, or those of each half that can.
+    fn of(&self, numbers: &[usize]) -> Admitted {
+        let mut good = Vec::new();
+        let is_repair = |number: &usize| {
+            self.report.findings.get(*number).is_some_and(|finding| claim(finding) == Claim::Repaired)
+        };
+        let (repairs, others): (Vec<usize>, Vec<usize>) =
+            numbers.iter().partition(|number| is_repair(number));
+        self.add(&mut good, &repairs, self.claim(Claim::Repaired));
+        // beside repairs nothing else is proved: it waits for the next round
+        let has_time = good.is_empty() || self.most == Safety::Unsafe;
+        if has_time {
+            self.add(&mut good, &others, self.claim(Claim::Same));
+        }
+        let tried = if has_time { numbers } else { &repairs };
+        let refused = tried.iter().filter(|number| !good.contains(number)).copied().collect();
+        Admitted { good, refused }
+    }
+
+    fn claim(&self, safe: Claim) -> Claim {
+        if self.most == Safety::Unsafe { Claim::Accepted } else { safe }
+    }
+
+    fn add(&self, good: &mut Vec<usize>, numbers: &[usize], claim: Claim) {
+        let tried: Vec<usize> = good.iter().chain(numbers).copied().collect();
+        if numbers.is_empty() || self.holds(&tried, claim) {
+            *good = tried;
+        } else if numbers.len() > 1 {
+            let (one, other) = numbers.split_at(numbers.len() / 2);
+            self.add(good, one, claim);
+            self.add(good, other, claim);
+        }
+    }
+
+    fn holds(&self, numbers: &[usize], claim: Claim) -> bool {
+        let mut numbers = numbers.to_vec();
+        numbers.sort_unstable();
+        let changes = changes(self.report, &numbers, &self.session.vfs);
+        let changes: Vec<Changed> = changes.into_iter().map(|changed| changed.of).collect();
+        let is_sound = |changed: &Changed| errors(&changed.new) <= errors(&changed.old);
+        changes.iter().all(is_sound) && self.session.proves(&changes, claim, self.effort)
+    }
+}
+
+/// What a change does to a file, by its number.
+struct FileChange {
+    file: FileId,
+    of: Changed,
+}
+
+/// What the fixes of these findings do together.
+fn changes(report: &Report, numbers: &[usize], vfs: &Vfs) -> Vec<FileChange> {
+    let findings = numbers.iter().filter_map(|&number| Some((number, report.findings.get(number)?)));
+    let Plan { edits, .. } = choose(findings);
+    let change = |(file, edits): (FileId, Vec<(TextRange, String)>)| {
+        // the text that the findings are about: the file may be another one by now
+        let old = report.source(file)?.document.text();
+        let new = apply(&old, &edits);
+        Some(FileChange { file, of: Changed { path: vfs.path(file), old, new, edits } })
+    };
+    edits.into_iter().filter_map(change).collect()
+}
+
+/// Findings by the files that their fixes change: those of one group have nothing to do with the others.
+fn groups(report: &Report, numbers: &[usize]) -> Vec<Vec<usize>> {
+    let mut groups: Vec<(FastSet<FileId>, Vec<usize>)> = Vec::new();
+    for &number in numbers {
+        let mut files: FastSet<FileId> = files_of(report, number).into_iter().collect();
+        let mut own = vec![number];
+        groups.retain_mut(|(others, numbers)| {
+            let is_apart = others.is_disjoint(&files);
+            if !is_apart {
+                files.extend(others.drain());
+                own.append(numbers);
+            }
+            is_apart
+        });
+        own.sort_unstable();
+        groups.push((files, own));
+    }
+    groups.into_iter().map(|(_, numbers)| numbers).collect()
+}
+
+/// The files that the fix of a finding changes.
+fn files_of(report: &Report, number: usize) -> Vec<FileId> {
+    let fix = report.findings.get(number).and_then(|finding| finding.fix.as_ref());
+    fix.iter().flat_map(|fix| &fix.edits).map(|edit| edit.span.file).collect()
+}
+
+/// What tells a fix from others, wherever edits in front of it have moved it.
+fn key(report: &Report, finding: &Finding) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    (finding.rule.code, &finding.message, finding.span.file.0).hash(&mut hasher);
+    for edit in finding.fix.iter().flat_map(|fix: &Fix| &fix.edits) {
+        let old = report.source(edit.span.file).map(|source| source.document.slice(edit.span.range));
+        (edit.span.file.0, old, &edit.content).hash(&mut hasher);
+    }
+    hasher.finish()
+}
+
+/// What tells the texts of a run from others.
+fn state(files: &BTreeMap<FileId, FixedFile>) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    for (file, fixed) in files.iter().filter(|(_, fixed)| fixed.before != fixed.after) {
+        (file.0, &fixed.after).hash(&mut hasher);
+    }
+    hasher.finish()
+}
+
 /// How many mistakes of syntax a text has.
 fn errors(text: &str) -> usize {
     Document::parse(text).errors().len()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{apply, choose};
-    use crate::base::{FileId, Span, TextRange};
-    use crate::rules::{Edit, Finding, Fix, Safety, by_code};
-
-    /// A finding whose fix makes these edits: file, start, end, new text.
-    fn finding(edits: &[(u32, u32, u32, &str)]) -> Finding {
-        let span = |file, start, end| Span { file: FileId(file), range: TextRange::new(start, end) };
-        let edits = edits
-            .iter()
-            .map(|&(file, start, end, content)| Edit {
-                span: span(file, start, end),
-                content: content.into(),
-            })
-            .collect();
-        let fix = Fix { safety: Safety::Safe, message: String::new(), edits };
-        Finding { fix: Some(fix), ..Finding::new(by_code("XML001").unwrap(), span(0, 0, 0), "") }
-    }
-
-    #[test]
-    fn whole_fixes_that_do_not_touch() {
-        for (fixes, settles, expected) in [
-            (vec![vec![(0, 1, 2, "X")], vec![(0, 4, 4, "Y")]], vec![0, 1], "0X23Y456789"),
-            (vec![vec![(0, 4, 4, "Y")], vec![(0, 1, 2, "X")]], vec![0, 1], "0X23Y456789"),
-            // the same edit twice, and one beside it
-            (vec![vec![(0, 1, 2, "X")], vec![(0, 1, 2, "X"), (0, 5, 6, "")]], vec![0, 1], "0X2346789"),
-            // overlapping, touching, inserted at one place
-            (vec![vec![(0, 1, 4, "X")], vec![(0, 3, 5, "Y")]], vec![0], "0X456789"),
-            (vec![vec![(0, 1, 4, "X")], vec![(0, 4, 4, "Y")]], vec![0], "0X456789"),
-            (vec![vec![(0, 4, 4, "X")], vec![(0, 4, 4, "Y")]], vec![0], "0123X456789"),
-            // half of a fix is no fix
-            (vec![vec![(0, 1, 4, "X")], vec![(0, 2, 3, "Y"), (0, 8, 9, "Z")]], vec![0], "0X456789"),
-            // a fix that gets into its own way
-            (vec![vec![(0, 1, 4, "X"), (0, 2, 3, "Y")], vec![(0, 0, 1, "")]], vec![1], "123456789"),
-            // another file
-            (vec![vec![(0, 1, 4, "X")], vec![(1, 2, 3, "Y")]], vec![0, 1], "0X456789"),
-        ] {
-            let findings: Vec<Finding> = fixes.iter().map(|edits| finding(edits)).collect();
-            let plan = choose(&findings, |_| true);
-            assert_eq!(plan.settles, settles, "{fixes:?}");
-            assert_eq!(apply("0123456789", &plan.edits[&FileId(0)]), expected, "{fixes:?}");
-        }
-        assert!(choose(&[finding(&[(0, 1, 2, "X")]), finding(&[])], |_| false).settles.is_empty());
-    }
 }

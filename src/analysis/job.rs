@@ -10,11 +10,11 @@ use super::roles::Checked;
 use super::roots::{Job, Reason};
 use super::session::Session;
 use crate::base::{CancelFlag, FastSet, FileId, Span, TextRange};
-use crate::expand::{Expansion, FileUse, Focus, Limits, Read, Request, World, expand};
+use crate::expand::{Expansion, FileUse, Focus, FrameKind, Limits, Origin, Read, Request, World, expand};
 use crate::model::Robot;
 use crate::rules::{
     Activation, Chosen, Finding, RootKind, Rule, Selector, Suppressions, all, by_code, check_expansion,
-    check_files, holds_for_semantic, is_semantic,
+    check_files, holds_for_semantic, include_tags, is_semantic,
 };
 use crate::vfs::{LoadError, LoadErrorKind, SourceFile};
 
@@ -33,6 +33,12 @@ pub(super) struct Outcome {
     /// Descriptions that were read.
     pub(super) files: Vec<Arc<SourceFile>>,
     pub(super) findings: Vec<Finding>,
+    /// Whether it has arguments: with others it may be another robot.
+    pub(super) has_arguments: bool,
+    /// The files that were included, each with the tag that did.
+    pub(super) includes: Vec<(FileId, Span)>,
+    /// The macros that were called: where each is defined.
+    pub(super) called: FastSet<Span>,
 }
 
 /// Expand a file and check the result.
@@ -58,11 +64,11 @@ pub(super) fn part(session: &Session, cancel: &CancelFlag, job: &Job, focus: Foc
     expand(world(session), &request)
 }
 
-fn world(session: &Session) -> World<'_> {
+pub(super) fn world(session: &Session) -> World<'_> {
     World { vfs: &session.vfs, packages: &session.packages, env: &session.env }
 }
 
-fn request(session: &Session, cancel: &CancelFlag, job: &Job) -> Request {
+pub(super) fn request(session: &Session, cancel: &CancelFlag, job: &Job) -> Request {
     let settings = session.settings(&job.file);
     Request {
         // messages name files as the user would
@@ -106,8 +112,23 @@ pub(super) fn judge(
         reads: reads(expansion),
         files: expansion.files.iter().map(|file| file.source.clone()).collect(),
         findings,
+        has_arguments: !expansion.arguments.is_empty(),
+        includes: include_tags(expansion, around),
+        called: called(expansion),
         job,
     }
+}
+
+/// Where the macros are defined that were called.
+fn called(expansion: &Expansion) -> FastSet<Span> {
+    let calls = expansion.frames.iter().filter(|frame| frame.kind == FrameKind::Macro);
+    let origins: FastSet<Origin> = calls.filter_map(|frame| frame.definition).collect();
+    let span = |origin: Origin| {
+        let place = expansion.place(origin)?;
+        let file = expansion.files.get(place.file.0 as usize)?;
+        Some(Span { file: file.source.id, range: place.range })
+    };
+    origins.into_iter().filter_map(span).collect()
 }
 
 /// The rules that run somewhere in what an expansion read, or for the packages around it.

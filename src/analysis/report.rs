@@ -28,6 +28,50 @@ pub struct Report {
     pub robots: usize,
     /// Paths named by the user that cannot be read.
     pub unreadable: Vec<Unreadable>,
+    /// What was asked for and not checked, though it is there.
+    pub skipped: Vec<Skipped>,
+}
+
+/// A file or folder that was not checked.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Skipped {
+    /// The path.
+    pub path: PathBuf,
+    /// Why.
+    pub reason: SkipReason,
+}
+
+/// Why a file or folder was not checked.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum SkipReason {
+    /// The configuration excludes a file that the user named.
+    Excluded,
+    /// The folder cannot be listed.
+    Unreadable(LoadError),
+    /// Places are reported by path, and this path is no text.
+    NotUtf8,
+}
+
+impl Report {
+    /// Note what was skipped below the folder `named` by the user.
+    pub(super) fn skip(&mut self, skipped: Skipped, named: &Path) {
+        match skipped.reason {
+            SkipReason::Unreadable(error) if skipped.path == named => {
+                self.unreadable.push(Unreadable { path: skipped.path, error });
+            }
+            _ => self.skipped.push(skipped),
+        }
+    }
+}
+
+impl std::fmt::Display for SkipReason {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Excluded => f.write_str("it is excluded by the configuration"),
+            Self::Unreadable(error) => write!(f, "the folder cannot be read: {}", error.reason()),
+            Self::NotUtf8 => f.write_str("its name is not valid UTF-8"),
+        }
+    }
 }
 
 /// A path named by the user that cannot be read.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::workspace::config::Root;
 
 /// Why a file is expanded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) enum Reason {
     /// It lies below a folder that is checked.
     Walked,

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::configs::{Configs, Overrides, Settings};
 use super::includes::Included;
-use crate::base::FastMap;
+use crate::base::{FastMap, FastSet};
 use crate::model::Meshes;
 use crate::rules::{Manifests, Surroundings};
 use crate::vfs::{Environment, LoadError, Vfs};
@@ -106,6 +106,21 @@ impl Session {
         self.callers.name(file, &self.packages)
     }
 
+    /// Whether something that runs, not a page, loads a description.
+    pub(super) fn is_loaded(&self, file: &Path) -> bool {
+        self.callers.load(file, &self.packages)
+    }
+
+    /// Whether a launch file loads a description.
+    pub(super) fn is_launched(&self, file: &Path) -> bool {
+        self.callers.launch(file, &self.packages)
+    }
+
+    /// The names of the descriptions that launch files load instead of this one.
+    pub(super) fn launched_instead(&self, file: &Path) -> FastSet<String> {
+        self.callers.launched_instead(file, &self.packages)
+    }
+
     /// Whether a file that names a description also says `word`.
     pub(super) fn is_named_with(&self, file: &Path, word: &str) -> bool {
         self.callers.mention(file, word, &self.packages)
@@ -144,6 +159,11 @@ impl Session {
     /// What in the configurations read so far has no effect.
     pub fn config_warnings(&self) -> Vec<ConfigWarning> {
         self.configs.warnings()
+    }
+
+    /// The configurations that could not be read so far: nothing of them holds.
+    pub fn unreadable_configs(&self) -> Vec<LoadError> {
+        self.configs.unreadable()
     }
 
     /// The meshes.

@@ -1,16 +1,17 @@
 //! Files that nobody uses: copies and old versions, and what xacro generated.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::job::Outcome;
 use super::roots::{Job, Reason};
 use super::session::Session;
+use super::walk;
 use crate::base::FastSet;
 use crate::rules::{Finding, Severity};
 use crate::vfs::SourceFile;
 
 /// Words in the name of a file or folder that say that it is kept and not used.
-const KEPT: [&str; 11] = [
+const KEPT: [&str; 13] = [
     "archive",
     "archived",
     "attic",
@@ -21,35 +22,72 @@ const KEPT: [&str; 11] = [
     "legacy",
     "obsolete",
     "old",
+    "orig",
+    "original",
     "unused",
 ];
 
 impl Session {
-    /// What is wrong in a file that was set aside is an info: nobody names or includes it, and its path says that it is
-    /// old or a copy. Not when somebody asks for this very file.
+    /// What is wrong in a file that was set aside is an info. Not when somebody asks for this very file.
     pub(super) fn settle_set_aside(&self, job: &Job, findings: &mut [Finding]) {
         let is_news = |finding: &Finding| finding.severity > Severity::Info;
         if job.reason != Reason::Walked || !findings.iter().any(is_news) {
             return;
         }
-        if self.is_called_kept(&job.file) && !self.is_named(&job.file) && !self.is_included(&job.file) {
-            findings.iter_mut().for_each(|finding| finding.severity = finding.severity.min(Severity::Info));
+        if self.is_set_aside(&job.file) {
+            lower(findings);
         }
     }
 
-    /// Whether the path of a file, from the top of the workspace, says that it is kept and not used.
-    fn is_called_kept(&self, file: &Path) -> bool {
-        let Some(top) = self.packages.sources_around(file) else { return false };
-        let Ok(inside) = file.strip_prefix(top) else { return false };
-        let inside = inside.to_string_lossy().to_lowercase();
-        // file managers call them so
-        let is_copy = inside.contains("(copy");
-        is_copy || inside.split(|c: char| !c.is_alphanumeric()).any(|word| KEPT.contains(&word))
+    /// Whether nobody includes a file, and nobody names it either though its path says that it is old or a copy, or the
+    /// launch files of its package load others. A template is filled by a script that names it.
+    fn is_set_aside(&self, file: &Path) -> bool {
+        let kept = || self.words_of(file).iter().any(|word| KEPT.contains(&word.as_str()));
+        let is_unused = |file: &Path| !self.is_named(file) && (kept() || self.is_left_over(file));
+        let is_unused_template = |file: &Path| is_template(file) && !self.is_launched(file);
+        (is_unused(file) || is_unused_template(file)) && !self.is_included(file)
+    }
+
+    /// Whether launch files load other descriptions of the package, and nothing can mean this one.
+    fn is_left_over(&self, file: &Path) -> bool {
+        let launched = self.launched_instead(file);
+        let Some(package) = self.packages.containing(file).filter(|_| !launched.is_empty()) else {
+            return false;
+        };
+        let is_launched = |other: &PathBuf| {
+            let name = other.file_name().and_then(|name| name.to_str());
+            other != file && name.is_some_and(|name| launched.contains(name))
+        };
+        walk::all_descriptions(&package.folder, &self.env).iter().any(is_launched)
+    }
+
+    /// The words in the path of a file, from the top of the workspace. What file managers call copies are old.
+    fn words_of(&self, file: &Path) -> Vec<String> {
+        let top = self.packages.sources_around(file);
+        let inside =
+            top.and_then(|top| file.strip_prefix(top).ok().map(Path::to_path_buf)).unwrap_or_default();
+        words(&inside.to_string_lossy().replace("(copy", "(old"))
     }
 }
 
-/// What is wrong in a file that xacro generated, and in its source as well, is said of the source.
-pub(super) fn leave_out_copies(outcomes: &mut [Outcome]) {
+/// Whether the name of a file says that it is to be filled in.
+fn is_template(file: &Path) -> bool {
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    words(&name).iter().any(|word| ["template", "tmpl"].contains(&word.as_str()))
+}
+
+fn words(text: &str) -> Vec<String> {
+    let text = text.to_lowercase();
+    text.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).map(str::to_owned).collect()
+}
+
+fn lower(findings: &mut [Finding]) {
+    findings.iter_mut().for_each(|finding| finding.severity = finding.severity.min(Severity::Info));
+}
+
+/// What is wrong in a file that xacro generated, and in its source as well, is said of the source. The rest is an info
+/// where nothing loads the file: it has to be generated anew.
+pub(super) fn leave_out_copies(session: &Session, outcomes: &mut [Outcome]) {
     let generated: Vec<(usize, String)> = (0..)
         .zip(&*outcomes)
         .filter_map(|(number, outcome)| Some((number, generated_from(outcome.files.first()?)?)))
@@ -73,6 +111,10 @@ pub(super) fn leave_out_copies(outcomes: &mut [Outcome]) {
         let said: FastSet<(&str, String)> = source.findings.iter().flat_map(said).collect();
         if let Some(outcome) = outcomes.get_mut(number) {
             outcome.findings.retain(|finding| !said.contains(&(finding.rule.code, finding.message.clone())));
+            let is_walked = outcome.job.reason == Reason::Walked;
+            if is_walked && !session.is_loaded(&file) && !session.is_included(&file) {
+                lower(&mut outcome.findings);
+            }
         }
     }
 }
@@ -130,6 +172,62 @@ mod tests {
     }
 
     #[test]
+    fn files_that_are_left_over() {
+        let severity = |files: &[(&str, &str)]| {
+            let manifest = ("package.xml", "<package><name>arm</name></package>");
+            let all = [&[manifest, ("urdf/arm.urdf", BROKEN), ("urdf/new.urdf", BROKEN)], files].concat();
+            found(&all, "missing-element").into_iter().find(|(name, _)| name == "urdf/arm.urdf").unwrap().1
+        };
+        let loads = |name: &str| format!("<launch><param textfile='$(find arm)/urdf/{name}'/></launch>");
+        let new = loads("new.urdf");
+        for (files, expected) in [
+            (vec![], Severity::Error),
+            (vec![("launch/show.launch", new.as_str())], Severity::Info),
+            // the launch file loads nothing of this package
+            (vec![("launch/show.launch", loads("other.urdf").as_str())], Severity::Error),
+            (vec![("launch/show.launch", new.as_str()), ("README.md", "try arm.urdf")], Severity::Error),
+            (
+                vec![
+                    ("launch/show.launch", new.as_str()),
+                    (
+                        "urdf/cell.xacro",
+                        "<robot xmlns:xacro='x'><xacro:include filename='arm.urdf'/></robot>",
+                    ),
+                ],
+                Severity::Error,
+            ),
+            // whoever calls the launch file names the robot
+            (
+                vec![(
+                    "launch/show.launch",
+                    "<param command='xacro $(arg model)'/><arg name='model' default='new.urdf'/>",
+                )],
+                Severity::Error,
+            ),
+            (
+                vec![(
+                    "launch/show.launch.py",
+                    "Command(['xacro ', LaunchConfiguration('model')]), 'new.urdf'",
+                )],
+                Severity::Error,
+            ),
+        ] {
+            assert_eq!(severity(&files), expected, "{files:?}");
+        }
+    }
+
+    #[test]
+    fn templates_that_a_script_fills() {
+        let severity = |files: &[(&str, &str)]| {
+            let all = [&[("urdf/arm_template.xacro", BROKEN)], files].concat();
+            found(&all, "missing-element").first().unwrap().1
+        };
+        let script = ("scripts/fill.py", "parse('urdf/arm_template.xacro')");
+        assert_eq!(severity(&[script]), Severity::Info);
+        assert_eq!(severity(&[script, ("arm.launch", "xacro arm_template.xacro")]), Severity::Error);
+    }
+
+    #[test]
     fn generated_files() {
         let with_head = |text: &str| {
             format!(
@@ -149,7 +247,16 @@ mod tests {
         let other = with_head(&BROKEN.replace("base", "hand"));
         assert_eq!(
             both(&other),
-            [("arm.urdf.xacro".to_owned(), Severity::Error), ("urdf/arm.urdf".to_owned(), Severity::Error)]
+            [("arm.urdf.xacro".to_owned(), Severity::Error), ("urdf/arm.urdf".to_owned(), Severity::Info)]
         );
+        let loaded = found(
+            &[
+                ("urdf/arm.urdf", &other),
+                ("arm.urdf.xacro", &source),
+                ("arm.launch", "<param textfile='urdf/arm.urdf'/>"),
+            ],
+            "missing-element",
+        );
+        assert_eq!(loaded.last(), Some(&("urdf/arm.urdf".to_owned(), Severity::Error)));
     }
 }

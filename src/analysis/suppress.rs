@@ -6,11 +6,13 @@ use std::sync::Arc;
 
 use super::check::CheckOptions;
 use super::job::Outcome;
+use super::proof::enclosing;
 use super::roots::Reason;
 use super::session::Session;
-use crate::base::{FastSet, FileId};
+use crate::base::{FastSet, FileId, Span, TextRange};
 use crate::rules::{
-    Check, Directive, Finding, Rule, Selector, Suppression, Suppressions, all, by_code, unused_suppression,
+    Check, Directive, Finding, Rule, Safety, Selector, Suppression, Suppressions, all, by_code,
+    unused_suppression,
 };
 use crate::vfs::SourceFile;
 
@@ -24,6 +26,10 @@ pub(super) struct Hiding<'a> {
     /// Files about which all rules had their say.
     judged: FastSet<FileId>,
     used: FastSet<Used>,
+    /// Where the macros are defined that were called.
+    called: FastSet<Span>,
+    /// Files of robots that have arguments: with others, more may be hidden.
+    variable: FastSet<FileId>,
 }
 
 impl<'a> Hiding<'a> {
@@ -35,14 +41,22 @@ impl<'a> Hiding<'a> {
         }
         files.retain(|_, (_, found)| !found.list.is_empty());
         let judged = judged(session, options, outcomes);
-        Self { session, files, judged, used: FastSet::default() }
+        let called = outcomes.iter().flat_map(|outcome| outcome.called.iter().copied()).collect();
+        let variable = outcomes.iter().filter(|outcome| outcome.has_arguments);
+        let variable = variable.flat_map(|outcome| outcome.files.iter().map(|file| file.id)).collect();
+        Self { session, files, judged, used: FastSet::default(), called, variable }
     }
 
-    /// Whether a comment hides a finding, where it stands or at a call that leads there.
-    pub(super) fn hides(&mut self, finding: &Finding) -> bool {
+    /// Whether a comment hides a finding, where it stands or at a call or include that leads there. The includes are those
+    /// of the robot that the finding is of: files with the tags that include them.
+    pub(super) fn hides(&mut self, finding: &Finding, includes: &[(FileId, Span)]) -> bool {
+        if self.files.is_empty() {
+            return false;
+        }
         let calls = finding.related.iter().filter(|related| related.is_call).map(|related| related.span);
         let mut hidden = false;
-        for span in std::iter::once(finding.span).chain(calls) {
+        let tags = including(finding.span.file, includes);
+        for span in std::iter::once(finding.span).chain(calls).chain(tags) {
             let Some((_, found)) = self.files.get(&span.file) else { continue };
             let Some(number) = found.hiding(finding.rule, span.range.start) else { continue };
             hidden = true;
@@ -58,7 +72,7 @@ impl<'a> Hiding<'a> {
         let Some(own) = by_code("LNT001") else { return Vec::new() };
         // comments about this very rule come last: they may hide what is said about the others
         let mut findings = self.unused(|selector| !selector.names(own));
-        findings.retain(|finding| !self.hides(finding));
+        findings.retain(|finding| !self.hides(finding, &[]));
         findings.extend(self.unused(|selector| selector.names(own)));
         findings
     }
@@ -71,17 +85,50 @@ impl<'a> Hiding<'a> {
                     Directive::Enable => self.ends_nothing(source, suppression, selector, found),
                     _ => !self.used.contains(&(file, number, i)) && self.is_judged(source, selector),
                 };
+                if !self.was_evaluated(source, suppression) {
+                    continue;
+                }
                 let rules = suppression.rules.iter().enumerate();
                 let unused: Vec<&Selector> = rules
                     .filter(|(i, selector)| wanted(selector) && is_unused(*i, selector))
                     .map(|(_, selector)| selector)
                     .collect();
                 if !unused.is_empty() {
-                    findings.push(unused_suppression(file, &source.document, suppression, &unused));
+                    let safety = if self.is_fixed(source) { Safety::Safe } else { Safety::Unsafe };
+                    findings.push(unused_suppression(source, suppression, &unused, safety));
                 }
             }
         }
         findings
+    }
+
+    /// Whether the text that a comment is about was evaluated whatever the arguments: it stands in no condition, and in no
+    /// macro that nobody calls.
+    fn was_evaluated(&self, source: &SourceFile, suppression: &Suppression) -> bool {
+        let document = &source.document;
+        let behind = document.slice(TextRange::new(suppression.comment.end, document.len()));
+        let next = behind.find('<').map_or(0, |at| at as u32 + 1);
+        [suppression.comment.start, suppression.comment.end + next].into_iter().all(|at| {
+            let inside = |names: &[&str]| enclosing(document, TextRange::empty(at), names);
+            inside(&["xacro:if", "xacro:unless"]).is_empty()
+                && inside(&["xacro:macro"]).into_iter().all(|place| self.is_called(source.id, place))
+        })
+    }
+
+    /// Whether all of a file was evaluated, whatever the arguments.
+    fn is_fixed(&self, source: &SourceFile) -> bool {
+        let elements =
+            source.document.parts().flat_map(|(base, item)| item.all_nodes().map(move |node| (base, node)));
+        let mut open = elements.filter(|(base, node)| match node.name() {
+            "xacro:if" | "xacro:unless" => true,
+            "xacro:macro" => !self.is_called(source.id, node.range().shift(*base)),
+            _ => false,
+        });
+        !self.variable.contains(&source.id) && open.next().is_none()
+    }
+
+    fn is_called(&self, file: FileId, place: TextRange) -> bool {
+        self.called.iter().any(|span| span.file == file && place.contains_range(span.range))
     }
 
     /// Whether the rules that a selector means had their say about a file. A rule that does not run hides
@@ -107,6 +154,21 @@ impl<'a> Hiding<'a> {
         let runs = self.running(source, selector).next().is_some();
         runs && !found.ended_by(selector, suppression.comment.start)
     }
+}
+
+/// The tags through which a file was included, directly and by others.
+fn including(file: FileId, includes: &[(FileId, Span)]) -> Vec<Span> {
+    let mut found: Vec<Span> = Vec::new();
+    let mut open = vec![file];
+    while let Some(file) = open.pop() {
+        for (_, tag) in includes.iter().filter(|(target, _)| *target == file) {
+            if !found.contains(tag) {
+                found.push(*tag);
+                open.push(tag.file);
+            }
+        }
+    }
+    found
 }
 
 /// The files about which all rules had their say: those of robots that could be expanded as a whole. What is

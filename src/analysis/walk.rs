@@ -4,17 +4,19 @@ use std::path::{Path, PathBuf};
 
 use ignore::WalkBuilder;
 
+use super::report::{SkipReason, Skipped};
 use super::session::Session;
 use crate::base::limits::SCAN_FILES;
-use crate::vfs::Environment;
+use crate::vfs::{Environment, LoadError};
 use crate::workspace::is_built;
 
 /// The descriptions below `folder`, sorted by path. Left out are hidden files, what git ignores, the folders
-/// of build tools and what the configuration excludes.
-pub(super) fn descriptions(folder: &Path, session: &Session) -> Vec<PathBuf> {
+/// of build tools and what the configuration excludes. With them, what could not be searched.
+pub(super) fn descriptions(folder: &Path, session: &Session) -> (Vec<PathBuf>, Vec<Skipped>) {
     let mut found = Listing::of(&[folder.to_owned()], &session.env);
     found.go_on(session, &|| false);
-    found.done()
+    found.skipped.sort_by(|a, b| a.path.cmp(&b.path));
+    (found.done, found.skipped)
 }
 
 /// The same with what the configuration excludes: an excluded file may include others all the same, and no
@@ -31,13 +33,15 @@ pub(super) struct Listing {
     /// What was found below the folders before, and below the present one.
     done: Vec<PathBuf>,
     found: Vec<PathBuf>,
+    /// What could not be searched.
+    skipped: Vec<Skipped>,
 }
 
 impl Listing {
     /// One that was not begun.
     pub fn of(folders: &[PathBuf], env: &Environment) -> Self {
         let walks = folders.iter().rev().map(|folder| walk(folder, env)).collect();
-        Self { walks, done: Vec::new(), found: Vec::new() }
+        Self { walks, done: Vec::new(), found: Vec::new(), skipped: Vec::new() }
     }
 
     /// Search on until `stop` says so; whether all was searched.
@@ -49,9 +53,11 @@ impl Listing {
                 self.done.append(&mut self.found);
                 continue;
             };
-            let file = entry.ok().filter(|entry| !entry.file_type().is_some_and(|kind| kind.is_dir()));
-            let path = file.map(ignore::DirEntry::into_path).filter(|path| is_description(path));
-            self.found.extend(path.filter(|path| !session.settings(path).excludes(path)));
+            match entry {
+                Ok(entry) if entry.file_type().is_some_and(|kind| kind.is_dir()) => {}
+                Ok(entry) => self.add(entry.into_path(), session),
+                Err(error) => self.skipped.extend(unreadable(error)),
+            }
             if stop() {
                 return false;
             }
@@ -59,10 +65,35 @@ impl Listing {
         true
     }
 
+    fn add(&mut self, path: PathBuf, session: &Session) {
+        if !is_description(&path) || session.settings(&path).excludes(&path) {
+            return;
+        }
+        match path.to_str() {
+            Some(_) => self.found.push(path),
+            None => self.skipped.push(Skipped { path, reason: SkipReason::NotUtf8 }),
+        }
+    }
+
     /// The files, those of each folder sorted.
     pub fn done(self) -> Vec<PathBuf> {
         self.done
     }
+}
+
+/// A folder that cannot be listed.
+fn unreadable(error: ignore::Error) -> Option<Skipped> {
+    let mut inner = &error;
+    let mut path = None;
+    while let ignore::Error::WithDepth { err, .. } | ignore::Error::WithPath { err, .. } = inner {
+        if let ignore::Error::WithPath { path: own, .. } = inner {
+            path = Some(own.clone());
+        }
+        inner = err;
+    }
+    let path = path?;
+    let reason = SkipReason::Unreadable(LoadError::from_io(&error.into_io_error()?, &path));
+    Some(Skipped { path, reason })
 }
 
 /// What lies below a folder, without what build tools made.
@@ -82,8 +113,7 @@ fn walk(folder: &Path, env: &Environment) -> ignore::Walk {
 /// Whether a file is a description, by its name: `.urdf` and `.xacro`, alone or in front of `.xml`, in letters of any
 /// case.
 pub(super) fn is_description(path: &Path) -> bool {
-    let Some(name) = path.file_name().and_then(|name| name.to_str()) else { return false };
-    let name = name.to_ascii_lowercase();
+    let name = path.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
     let name = name.strip_suffix(".xml").unwrap_or(&name);
     [".urdf", ".xacro"].iter().any(|ending| name.ends_with(ending))
 }

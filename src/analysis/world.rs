@@ -14,6 +14,7 @@ use super::first_look::Settled;
 use super::graph::Graph;
 use super::job::{self, Outcome};
 use super::placing;
+use super::proof::Effort;
 use super::report::Report;
 use super::session::{Session, Setup};
 use super::walk::{self, Listing};
@@ -54,6 +55,8 @@ pub struct World {
     all_contexts: bool,
     /// Settings of the editor, and the folders they belong to.
     editor: Vec<(serde_json::Value, PathBuf)>,
+    /// The meshes that descriptions named so far, as they were then.
+    pub(super) named: BTreeMap<PathBuf, u64>,
 }
 
 impl World {
@@ -82,14 +85,23 @@ impl World {
             settled: FastMap::default(),
             all_contexts: false,
             editor: Vec::new(),
+            named: BTreeMap::new(),
         }
     }
 
     /// A world with the same folders and settings that sees the files on the disk, whatever is open.
     pub fn on_disk(&self) -> Self {
         let mut world = Self::new(self.env.clone(), self.folders.clone());
-        world.set_folder_settings(self.editor.clone());
+        let editor = self.editor.iter().cloned();
+        world.set_folder_settings(editor.map(|(own, folder)| (own, Some(folder))).collect());
         world
+    }
+
+    /// How much may be done to prove something about edits of a file: for the robots that are known to read it.
+    pub fn effort(&self, path: &Path, expansions: usize, cancel: &CancelFlag) -> Effort {
+        let mut roots: Vec<PathBuf> = self.graph.roots_of(path).into_iter().map(|(root, _)| root).collect();
+        roots.push(path.to_owned());
+        Effort { expansions, roots: Some(roots), cancel: cancel.clone() }
     }
 
     /// Files, packages and configuration.
@@ -115,22 +127,30 @@ impl World {
     pub fn reload(&mut self) {
         self.epoch += 1;
         self.settled.clear();
+        self.named.clear();
         self.session = session(&self.session.vfs, &self.env, &self.folders, self.editor.clone());
     }
 
     /// Lay the settings of an editor (what stands below `xacro.`) over every configuration; returns what in
     /// them has no effect.
     pub fn set_editor_settings(&mut self, settings: serde_json::Value) -> Vec<String> {
-        let folder = self.folders.first().unwrap_or(&self.env.cwd).clone();
-        self.set_folder_settings(vec![(settings, folder)])
+        self.set_folder_settings(vec![(settings, None)])
     }
 
-    /// The same with settings for each folder.
-    pub fn set_folder_settings(&mut self, settings: Vec<(serde_json::Value, PathBuf)>) -> Vec<String> {
+    /// The same with settings for each folder; for none, they belong to the first one.
+    pub fn set_folder_settings(
+        &mut self,
+        settings: Vec<(serde_json::Value, Option<PathBuf>)>,
+    ) -> Vec<String> {
+        let first = self.folders.first().unwrap_or(&self.env.cwd).clone();
+        let settings: Vec<_> =
+            settings.into_iter().map(|(own, folder)| (own, folder.unwrap_or(first.clone()))).collect();
         let apply = |(own, folder): &(_, PathBuf)| Config::default().apply_settings(own, folder);
         let warnings: Vec<_> = settings.iter().flat_map(apply).collect();
-        self.editor = settings;
-        self.reload();
+        if settings != self.editor {
+            self.editor = settings;
+            self.reload();
+        }
         warnings.iter().map(ToString::to_string).collect()
     }
 
@@ -272,6 +292,7 @@ impl World {
     /// Files changed on the disk.
     pub fn changed_on_disk(&mut self, paths: &[PathBuf]) {
         self.epoch += 1;
+        self.named.retain(|path, _| !paths.contains(path));
         self.session.forget_uses();
         let about_packages = |path: &PathBuf| {
             let name = path.file_name().and_then(|name| name.to_str()).unwrap_or("");
@@ -313,24 +334,6 @@ impl World {
     pub(super) fn same_package(&self, a: &Path, b: &Path) -> bool {
         let package = |path: &Path| self.session.packages.containing(path).map(|package| package.folder);
         package(a).is_some_and(|folder| Some(folder) == package(b))
-    }
-
-    /// The runs of a file that the configuration lists.
-    pub(super) fn configured_variants(&self, file: &Path) -> Vec<RootChoice> {
-        let settings = self.session.settings(file);
-        let roots = settings.config.roots.iter().filter(|root| {
-            root.files(&self.session.vfs).iter().any(|listed| self.session.vfs.absolute(listed) == file)
-        });
-        let variant = |variant: crate::workspace::config::Variant| RootChoice {
-            file: file.to_path_buf(),
-            args: variant.args,
-            preset: variant.preset,
-        };
-        roots.flat_map(|root| root.variants()).map(variant).collect()
-    }
-
-    pub(super) fn is_configured(&self, root: &RootChoice) -> bool {
-        self.configured_variants(&root.file).contains(root)
     }
 
     /// A root expanded; from the cache when nothing it read has changed. `None` when cancelled.
@@ -421,6 +424,7 @@ impl World {
 
     /// What there is to say about files, each under its active root. `None` when cancelled.
     pub fn report(&mut self, paths: &[PathBuf], cancel: &CancelFlag) -> Option<Report> {
+        self.notice_meshes();
         let mut roots: Vec<RootChoice> = Vec::new();
         let mut own: Vec<RootChoice> = Vec::new();
         let paths: Vec<&PathBuf> = paths.iter().filter(|path| !walk::is_something_else(path)).collect();
@@ -443,6 +447,7 @@ impl World {
             outcome.findings.extend(check_recovered(&analyzed.expansion, &self.session.vfs));
             outcomes.push(Outcome { is_context, ..outcome });
         }
+        self.keep_meshes();
         let entries: Vec<PathBuf> = paths.iter().map(|path| (*path).clone()).collect();
         let mut report = self.session.conclude(&self.options(&entries), outcomes);
         placing::place(&mut report, &self.session.vfs, |path| self.open.contains_key(path));

@@ -179,6 +179,10 @@ limits! {
     "Findings and fixes" {
         /// How often findings are fixed and looked for anew.
         FIX_ROUNDS: usize = 50, "the rest is reported as usual";
+        /// Expansions that are made to prove one group of fixes.
+        PROOF_EXPANSIONS: usize = 2_000, "the fixes count as unsafe";
+        /// The same for one action of an editor.
+        QUICK_PROOF_EXPANSIONS: usize = 16, "the action is offered as one that may change the robot";
         /// Findings of one rule in one robot.
         FINDINGS_OF_A_RULE: usize = 50_000, "further ones are left out";
         /// Bytes of one message; names can be as long as files.

@@ -10,15 +10,16 @@ use xacro_lsp::vfs::{Environment, first_stack};
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args_os().skip(1).map(|a| a.to_string_lossy().into_owned()).collect();
     let env = Environment::capture();
-    let plain = env.var("NO_COLOR").is_some_and(|value| !value.is_empty());
-    let color = std::io::stderr().is_terminal() && !plain;
+    let color = cli::has_colors(&env, std::io::stderr().is_terminal());
     // where results are piped on, nothing is drawn between them
     let terminal = std::io::stderr().is_terminal() && std::io::stdout().is_terminal();
-    let color_out = std::io::stdout().is_terminal() && !plain;
+    let color_out = cli::has_colors(&env, std::io::stdout().is_terminal());
     let mut out = std::io::BufWriter::with_capacity(1 << 16, std::io::stdout().lock());
     let mut err = std::io::BufWriter::new(std::io::stderr().lock());
     let mut stdin = std::io::stdin().lock();
-    let mut io = Io { out: &mut out, err: &mut err, stdin: &mut stdin, color, color_out, terminal };
+    let mut io = Io::plain(&mut out, &mut err, &mut stdin);
+    (io.color, io.color_out, io.terminal) = (color, color_out, terminal);
+    io.out_is_terminal = std::io::stdout().is_terminal();
     if let Some(stack) = first_stack() {
         on_first_thread(stack);
     }

@@ -7,13 +7,13 @@ use std::time::Duration;
 use super::args::{CheckArgs, FailLevel, Format, Show};
 use super::diff::unified;
 use super::io::Io;
-use super::listing::{Listing, wants_all};
+use super::listing::{Listing, least_shown, wants_all};
 use super::prepare::{Prepared, prepare};
 use super::progress::watched;
 use super::render::{shown_path, visible};
 use super::watch::{Round, State, watch};
 use super::{json, sarif, services, text};
-use crate::analysis::{Baseline, CheckOptions, Fixed, Report, Session};
+use crate::analysis::{Baseline, CheckOptions, FixOptions, Fixed, Report, Session};
 use crate::rules::{Safety, Severity};
 use crate::vfs::{Environment, write_atomically};
 
@@ -63,13 +63,17 @@ fn once(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> Round {
     Round { code, state: State::default() }
 }
 
-/// Say what in the configuration has no effect.
+/// Say what in the configuration has no effect; the exit code: 2 when it cannot be read.
 pub(super) fn warn_about_config(session: &Session, env: &Environment, io: &mut Io<'_>) -> u8 {
     for warning in session.config_warnings() {
         let text = warning.to_string().replace(&format!("{}/", env.cwd.display()), "");
         io.line(&visible(&format!("warning: {text}")));
     }
-    0
+    let mut code = 0;
+    for error in session.unreadable_configs() {
+        code = usage(io, &format!("{}: {}", shown_path(&error.path, &env.cwd), error.reason()));
+    }
+    code
 }
 
 fn usage(io: &mut Io<'_>, message: &str) -> u8 {
@@ -96,20 +100,39 @@ impl Run<'_> {
             return (self.conclude(report, "", io), reads);
         }
         let most = if self.args.unsafe_fixes { Safety::Unsafe } else { Safety::Safe };
-        let fixed = watched(io, &options.progress, || session.fix(options, most));
+        let how = FixOptions { most, shown: least_shown(self.args) };
+        let fixed = watched(io, &options.progress, || session.fix(options, how));
         if self.args.diff {
             return (self.diff(fixed, io), BTreeSet::new());
         }
-        for file in &fixed.files {
-            if let Err(error) = session.vfs.rewrite(&file.path, &file.before, &file.after) {
-                let message = format!("{}: cannot be written: {error}", self.shown(&file.path));
-                return (usage(io, &message), BTreeSet::new());
+        let mut fixed = fixed;
+        let files = fixed.files.len();
+        fixed.files.retain(|file| match session.vfs.rewrite(&file.path, &file.before, &file.after) {
+            Ok(()) => true,
+            Err(error) => {
+                usage(io, &format!("{}: cannot be written: {error}", self.shown(&file.path)));
+                false
             }
-        }
-        let done = if fixed.count > 0 { format!("fixed {}", fixed_in(&fixed)) } else { String::new() };
+        });
+        let failed = fixed.files.len() < files;
+        let done = self.done(&fixed);
         let mut left = fixed.into_left();
         let reads = std::mem::take(&mut left.reads);
-        (self.conclude(left, &done, io), reads)
+        let code = self.conclude(left, &done, io);
+        (if failed { 2 } else { code }, reads)
+    }
+
+    /// What was fixed, and what came to light by it.
+    fn done(&self, fixed: &Fixed) -> String {
+        let revealed = match fixed.revealed() {
+            0 => String::new(),
+            count => format!("; {} could not be seen before", text::counted(count, "error")),
+        };
+        match fixed.count {
+            0 if fixed.hidden > 0 => format!("fixed nothing{}", not_made(fixed)),
+            0 => String::new(),
+            _ => format!("fixed {}{revealed}", fixed_in(fixed)),
+        }
     }
 
     fn shown(&self, path: &Path) -> String {
@@ -121,11 +144,11 @@ impl Run<'_> {
             return 2;
         }
         for file in &fixed.files {
-            io.out(&unified(file, &self.env.cwd));
+            io.out(&unified(file, &self.env.cwd, io.out_is_terminal));
         }
         io.line(&match fixed.count {
-            0 => "nothing to fix".to_owned(),
-            _ => format!("would fix {}", fixed_in(&fixed)),
+            0 => format!("nothing to fix{}", not_made(&fixed)),
+            _ => format!("would fix {}{}", fixed_in(&fixed), not_made(&fixed)),
         });
         let mut found = fixed.found;
         self.subtract_known(&mut found, io);
@@ -142,16 +165,21 @@ impl Run<'_> {
 
     fn subtract_known(&self, report: &mut Report, io: &mut Io<'_>) {
         let Some((baseline, folder)) = &self.prepared.baseline else { return };
-        let known = baseline.subtract(report, folder);
+        let files: BTreeSet<PathBuf> = report.files.values().map(|file| file.path.to_path_buf()).collect();
+        let paths = self.options.paths.iter().map(|path| self.session.vfs.absolute(path));
+        let folders: Vec<PathBuf> = paths.filter(|path| self.session.vfs.is_dir(path)).collect();
+        let is_below = |path: &Path| folders.iter().any(|folder| path.starts_with(folder));
+        // of a change, only some findings are reported
+        let checked = |path: &Path| !self.args.changed && (files.contains(path) || is_below(path));
+        let (known, gone) = baseline.subtract(report, folder, checked);
         if known > 0 {
             io.line(&format!("note: {} of the baseline not shown", text::counted(known, "finding")));
         }
-        let gone = baseline.len() - known;
         if gone > 0 {
-            io.line(&format!(
-                "note: {} of the baseline did not occur: --write-baseline writes it anew",
-                text::counted(gone, "finding")
-            ));
+            let is_whole = folders.iter().any(|checked| folder.starts_with(checked));
+            let advice = if is_whole { ": --write-baseline writes it anew" } else { "" };
+            let gone = text::counted(gone, "finding");
+            io.line(&format!("note: {gone} of the baseline did not occur{advice}"));
         }
     }
 
@@ -174,7 +202,11 @@ impl Run<'_> {
             return self.write_baseline(&report, path, io);
         }
         self.subtract_known(&mut report, io);
-        if report.roots.is_empty() && !self.args.changed {
+        for skipped in &report.skipped {
+            let path = visible(&self.shown(&skipped.path));
+            io.line(&format!("warning: {path} was not checked: {}", skipped.reason));
+        }
+        if report.roots.is_empty() && report.skipped.is_empty() && !self.args.changed {
             io.line("warning: no xacro or URDF file was found");
         }
         let code = exit_code(&report, self.args);
@@ -223,7 +255,9 @@ impl Run<'_> {
     }
 
     fn could_be_fixed(&self, report: &Report) -> String {
-        let (safe, other) = self.session.fixable(self.options, report);
+        let (safe, other) = self.session.fixable(self.options, report, least_shown(self.args));
+        // what is left by `--fix` could not be proved to be safe
+        let (safe, other) = if self.args.fix { (0, safe + other) } else { (safe, other) };
         match (safe, other) {
             (0, 0) => String::new(),
             (safe, 0) => format!("{safe} can be fixed with --fix"),
@@ -249,6 +283,21 @@ impl Run<'_> {
 /// `3 findings in 2 files`
 fn fixed_in(fixed: &Fixed) -> String {
     format!("{} in {}", text::counted(fixed.count, "finding"), text::counted(fixed.files.len(), "file"))
+}
+
+/// `; 2 fixes may change a robot: --unsafe-fixes; 1 finding that is not shown can be fixed: --show hint`
+fn not_made(fixed: &Fixed) -> String {
+    let mut said = match fixed.unproved {
+        0 => String::new(),
+        1 => "; 1 fix may change a robot: --unsafe-fixes".to_owned(),
+        count => format!("; {count} fixes may change a robot: --unsafe-fixes"),
+    };
+    match fixed.hidden {
+        0 => {}
+        1 => said.push_str("; 1 finding that is not shown can be fixed: --show hint"),
+        count => said.push_str(&format!("; {count} findings that are not shown can be fixed: --show hint")),
+    }
+    said
 }
 
 /// The least severity that makes the run fail.

@@ -9,7 +9,7 @@ use annotate_snippets::Level;
 
 use super::io::{Io, all_of};
 use super::options::{self, ExpandOptions, UsageError};
-use super::render::{Mark, Report, ShownFile, render, shown_path, visible};
+use super::render::{Mark, Report, ShownFile, render, shown_path, visible, visible_name};
 use super::text::is_shown;
 use crate::base::Encoding;
 use crate::base::limits::DRAWN_PROBLEMS;
@@ -91,7 +91,7 @@ fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
     let (vfs, packages) = (ManuallyDrop::new(vfs), ManuallyDrop::new(packages));
     let expansion = ManuallyDrop::new(expand(World { vfs: &vfs, packages: &packages, env }, &request));
     for line in &expansion.messages {
-        io.line(&visible(line));
+        io.line(&visible_name(line));
     }
     if let Some(error) = &expansion.root_error {
         io.line(&format!("error: {}", unreadable(error, &request)));

@@ -44,11 +44,12 @@ pub(super) fn run(args: &FormatArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     for path in session.files(&options).into_iter().filter(|path| !excluded(path)) {
         one(args, &session, &path, env, io, &mut done);
     }
-    warn_about_config(&session, env, io);
+    let code = warn_about_config(&session, env, io);
     if !is_input {
         io.line(&summary(args, &done));
     }
     match done {
+        _ if code > 0 => code,
         Done { failed: 1.., .. } => 2,
         Done { changed: 1.., .. } if args.check || args.diff => 1,
         _ => 0,
@@ -96,7 +97,7 @@ fn one(
     let is_input = path.file_name().is_some_and(|name| name == "-");
     let (same, file) = (before == after, FixedFile { path: Arc::from(path), before, after });
     if args.diff {
-        io.out(&unified(&file, &env.cwd));
+        io.out(&unified(&file, &env.cwd, io.out_is_terminal));
     } else if args.check && !same {
         io.out(&format!("{shown}\n"));
     } else if is_input && !args.check {

@@ -3,6 +3,7 @@
 use std::io::{Read, Write};
 
 use crate::base::limits::STDIN_BYTES;
+use crate::vfs::Environment;
 
 /// The streams of a command.
 pub struct Io<'a> {
@@ -16,15 +17,41 @@ pub struct Io<'a> {
     pub color: bool,
     /// Whether results may be coloured.
     pub color_out: bool,
+    /// Whether results go to a terminal.
+    pub out_is_terminal: bool,
     /// Whether all goes to a terminal, where a line can be written over.
     pub terminal: bool,
+    /// Why results could not be written, once that has happened.
+    failed: Option<std::io::Error>,
 }
 
 impl<'a> Io<'a> {
     /// Streams without colours, none of them a terminal.
     pub fn plain(out: &'a mut dyn Write, err: &'a mut dyn Write, stdin: &'a mut dyn Read) -> Self {
-        Self { out, err, stdin, color: false, color_out: false, terminal: false }
+        Self {
+            out,
+            err,
+            stdin,
+            color: false,
+            color_out: false,
+            out_is_terminal: false,
+            terminal: false,
+            failed: None,
+        }
     }
+}
+
+/// Whether a stream gets colors: a terminal does, unless the environment says otherwise.
+pub fn has_colors(env: &Environment, is_terminal: bool) -> bool {
+    let value = |name: &str| env.var(name).filter(|value| !value.is_empty());
+    let is_forced = |name: &str| value(name).is_some_and(|value| value != "0");
+    if value("NO_COLOR").is_some() {
+        return false;
+    }
+    if is_forced("CLICOLOR_FORCE") || is_forced("FORCE_COLOR") {
+        return true;
+    }
+    is_terminal && value("TERM") != Some("dumb") && value("CLICOLOR") != Some("0")
 }
 
 /// The text of standard input; nothing is cut.
@@ -45,7 +72,27 @@ pub(super) fn all_of(stdin: &mut dyn Read) -> std::io::Result<String> {
 impl Io<'_> {
     /// Write to the result stream. A reader that went away is no error of ours.
     pub fn out(&mut self, text: &str) {
-        let _ = self.out.write_all(text.as_bytes());
+        let written = self.out.write_all(text.as_bytes());
+        self.note(written);
+    }
+
+    /// Remember that results were lost.
+    fn note(&mut self, written: std::io::Result<()>) {
+        let lost = written.err().filter(|error| error.kind() != std::io::ErrorKind::BrokenPipe);
+        self.failed = self.failed.take().or(lost);
+    }
+
+    /// The exit code of a command that ended with `code`: that of an error when its results could not be written.
+    pub(super) fn finish(&mut self, code: u8) -> u8 {
+        let flushed = self.out.flush();
+        self.note(flushed);
+        match self.failed.take() {
+            None => code,
+            Some(error) => {
+                self.line(&format!("error: standard output cannot be written: {error}"));
+                2
+            }
+        }
     }
 
     /// Write a line to the message stream.
@@ -61,7 +108,34 @@ impl Io<'_> {
 
     /// Let the reader see what was written so far.
     pub(super) fn flush(&mut self) {
-        let _ = self.out.flush();
+        let flushed = self.out.flush();
+        self.note(flushed);
         let _ = self.err.flush();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::has_colors;
+    use crate::vfs::Environment;
+
+    #[test]
+    fn colors_are_as_the_environment_wants_them() {
+        for (vars, on_terminal, in_pipe) in [
+            (vec![], true, false),
+            (vec![("NO_COLOR", "1"), ("FORCE_COLOR", "1")], false, false),
+            (vec![("NO_COLOR", "")], true, false),
+            (vec![("TERM", "dumb")], false, false),
+            (vec![("CLICOLOR", "0")], false, false),
+            (vec![("CLICOLOR_FORCE", "1")], true, true),
+            (vec![("CLICOLOR_FORCE", "0")], true, false),
+            (vec![("FORCE_COLOR", "1"), ("TERM", "dumb")], true, true),
+        ] {
+            let pairs = vars.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned()));
+            let env = Environment { vars: BTreeMap::from_iter(pairs), cwd: "/".into() };
+            assert_eq!((has_colors(&env, true), has_colors(&env, false)), (on_terminal, in_pipe), "{vars:?}");
+        }
     }
 }

@@ -33,7 +33,7 @@ pub(super) fn wants_all(args: &CheckArgs) -> bool {
 }
 
 /// The least severity that people are shown.
-fn least_shown(args: &CheckArgs) -> Severity {
+pub(super) fn least_shown(args: &CheckArgs) -> Severity {
     let asked = match args.show {
         None => Severity::Warning,
         Some(Show::Info) => Severity::Info,

@@ -28,7 +28,7 @@ mod text;
 mod tree;
 mod watch;
 
-pub use io::Io;
+pub use io::{Io, has_colors};
 pub use reference::reference;
 
 use clap::error::ErrorKind;
@@ -37,8 +37,14 @@ use clap::{CommandFactory, Parser};
 use crate::vfs::Environment;
 use args::{Arguments, CheckArgs, Command};
 
-/// Run a command line (without the program's name); the result is the exit code.
+/// Run a command line (without the program's name); the result is the exit code. What was printed is written when this
+/// comes back; results that could not be written are an error.
 pub fn run(args: &[String], env: &Environment, io: &mut Io<'_>) -> u8 {
+    let code = command(args, env, io);
+    io.finish(code)
+}
+
+fn command(args: &[String], env: &Environment, io: &mut Io<'_>) -> u8 {
     // `expand` has the option grammar of xacro, which clap does not know
     if let Some((command, rest)) = args.split_first()
         && command == "expand"
@@ -99,6 +105,11 @@ fn dispatch(command: Command, env: &Environment, io: &mut Io<'_>) -> u8 {
 fn completions(shell: clap_complete::Shell, io: &mut Io<'_>) -> u8 {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Arguments::command(), "xacro-lint", &mut script);
-    io.out(&String::from_utf8_lossy(&script));
+    let script = String::from_utf8_lossy(&script).into_owned();
+    io.out(&match shell {
+        // the hyphen in the name becomes the mark that separates subcommands, in half of the places
+        clap_complete::Shell::Bash => script.replace("xacro__subcmd__lint", "xacro__lint"),
+        _ => script,
+    });
     0
 }

@@ -7,7 +7,7 @@ use serde_json::json;
 use super::args::{PackagesArgs, Plain};
 use super::check::warn_about_config;
 use super::io::Io;
-use super::render::{shown_path, visible};
+use super::render::{shown_path, visible, visible_name};
 use crate::analysis::{Session, Setup};
 use crate::vfs::Environment;
 use crate::workspace::Entry;
@@ -58,6 +58,7 @@ fn table(entries: &[Entry], cwd: &Path, io: &mut Io<'_>) {
         let path = if path.is_empty() { "." } else { &path };
         let shadowed = if entry.shadowed { "  (shadowed)" } else { "" };
         let step = entry.step.to_string();
-        io.out(&visible(&format!("{:names$}  {step:steps$}  {path}{shadowed}\n", entry.name)));
+        let line = format!("{:names$}  {step:steps$}  {path}{shadowed}", entry.name);
+        io.out(&format!("{}\n", visible_name(&line)));
     }
 }

@@ -11,6 +11,7 @@ use super::watch::State;
 use crate::analysis::{Baseline, CheckOptions, Overrides, Session, Setup};
 use crate::rules;
 use crate::vfs::Environment;
+use crate::workspace::config::CONFIG_NAMES;
 
 /// Everything a check needs.
 pub(super) struct Prepared {
@@ -21,10 +22,24 @@ pub(super) struct Prepared {
 }
 
 impl Prepared {
-    /// The state of files that were read, and of those that would be checked now.
-    pub(super) fn state(&self, reads: BTreeSet<PathBuf>) -> State {
-        let files = reads.into_iter().chain(self.session.files(&self.options));
-        files.map(|path| (path.clone(), self.session.vfs.state_on_disk(&path))).collect()
+    /// The state of files that were read, of those that would be checked now, and of those that would be read if they
+    /// came to be: what was named, and configurations.
+    pub(super) fn state(&self, mut files: BTreeSet<PathBuf>) -> State {
+        let vfs = &self.session.vfs;
+        files.extend(self.session.files(&self.options));
+        let named = self.options.paths.iter().chain(&self.options.entries).map(|path| vfs.absolute(path));
+        let named: Vec<PathBuf> = named.collect();
+        let folders: BTreeSet<&Path> = files
+            .iter()
+            .filter_map(|file| file.parent())
+            .chain(named.iter().flat_map(|path| path.ancestors()))
+            .collect();
+        let configs: Vec<PathBuf> =
+            folders.into_iter().flat_map(|folder| CONFIG_NAMES.map(|name| folder.join(name))).collect();
+        // a folder changes with every file in it
+        files.extend(named.into_iter().filter(|path| !vfs.is_dir(path)));
+        files.extend(configs);
+        files.into_iter().map(|path| (path.clone(), vfs.state_on_disk(&path))).collect()
     }
 }
 
@@ -77,6 +92,9 @@ fn options(args: &CheckArgs) -> Result<CheckOptions, String> {
     let paths = paths.into_iter().filter(|path| *path != "-");
     let mut paths: Vec<PathBuf> = paths.map(PathBuf::from).collect();
     paths.extend(stdin_name(args));
+    if paths.iter().chain(&args.entry).any(|path| path.as_os_str().is_empty()) {
+        return Err("a path is empty".to_owned());
+    }
     if paths.is_empty() && args.entry.is_empty() {
         paths.push(".".into());
     }

@@ -59,7 +59,8 @@ mod tests {
     /// What is written to the terminal while work takes this many milliseconds.
     fn shown(terminal: bool, milliseconds: u64) -> String {
         let (mut out, mut err, mut stdin) = (Vec::new(), Vec::new(), std::io::empty());
-        let mut io = Io { terminal, ..Io::plain(&mut out, &mut err, &mut stdin) };
+        let mut io = Io::plain(&mut out, &mut err, &mut stdin);
+        io.terminal = terminal;
         let work = || {
             std::thread::sleep(Duration::from_millis(milliseconds));
             7

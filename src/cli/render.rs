@@ -56,7 +56,9 @@ const MOST_PLACES: usize = 3;
 pub fn shown_path(path: &Path, cwd: &Path) -> String {
     let path = path.strip_prefix(cwd).unwrap_or(path);
     // a name must not begin a line of its own
-    path.to_string_lossy().replace('\\', "/").replace('\n', "␊")
+    let text = path.to_string_lossy().replace('\n', "␊");
+    // elsewhere, a backslash is a letter of a name
+    if cfg!(windows) { text.replace('\\', "/") } else { text }
 }
 
 /// Draw a report.
@@ -113,9 +115,8 @@ struct Piece {
 
 /// A source line without the control characters that the drawing passes on; it stays as long as it is.
 fn harmless(line: &str) -> String {
-    // as many bytes as one of them
-    const INSTEAD: &str = "·";
-    line.replace(|c| ('\u{80}'..='\u{9f}').contains(&c), INSTEAD)
+    // as many bytes as what they stand for
+    line.replace(|c| ('\u{80}'..='\u{9f}').contains(&c), "·").replace(['\u{2028}', '\u{2029}'], "\u{240a}")
 }
 
 impl Piece {
@@ -149,9 +150,21 @@ impl Piece {
     }
 }
 
-/// Control characters made visible: text of a file must not steer the terminal.
+/// The same for a name, which stays in its line.
+pub fn visible_name(name: &str) -> String {
+    visible(name).replace('\n', "\u{240a}").replace('\t', "\u{2409}")
+}
+
+/// Whether a character steers a terminal, or makes text read other than it is: control characters, marks of the
+/// direction of writing, and line ends that are no line feeds.
+fn is_steering(c: char) -> bool {
+    matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+        || c.is_control() && c != '\n' && c != '\t'
+}
+
+/// Steering characters made visible.
 pub fn visible(text: &str) -> String {
-    let hidden = |c: char| c.is_control() && c != '\n' && c != '\t';
+    let hidden = is_steering;
     if !text.contains(hidden) {
         return text.to_owned();
     }

@@ -8,7 +8,7 @@ use super::args::{TreeArgs, TreeFormat};
 use super::check::warn_about_config;
 use super::io::Io;
 use super::options::mappings;
-use super::render::visible;
+use super::render::{visible, visible_name};
 use super::{svg, text};
 use crate::analysis::{CheckOptions, Session, Setup};
 use crate::expand::{Expansion, Request, World, expand};
@@ -153,9 +153,10 @@ pub(super) fn file_and_arguments(names: &[String]) -> Result<(String, Vec<(Strin
 /// What `check_urdf` prints; `joints` adds names and types of joints.
 fn text_tree(tree: &Tree<'_>, joints: bool) -> String {
     let name = tree.robot.name.as_ref().map_or("", |name| name.value.as_str());
+    let name = visible_name(name);
     let mut out = format!("robot name is: {name}\n---------- Successfully Parsed XML ---------------\n");
     let count = tree.children(tree.root).count();
-    out.push_str(&format!("root Link: {} has {count} child(ren)\n", tree.link(tree.root)));
+    out.push_str(&format!("root Link: {} has {count} child(ren)\n", visible_name(tree.link(tree.root))));
     // links still to be printed: level, number among its siblings, joint
     let mut open: Vec<(usize, usize, &Joint, usize)> = Vec::new();
     let below = |link: usize, level: usize| {
@@ -165,7 +166,8 @@ fn text_tree(tree: &Tree<'_>, joints: bool) -> String {
     open.extend(below(tree.root, 1));
     while let Some((level, number, joint, link)) = open.pop() {
         let by = if joints { format!("  [{}: {}]", joint.shown(), kind(joint)) } else { String::new() };
-        out.push_str(&format!("{}child({number}):  {}{by}\n", "    ".repeat(level), tree.link(link)));
+        let (indent, shown) = ("    ".repeat(level), visible_name(&format!("{}{by}", tree.link(link))));
+        out.push_str(&format!("{indent}child({number}):  {shown}\n"));
         open.extend(below(link, level + 1));
     }
     out
@@ -198,7 +200,8 @@ fn as_json(tree: &Tree<'_>) -> serde_json::Value {
 
 /// For Graphviz: boxes for links, ellipses for joints.
 fn dot(tree: &Tree<'_>) -> String {
-    let quoted = |text: &str| format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""));
+    let quoted =
+        |text: &str| format!("\"{}\"", visible_name(text).replace('\\', "\\\\").replace('"', "\\\""));
     let name = tree.robot.name.as_ref().map_or("", |name| name.value.as_str());
     let mut out = format!("digraph {} {{\n  node [shape=box];\n", quoted(name));
     for link in 0..tree.robot.links.len() {
@@ -206,7 +209,8 @@ fn dot(tree: &Tree<'_>) -> String {
     }
     for joint in &tree.robot.joints {
         let Some((parent, child)) = joint.ends() else { continue };
-        let label = quoted(&format!("{}\n{}", joint.shown(), kind(joint))).replace('\n', "\\n");
+        let (name, kind) = (quoted(joint.shown()), quoted(kind(joint)));
+        let label = format!("{}\\n{}", name.trim_end_matches('"'), kind.trim_start_matches('"'));
         out.push_str(&format!("  {} -> {} [label={label}];\n", quoted(parent), quoted(child)));
     }
     out.push_str("}\n");

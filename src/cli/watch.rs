@@ -19,7 +19,8 @@ pub(super) struct Round {
     pub(super) state: State,
 }
 
-/// Run, wait for a change, run again, as long as runs read files. `wait` pauses between two looks; the end comes when it says false.
+/// Run, wait for a change, run again. A first run that failed (exit code 2) is the only one; later ones may, since files
+/// come and go while a branch is checked out. `wait` pauses between two looks; the end comes when it says false.
 pub(super) fn watch(
     io: &mut Io<'_>,
     cwd: &Path,
@@ -28,29 +29,32 @@ pub(super) fn watch(
     mut wait: impl FnMut() -> bool,
 ) -> u8 {
     let mut round = run(io);
-    // a run that read nothing could not begin
-    while !round.state.is_empty() {
-        io.line(&format!("watching {}; Ctrl-C ends", counted(round.state.len(), "file")));
+    if round.state.is_empty() || round.code == 2 {
+        return round.code;
+    }
+    loop {
+        let present = round.state.values().filter(|state| **state != 0).count();
+        io.line(&format!("watching {}; Ctrl-C ends", counted(present, "file")));
         io.flush();
-        let changed = loop {
+        let (now, changed) = loop {
             if !wait() {
                 return round.code;
             }
             let now = look(&round.state);
-            if now != round.state {
-                break difference(&round.state, &now);
+            if let Some(changed) = difference(&round.state, &now) {
+                break (now, changed);
             }
         };
         if io.color_out {
             io.out("\u{1b}[H\u{1b}[2J\u{1b}[3J");
         }
-        if let Some(path) = changed {
-            io.line(&visible(&format!("{} changed", shown_path(&path, cwd))));
-            io.flush();
-        }
+        io.line(&visible(&format!("{} changed", shown_path(&changed, cwd))));
+        io.flush();
         round = run(io);
+        if round.state.is_empty() {
+            round.state = now;
+        }
     }
-    round.code
 }
 
 /// A file that differs.
@@ -74,7 +78,7 @@ mod tests {
         let (mut out, mut err, mut stdin) = (Vec::new(), Vec::new(), std::io::empty());
         let mut io = Io::plain(&mut out, &mut err, &mut stdin);
         let tick = Cell::new(0u64);
-        let state = || -> State { BTreeMap::from([("/ws/a.xacro".into(), tick.get() / 2)]) };
+        let state = || -> State { BTreeMap::from([("/ws/a.xacro".into(), 1 + tick.get() / 2)]) };
         let mut runs = 0;
         let run = |io: &mut Io<'_>| {
             runs += 1;

@@ -4,7 +4,7 @@ use ecow::EcoString;
 
 use super::element::Tag;
 use super::late::NameKind;
-use super::machine::{Cx, Expander};
+use super::machine::{Cx, Expander, Forced};
 use super::origin::{FrameKind, Origin};
 use super::resolve::{BindingInfo, BindingKind};
 use super::scope::{Block, Place, State};
@@ -24,9 +24,10 @@ impl Expander<'_> {
         self.check_attrs(tag, &["value"], cx);
         let mark = self.reads.len();
         let value = self.eval_text(&text, place, cx.scope);
-        match self.truth(&value, &text, place.origin, mark) {
+        let truth = self.truth(&value, &text, place.origin, mark);
+        match self.forced(tag).or(truth.map(|truth| truth == wanted)) {
             None => self.unknown_branch(tag, cx),
-            Some(truth) if truth == wanted => {
+            Some(true) => {
                 let content = self.container(self.tag_origin(tag, cx));
                 // the reference evaluates the attributes, the condition once more; seen only when that changes something
                 let is_code = |attr: Attr<'_>| attr.value(self.entities(tag.src)).contains('$');
@@ -39,8 +40,20 @@ impl Expander<'_> {
                 self.conditions -= 1;
                 self.splice(content, out);
             }
-            Some(_) => {}
+            Some(false) => {}
         }
+    }
+
+    /// Whether the content of a condition is taken, when the request says so.
+    fn forced(&self, tag: Tag<'_>) -> Option<bool> {
+        if self.request.forced.is_empty() {
+            return None;
+        }
+        let source = self.result.sources.get(tag.src.0 as usize)?;
+        let path = &self.result.files.get(source.file.0 as usize)?.source.path;
+        let at = source.base + tag.node.range().start;
+        let is_it = |forced: &&Forced| forced.at == at && forced.file == **path;
+        self.request.forced.iter().find(is_it).map(|forced| forced.taken)
     }
 
     /// A branch that may or may not be taken: what it defines is not missed later, what it holds is not kept.

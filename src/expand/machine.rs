@@ -1,6 +1,6 @@
 //! The state of one expansion, its entry point and its limits.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -102,8 +102,21 @@ pub struct Request {
     pub last: bool,
     /// Only these items and what they need; the result is then no document.
     pub focus: Option<Focus>,
+    /// Conditions whose outcome is given, whatever their values say.
+    pub forced: Vec<Forced>,
     /// Set to stop early; the result is then incomplete.
     pub cancel: CancelFlag,
+}
+
+/// A condition (`xacro:if` or `xacro:unless`) whose outcome is given.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Forced {
+    /// The file, absolute.
+    pub file: PathBuf,
+    /// Where its tag begins: byte offset of the `<`.
+    pub at: u32,
+    /// Whether its content is taken.
+    pub taken: bool,
 }
 
 /// Expand a file. Never fails: what went wrong is in [`Expansion::problems`].

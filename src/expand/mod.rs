@@ -40,7 +40,7 @@ pub use argument::{argument, is_partial};
 pub use evaluations::{Evaluation, Evaluations};
 pub use expansion::{Expansion, FileUse};
 pub use focus::Focus;
-pub use machine::{Limits, Request, World, expand};
+pub use machine::{Forced, Limits, Request, World, expand};
 pub use origin::{FileIdx, Frame, FrameId, FrameKind, Origin, Source, SrcId};
 pub use params::parse as parse_params;
 pub use probe::Probe;

@@ -111,6 +111,13 @@ impl Expander<'_> {
                 .help("drop scope=\"parent\"");
             return self.push(problem);
         };
+        let is_value = !matches!(state, State::Block(_));
+        let state =
+            match is_value && self.unknown_conditions > 0 && self.scopes.holder(target, &key).is_some() {
+                // the branch may not be taken: then the value before holds
+                true => State::Ready(Value::Unknown),
+                false => state,
+            };
         self.bind(target, key, state, info, at);
     }
 

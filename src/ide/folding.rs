@@ -61,6 +61,16 @@ pub fn folds(document: &Document) -> Vec<Fold> {
     found
 }
 
+/// The largest of these, in their order: whatever holds one of them is among them too.
+pub fn largest(mut folds: Vec<Fold>, most: usize) -> Vec<Fold> {
+    if folds.len() > most {
+        folds.sort_by_key(|fold| std::cmp::Reverse(fold.end - fold.start));
+        folds.truncate(most);
+        folds.sort_by_key(|fold| (fold.start, std::cmp::Reverse(fold.end)));
+    }
+    folds
+}
+
 /// A run of properties or of includes, with the next element.
 fn extended<'a>(
     document: &Document,

@@ -21,6 +21,7 @@ mod locate;
 mod moved;
 mod names;
 mod navigate;
+mod new_name;
 mod on_type;
 mod outline;
 mod paths;
@@ -48,7 +49,7 @@ pub use completion::{
 };
 pub use context::Cx;
 pub use expand_at::{ExpandedAt, expand_at};
-pub use folding::{Fold, FoldKind, folds};
+pub use folding::{Fold, FoldKind, folds, largest};
 pub use format::{Indent, format, format_range, indentation};
 pub use hints::{Hint, HintKind, HintSettings, hints};
 pub use hover::{Hover, declared_argument, hover, hover_while_typing, value_of};

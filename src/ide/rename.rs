@@ -2,11 +2,10 @@
 
 use super::context::Cx;
 use super::names::definition_of;
-use super::rename_robot;
+use super::{new_name, rename_robot};
 use crate::base::limits::NAME_LETTERS;
 use crate::base::{Span, TextRange};
-use crate::expand::{DefinitionId, SourceRange, SymbolKind, UseKind};
-use crate::expr::is_identifier;
+use crate::expand::{DefinitionId, SourceRange, SymbolKind};
 use crate::facts::{MentionKind, facts};
 
 /// What stands at an offset and can be renamed: its text and its name.
@@ -30,8 +29,12 @@ pub fn rename(cx: &Cx<'_>, offset: u32, new: &str) -> Result<Vec<Span>, String> 
     if symbols_name(cx, id) != Some(cx.source.document.slice(range)) {
         return Err("no name that can be renamed stands here".to_owned());
     }
-    admit(cx, id, new)?;
-    Ok(places(cx, id))
+    if cx.source.document.slice(range) == new {
+        return Ok(Vec::new());
+    }
+    let places = places(cx, id);
+    new_name::admit(cx, id, new, &places)?;
+    Ok(places)
 }
 
 fn symbols_name(cx: &Cx<'_>, id: DefinitionId) -> Option<String> {
@@ -44,9 +47,7 @@ pub fn places(cx: &Cx<'_>, id: DefinitionId) -> Vec<Span> {
     let mut found: Vec<Span> = definition_of(cx, id).map(|target| target.name).into_iter().collect();
     for used in cx.expansion.symbols.all_uses().filter(|used| used.definition == id) {
         found.extend(cx.span(used.place));
-        if used.kind == UseKind::Call {
-            found.extend(end_tag(cx, used.place, &definition.name));
-        }
+        found.extend(end_tag(cx, used.place));
     }
     found.extend(unread(cx, id));
     // what a computed text gives is not the name itself
@@ -64,13 +65,14 @@ pub fn definition_at(cx: &Cx<'_>, span: Span) -> Option<DefinitionId> {
     cx.expansion.symbols.iter().map(|(id, _)| id).find(here)
 }
 
-/// The name in the end tag of a call.
-fn end_tag(cx: &Cx<'_>, call: SourceRange, name: &str) -> Option<Span> {
-    let source = cx.expansion.sources.get(call.src.0 as usize)?;
-    let around = |range: TextRange| range.start <= call.range.start && call.range.end <= range.end;
-    let node = source.item.all_nodes().find(|node| around(node.name_range()))?;
-    let end = node.end_name_range()?.end;
-    cx.span(SourceRange { src: call.src, range: TextRange::new(end.checked_sub(name.len() as u32)?, end) })
+/// The same part of a name in the end tag, for one that is used in the name of a tag: a macro or a namespace.
+fn end_tag(cx: &Cx<'_>, used: SourceRange) -> Option<Span> {
+    let source = cx.expansion.sources.get(used.src.0 as usize)?;
+    let node = source.item.all_nodes().find(|node| node.name_range().contains_range(used.range))?;
+    let (start, end) = (node.name_range(), node.end_name_range()?);
+    let at = end.start + (used.range.start - start.start);
+    let range = TextRange::new(at, at + used.range.len());
+    end.contains_range(range).then(|| cx.span(SourceRange { range, ..used })).flatten()
 }
 
 /// Places that name it and that expansion did not come by: branches not taken.
@@ -94,41 +96,4 @@ fn unread(cx: &Cx<'_>, id: DefinitionId) -> Vec<Span> {
         }
     }
     found
-}
-
-/// Whether a definition may be called `new`.
-fn admit(cx: &Cx<'_>, id: DefinitionId, new: &str) -> Result<(), String> {
-    let symbols = &cx.expansion.symbols;
-    let Some(definition) = symbols.get(id) else { return Err("this name is not known any more".to_owned()) };
-    let fits = match definition.kind {
-        SymbolKind::Macro => {
-            !new.is_empty()
-                && new != "call"
-                && new.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '-'))
-        }
-        SymbolKind::Argument => {
-            !new.is_empty() && new.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '-' | '.' | '/'))
-        }
-        _ => is_identifier(new) && !new.starts_with("__"),
-    };
-    if !fits {
-        return Err(format!(
-            "`{new}` is no good name here: letters, digits and `_`, not a keyword of Python"
-        ));
-    }
-    let class = |kind: SymbolKind| match kind {
-        SymbolKind::Property | SymbolKind::Parameter | SymbolKind::Namespace => 0,
-        SymbolKind::BlockProperty | SymbolKind::BlockParameter => 1,
-        SymbolKind::Argument => 2,
-        SymbolKind::Macro => 3,
-    };
-    let clashes = |other: &&crate::expand::Definition| {
-        other.name == new
-            && class(other.kind) == class(definition.kind)
-            && (other.of.is_none() || other.of == definition.of)
-    };
-    match symbols.definitions.iter().find(clashes) {
-        Some(_) => Err(format!("`{new}` is defined already")),
-        None => Ok(()),
-    }
 }

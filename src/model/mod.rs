@@ -1,6 +1,7 @@
 //! The robot of an expanded document: links, joints and what belongs to them, each with the text it came from.
 
 mod blocks;
+mod canonical;
 mod joint;
 mod kinematics;
 mod link;
@@ -13,6 +14,7 @@ mod tests;
 mod text;
 
 pub use blocks::{ControlJoint, Gazebo, Interface, Param, Ros2Control, Transmission};
+pub use canonical::same_robot;
 pub use joint::{Axis, Dynamics, Joint, JointType, Limit, Mimic, Safety};
 pub use kinematics::Kinematics;
 pub use link::{Body, Geometry, Inertial, Link, Material, Shape, ShapeKind};

@@ -30,10 +30,10 @@ pub(super) fn delete_element<'s, 'a>(
     report: Reported<'s, 'a>,
     expansion: &Expansion,
     element: XId,
-    message: &str,
+    (safety, message): (Safety, &str),
 ) -> Reported<'s, 'a> {
     match removal(expansion, element_range(expansion, element)) {
-        Some((file, range)) => report.fix(Safety::Safe, message, file, [(range, String::new())]),
+        Some((file, range)) => report.fix(safety, message, file, [(range, String::new())]),
         None => report,
     }
 }

@@ -17,6 +17,8 @@ pub(super) fn fix(problem: &Problem, document: &Document, span: Span, vfs: &Vfs)
         "XML001" => blanks_in_front(document, span),
         "XML002" => declare_namespace(document, span),
         "XAC005" => add_parameters(problem, span),
+        "XAC006" => remove_attribute(document, span, Safety::Unsafe),
+        "XAC031" => remove_attribute(document, span, Safety::Safe),
         "XAC008" => other_file(problem, document, span, vfs),
         "XAC022" => identifier(document, span),
         "XAC033" => remove_children(document, span),
@@ -59,6 +61,22 @@ fn add_parameters(problem: &Problem, span: Span) -> Option<Fix> {
         safety: Safety::Unsafe,
         message: "add the missing parameters, empty".to_owned(),
         edits: vec![Edit { span: Span { range, ..span }, content: format!(" {attributes}") }],
+    })
+}
+
+/// Without the attribute whose name stands at the span, and the blanks in front of it.
+fn remove_attribute(document: &Document, span: Span, safety: Safety) -> Option<Fix> {
+    let place = document.item_at(span.range.start);
+    let mut attrs = place.item.all_nodes().flat_map(|node| node.attrs());
+    let attr = attrs.find(|attr| attr.name_range().shift(place.start) == span.range)?;
+    let whole = attr.range().shift(place.start);
+    let before = document.slice(TextRange::new(place.start, whole.start));
+    let blanks = (before.len() - before.trim_end().len()) as u32;
+    let range = TextRange::new(whole.start - blanks, whole.end);
+    Some(Fix {
+        safety,
+        message: format!("remove `{}`", attr.name()),
+        edits: vec![Edit { span: Span { range, ..span }, content: String::new() }],
     })
 }
 

@@ -52,3 +52,4 @@ pub use semantic::{holds_for_semantic, is_semantic};
 pub use sink::Sink;
 pub use style::LEFT_TO_DO;
 pub use thresholds::{THRESHOLDS, Threshold};
+pub use xacro::include_tags;

@@ -2,7 +2,7 @@
 
 use super::finding::Finding;
 use super::registry::{Activation, Rule, Severity, all};
-use crate::base::FastMap;
+use crate::base::{FastMap, FastSet};
 
 /// What was configured; lists hold codes, beginnings of codes, or names.
 #[derive(Clone, Debug, Default)]
@@ -15,6 +15,10 @@ pub struct SelectionOptions {
     pub ignore: Vec<String>,
     /// Switch on the rules of these profiles.
     pub profiles: Vec<String>,
+    /// What of `select` and `extend_select` was said on the command line: it wins over what a configuration leaves out.
+    pub commanded: Vec<String>,
+    /// Whether `ignore` was said there too.
+    pub ignore_is_commanded: bool,
     /// Another severity; none switches off.
     pub severity: Vec<(String, Option<Severity>)>,
 }
@@ -24,6 +28,8 @@ pub struct SelectionOptions {
 pub struct Selection {
     /// By code: the configured severity of the rules that run.
     rules: FastMap<&'static str, Option<Severity>>,
+    /// The codes of those that were asked for.
+    named: FastSet<&'static str>,
 }
 
 impl Selection {
@@ -34,7 +40,15 @@ impl Selection {
     pub fn new(options: &SelectionOptions) -> Self {
         let mut rules = FastMap::with_capacity_and_hasher(all().count(), Default::default());
         rules.extend(all().filter_map(|rule| Some((rule.code, setting(rule, options)?))));
-        Self { rules }
+        let select = || options.select.iter().flatten().chain(&options.extend_select);
+        let is_named = |rule: &&Rule| select().any(|selector| weight(rule, selector).is_some());
+        let named = all().filter(is_named).map(|rule| rule.code).collect();
+        Self { rules, named }
+    }
+
+    /// Whether a rule was asked for, by whatever selector.
+    pub fn names(&self, rule: &Rule) -> bool {
+        self.named.contains(rule.code)
     }
 
     /// The severity of a finding as configured; none when its rule does not run.
@@ -59,7 +73,9 @@ fn setting(rule: &Rule, options: &SelectionOptions) -> Option<Option<Severity>> 
     };
     let select = options.select.iter().flatten().chain(&options.extend_select);
     let on = select.filter_map(|selector| weight(rule, selector)).max();
+    let is_commanded = options.commanded.iter().any(|selector| weight(rule, selector).is_some());
     let off = options.ignore.iter().filter_map(|selector| weight(rule, selector)).max();
+    let off = off.filter(|_| !is_commanded || options.ignore_is_commanded);
     let runs = match (on, off) {
         (Some(on), Some(off)) => on > off,
         (Some(_), None) => true,
@@ -71,7 +87,7 @@ fn setting(rule: &Rule, options: &SelectionOptions) -> Option<Option<Severity>> 
         overrides.max_by_key(|(selector, _)| weight(rule, selector)).map(|(_, severity)| *severity);
     match configured {
         _ if !runs => None,
-        Some(None) => None,
+        Some(None) => is_commanded.then_some(None),
         Some(severity) => Some(severity),
         None => Some(None),
     }
@@ -119,6 +135,27 @@ mod tests {
             let options = SelectionOptions { select, ignore: list(ignore), ..SelectionOptions::default() };
             assert_eq!(runs(&options, code), expected, "{options:?} {code}");
         }
+    }
+
+    #[test]
+    fn the_command_line_wins() {
+        let configured = SelectionOptions {
+            select: Some(list("orphan-link no-links")),
+            ignore: list("STR"),
+            severity: vec![("no-links".to_owned(), None)],
+            ..SelectionOptions::default()
+        };
+        let no_links = "STR009";
+        assert_eq!(
+            [runs(&configured, "STR008"), runs(&configured, no_links)],
+            [true, false],
+            "in a configuration alone, the more exact selector wins, and a severity of none always does"
+        );
+        let ignored = SelectionOptions { select: Some(list("STR")), ..configured };
+        assert!(!runs(&ignored, "STR008"));
+        let commanded = SelectionOptions { commanded: list("STR"), ..ignored };
+        assert!(runs(&commanded, "STR008") && runs(&commanded, no_links));
+        assert!(!runs(&SelectionOptions { ignore_is_commanded: true, ..commanded }, "STR008"));
     }
 
     #[test]

@@ -3,25 +3,30 @@
 //! Fixes are taken from the findings for the text as it is now, never from what a client sends along: a
 //! diagnostic may be older than the text, and its data may come from anywhere.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Arc;
 
 use lsp_types::{
-    CodeAction, CodeActionKind, CodeActionOptions, CodeActionOrCommand, CodeActionParams, Command,
-    Diagnostic, DocumentChangeOperation, DocumentChanges, NumberOrString, RenameFile, ResourceOp,
-    TextDocumentPositionParams, TextEdit, Url, WorkDoneProgressOptions, WorkspaceEdit,
+    CodeAction, CodeActionKind, CodeActionOptions, CodeActionOrCommand, CodeActionParams,
+    CodeActionTriggerKind, Command, Diagnostic, DocumentChangeOperation, DocumentChanges, NumberOrString,
+    RenameFile, ResourceOp, TextDocumentPositionParams, TextEdit, Url, WorkDoneProgressOptions,
+    WorkspaceEdit,
 };
+use serde::{Deserialize, Serialize};
 use serde_json::json;
 
+use super::commands;
 use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
-use crate::analysis::{apply, choose};
+use super::outbox::Question;
+use crate::analysis::{Report, apply};
+use crate::base::limits::{PROOF_EXPANSIONS, QUICK_PROOF_EXPANSIONS};
 use crate::base::{CancelFlag, Span, TextRange};
 use crate::facts::{FactKind, facts};
 use crate::ide::{self, Action, ActionKind, MacroFile};
-use crate::rules::{Edit, Finding, Safety};
+use crate::rules::{Edit, Finding};
 use crate::vfs::SourceFile;
 use crate::workspace::config::find_config;
 use crate::xml::Document;
@@ -30,8 +35,8 @@ use crate::xml::Document;
 const FIX_ALL: CodeActionKind = CodeActionKind::new("source.fixAll.xacro");
 /// Files offered for an include, at most.
 const MOST_FILES: usize = 5;
-/// Diagnostics that fixes are looked for, at most.
-const MOST_DIAGNOSTICS: usize = 50;
+/// Findings that fixes are looked for, at most.
+const MOST_FINDINGS: usize = 50;
 
 /// The kinds of actions there are.
 pub(super) fn offered() -> CodeActionOptions {
@@ -48,6 +53,22 @@ pub(super) fn offered() -> CodeActionOptions {
     }
 }
 
+/// Edits, and the texts that they were made for.
+#[derive(Deserialize, Serialize)]
+pub(super) struct MadeFor {
+    edit: WorkspaceEdit,
+    versions: BTreeMap<Url, Option<i32>>,
+}
+
+/// A finding that the client names.
+struct Named<'a> {
+    shown: &'a Diagnostic,
+    rule: &'a str,
+    range: TextRange,
+    /// It stands in the range that is asked about, and nothing is found at just this place any more.
+    is_old: bool,
+}
+
 impl Engine {
     pub fn actions(
         &mut self,
@@ -61,29 +82,57 @@ impl Engine {
             found.extend(self.quick_fixes(&params, &path, &source, cancel)?);
         }
         if ["extract", "inline", "rewrite"].iter().any(|kind| wants(only, &refactor(kind))) {
-            let actions = self.refactor_actions(&params.text_document.uri, params.range, cancel)?;
+            let actions = self.refactor_actions(&params, wants(only, &refactor("inline")), cancel)?;
             let actions =
                 actions.into_iter().filter(|action| action.kind.as_ref().is_some_and(|k| wants(only, k)));
             found.extend(actions.collect::<Vec<_>>());
-        }
-        if self.client.renames_files && wants(only, &CodeActionKind::QUICKFIX) {
-            found.extend(self.renamed_to_xacro(&params, &path));
         }
         // asked for by name only: it needs the findings of the whole file
         if only.is_some() && wants(only, &FIX_ALL) {
             found.extend(self.fix_all(&path, &source, cancel)?);
         }
-        Ok(Some(found.into_iter().map(CodeActionOrCommand::CodeAction).collect()))
+        Ok(Some(found.into_iter().filter_map(|action| self.in_its_form(action)).collect()))
+    }
+
+    /// An action as the client takes it: one that knows commands only has the server make the edits.
+    fn in_its_form(&self, action: CodeAction) -> Option<CodeActionOrCommand> {
+        if self.client.action_literals {
+            return Some(CodeActionOrCommand::CodeAction(action));
+        }
+        let apply = |edit| Command {
+            title: action.title.clone(),
+            command: commands::APPLY.to_owned(),
+            arguments: Some(vec![json!(MadeFor { edit, versions: self.versions() })]),
+        };
+        let edit = action.edit.filter(|_| self.client.applies_edits);
+        edit.map(apply).or(action.command).map(CodeActionOrCommand::Command)
+    }
+
+    /// The versions of all open files.
+    fn versions(&self) -> BTreeMap<Url, Option<i32>> {
+        self.documents.values().map(|open| (open.uri.clone(), open.version)).collect()
+    }
+
+    /// Have the client make edits that it was offered as a command.
+    pub fn apply(&mut self, offered: MadeFor) -> Result<(), Failure> {
+        if offered.versions != self.versions() {
+            return Err(Failure::Outdated);
+        }
+        self.outbox.ask(Question::ApplyEdit(Box::new(offered.edit)));
+        Ok(())
     }
 
     /// A file with tags of xacro gets a name that says so.
-    fn renamed_to_xacro(&self, params: &CodeActionParams, path: &Path) -> Option<CodeAction> {
-        let shown =
-            params.context.diagnostics.iter().find(|shown| rule(shown) == Some("xacro-tags-in-urdf"))?;
+    fn renamed_to_xacro(
+        &self,
+        params: &CodeActionParams,
+        path: &Path,
+        shown: &Diagnostic,
+    ) -> Option<CodeAction> {
         let is_urdf = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("urdf"));
         let name = path.file_stem().filter(|_| is_urdf)?.to_str()?;
         let new = path.with_file_name(format!("{name}.urdf.xacro"));
-        if !self.is_ours(path) || self.world.session().vfs.exists(&new) {
+        if !self.client.renames_files || !self.is_ours(path) || self.world.session().vfs.exists(&new) {
             return None;
         }
         let rename = ResourceOp::Rename(RenameFile {
@@ -102,7 +151,8 @@ impl Engine {
         })
     }
 
-    /// The fixes of the diagnostics that the client shows.
+    /// The fixes of the findings at the range that is asked about: of those that the client names, if it names any of
+    /// ours, and else of all.
     fn quick_fixes(
         &mut self,
         params: &CodeActionParams,
@@ -110,48 +160,104 @@ impl Engine {
         source: &Arc<SourceFile>,
         cancel: &CancelFlag,
     ) -> Result<Vec<CodeAction>, Failure> {
-        let shown: Vec<(&Diagnostic, &str)> = params
-            .context
-            .diagnostics
-            .iter()
-            .filter_map(|shown| Some((shown, rule(shown)?)))
-            .take(MOST_DIAGNOSTICS)
-            .collect();
-        if shown.is_empty() {
+        let is_automatic = params.context.trigger_kind == Some(CodeActionTriggerKind::AUTOMATIC);
+        let named = params.context.diagnostics.iter().any(|shown| rule(shown).is_some());
+        if is_automatic && !named && self.due.is_some() {
+            // a sign beside the text is not to wait for a check of the whole robot; findings bring the next question
             return Ok(Vec::new());
         }
-        let findings = self.findings_in(path, cancel)?;
+        let report = self.world.report(&[path.to_path_buf()], cancel).ok_or(Failure::Cancelled)?;
+        let effort = self.world.effort(path, QUICK_PROOF_EXPANSIONS, cancel);
         let mut found: Vec<CodeAction> = Vec::new();
-        for (diagnostic, rule) in shown {
-            let range = convert::text_range(&source.document, diagnostic.range, self.encoding);
-            let here = |finding: &&Finding| finding.rule.name == rule && finding.span.range == range;
-            let Some(finding) = findings.iter().find(here) else { continue };
+        for (number, diagnostic) in self.asked_about_in(params, &report, path, source) {
+            let Some(finding) = report.findings.get(number) else { continue };
+            let (rule, range) = (finding.rule.name, finding.span.range);
             let mut actions: Vec<(Action, bool)> = Vec::new();
             if let Some(fix) = &finding.fix {
                 let (title, edits) = (fix.message.clone(), fix.edits.clone());
                 let action = Action { title, kind: ActionKind::Fix, edits };
-                actions.push((action, fix.safety == Safety::Safe));
+                let proved = self.world.session().safe_fixes(&report, &[number], &effort);
+                actions.push((action, !proved.settles.is_empty()));
             }
-            if finding.fix.is_none() {
-                let near = finding.help.as_deref().and_then(|help| ide::suggested(source, range, help));
-                actions.extend(near.map(|action| (action, false)));
+            let more = self.further_fixes(params, path, source, finding, cancel)?;
+            actions.extend(more.into_iter().map(|action| (action, false)));
+            found.extend(self.mesh_rewritten(params, &diagnostic, rule, cancel)?);
+            if rule == "xacro-tags-in-urdf" {
+                found.extend(self.renamed_to_xacro(params, path, &diagnostic));
             }
-            if rule == "undefined-macro" {
-                self.world.scan(|| cancel.is_cancelled());
-                let more = ide::include_macro(source, range, |name| self.files_with_macro(path, name));
-                actions.extend(more.into_iter().map(|action| (action, false)));
-            }
-            actions.extend(self.with_meaning(params, finding, cancel)?.map(|action| (action, false)));
             let more = ide::quick_fixes(source, rule, range);
             actions.extend(more.into_iter().map(|action| (action, false)));
             actions.extend(self.ignored_in_project(path, rule).map(|action| (action, false)));
-            found.extend(self.mesh_rewritten(params, diagnostic, rule, cancel)?);
             for (action, preferred) in actions {
-                let made = self.action(action, Some(diagnostic));
+                let made = self.action(action, Some(&diagnostic));
                 found.extend(made.map(|made| CodeAction { is_preferred: preferred.then_some(true), ..made }));
             }
         }
         Ok(found)
+    }
+
+    /// The findings that are asked about, by their numbers, and each as the client knows it.
+    fn asked_about_in(
+        &self,
+        params: &CodeActionParams,
+        report: &Report,
+        path: &Path,
+        source: &SourceFile,
+    ) -> Vec<(usize, Diagnostic)> {
+        let text = |range| convert::text_range(&source.document, range, self.encoding);
+        let asked = text(params.range);
+        let own = |finding: &&Finding| report.path(finding.span.file) == path;
+        let is_current = |rule: &str, range| {
+            report.findings.iter().filter(own).any(|it| it.rule.name == rule && it.span.range == range)
+        };
+        let named = params.context.diagnostics.iter().filter_map(|shown| Some((shown, rule(shown)?)));
+        let named = named.map(|(shown, rule)| {
+            let range = text(shown.range);
+            // what is shown may be older than the text: it stands for what is there now
+            let is_old = !is_current(rule, range);
+            Named { shown, rule, range, is_old: is_old && touch(range, asked) }
+        });
+        let named: Vec<Named<'_>> = named.take(MOST_FINDINGS).collect();
+        let mut places = self.places();
+        let mut found: Vec<(usize, Diagnostic)> = Vec::new();
+        let mut seen = BTreeSet::new();
+        for (number, finding) in report.findings.iter().enumerate().filter(|(_, it)| own(it)) {
+            let (name, range) = (finding.rule.name, finding.span.range);
+            let is_here = touch(range, asked);
+            let is_meant =
+                |named: &&Named<'_>| named.rule == name && (named.range == range || is_here && named.is_old);
+            let diagnostic = match named.iter().find(is_meant) {
+                Some(named) => Some(named.shown.clone()),
+                None if named.is_empty() && is_here => places.diagnostic(finding),
+                None => None,
+            };
+            let diagnostic = diagnostic.filter(|_| seen.insert((name, range.start, range.end)));
+            found.extend(diagnostic.map(|diagnostic| (number, diagnostic)));
+        }
+        found.truncate(MOST_FINDINGS);
+        found
+    }
+
+    /// Fixes that need more than the text: what findings suggest, other files, what names mean.
+    fn further_fixes(
+        &mut self,
+        params: &CodeActionParams,
+        path: &Path,
+        source: &Arc<SourceFile>,
+        finding: &Finding,
+        cancel: &CancelFlag,
+    ) -> Result<Vec<Action>, Failure> {
+        let range = finding.span.range;
+        let mut actions = Vec::new();
+        if finding.fix.is_none() {
+            actions.extend(finding.help.as_deref().and_then(|help| ide::suggested(source, range, help)));
+        }
+        if finding.rule.name == "undefined-macro" {
+            self.world.scan(|| cancel.is_cancelled());
+            actions.extend(ide::include_macro(source, range, |name| self.files_with_macro(path, name)));
+        }
+        actions.extend(self.with_meaning(params, finding, cancel)?);
+        Ok(actions)
     }
 
     /// The mesh that a finding names, written anew by a command: no edit of text can do that.
@@ -213,12 +319,6 @@ impl Engine {
         Some(Action { title: format!("switch `{rule}` off in the project"), kind: ActionKind::Fix, edits })
     }
 
-    fn findings_in(&mut self, path: &Path, cancel: &CancelFlag) -> Result<Vec<Finding>, Failure> {
-        let report = self.world.report(&[path.to_path_buf()], cancel).ok_or(Failure::Cancelled)?;
-        let own = report.findings.iter().filter(|finding| report.path(finding.span.file) == path);
-        Ok(own.cloned().collect())
-    }
-
     /// Known files that define a macro, as an include in the file at `path` names them.
     fn files_with_macro(&self, path: &Path, name: &str) -> Vec<MacroFile> {
         let packages = &self.world.session().packages;
@@ -249,9 +349,13 @@ impl Engine {
         source: &SourceFile,
         cancel: &CancelFlag,
     ) -> Result<Option<CodeAction>, Failure> {
-        let findings = self.findings_in(path, cancel)?;
-        let own = |edit: &Edit| edit.span.file == source.id;
-        let plan = choose(&findings, |fix| fix.safety == Safety::Safe && fix.edits.iter().all(own));
+        let report = self.world.report(&[path.to_path_buf()], cancel).ok_or(Failure::Cancelled)?;
+        let own = |(_, finding): &(usize, &Finding)| {
+            finding.fix.iter().flat_map(|fix| &fix.edits).all(|edit| edit.span.file == source.id)
+        };
+        let numbers: Vec<usize> = report.findings.iter().enumerate().filter(own).map(|(n, _)| n).collect();
+        let effort = self.world.effort(path, PROOF_EXPANSIONS, cancel);
+        let plan = self.world.session().safe_fixes(&report, &numbers, &effort);
         let Some(edits) = plan.edits.get(&source.id) else { return Ok(None) };
         let changed = Document::parse(&apply(&source.document.text(), edits));
         if changed.errors().len() > source.document.errors().len() {
@@ -286,6 +390,11 @@ impl Engine {
         }
         (!changes.is_empty()).then(|| self.workspace_edit(changes))
     }
+}
+
+/// Whether two ranges have a place in common.
+fn touch(a: TextRange, b: TextRange) -> bool {
+    a.start <= b.end && b.start <= a.end
 }
 
 /// The rule of one of our diagnostics.

@@ -3,12 +3,16 @@
 use lsp_types::ExecuteCommandParams;
 use serde_json::Value;
 
+use super::client::ClientFacts;
 use super::engine::Engine;
 use super::failure::Failure;
 use crate::base::CancelFlag;
 
-/// The commands.
-pub(super) const NAMES: &[&str] = &[
+/// Makes the edits of an action, for clients that take actions as commands only.
+pub(super) const APPLY: &str = "xacro.applyEdit";
+
+/// The commands for all clients.
+const NAMES: &[&str] = &[
     "xacro.expand",
     "xacro.expandAt",
     "xacro.preview",
@@ -21,6 +25,12 @@ pub(super) const NAMES: &[&str] = &[
     "xacro.tree",
 ];
 
+/// The commands that a client may run.
+pub(super) fn offered(client: &ClientFacts) -> impl Iterator<Item = &'static str> + use<> {
+    let apply = (client.applies_edits && !client.action_literals).then_some(APPLY);
+    NAMES.iter().copied().chain(apply)
+}
+
 impl Engine {
     pub fn command(
         &mut self,
@@ -29,6 +39,7 @@ impl Engine {
     ) -> Result<Option<Value>, Failure> {
         let argument = params.arguments.into_iter().next().unwrap_or(Value::Null);
         match params.command.as_str() {
+            APPLY => self.apply(parsed(argument)?).map(|()| None),
             "xacro.expand" => {
                 self.expand(parsed(argument)?, cancel).map(|answer| serde_json::to_value(answer).ok())
             }

@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use lsp_types::{
     CompletionItem, CompletionItemKind, CompletionItemLabelDetails, CompletionList, CompletionParams,
-    CompletionResponse, CompletionTextEdit, DocumentOnTypeFormattingParams, Documentation, InsertReplaceEdit,
-    InsertTextFormat, MarkupContent, MarkupKind, ParameterInformation, ParameterLabel, SignatureHelp,
-    SignatureHelpParams, SignatureInformation, TextEdit, Url,
+    CompletionResponse, CompletionTextEdit, DocumentOnTypeFormattingParams, InsertReplaceEdit,
+    InsertTextFormat, ParameterInformation, ParameterLabel, SignatureHelp, SignatureHelpParams,
+    SignatureInformation, TextEdit, Url,
 };
 use serde::{Deserialize, Serialize};
 
@@ -132,7 +132,7 @@ impl Engine {
         let Some(origin) = origin.filter(|_| item.documentation.is_none()) else { return Ok(item) };
         let Ok(kept) = self.kept(&origin.uri, cancel) else { return Ok(item) };
         let text = self.scoped(&kept, |scope| ide::documentation(scope, &origin.topic));
-        item.documentation = text.map(markdown);
+        item.documentation = text.map(|text| self.client.item_docs.documentation(text));
         Ok(item)
     }
 
@@ -161,9 +161,10 @@ impl Engine {
             },
             documentation: None,
         };
+        let docs = Some(found.docs).filter(|docs| !docs.is_empty());
         SignatureInformation {
             parameters: Some(found.parameters.iter().map(parameter).collect()),
-            documentation: Some(found.docs).filter(|docs| !docs.is_empty()).map(markdown),
+            documentation: docs.map(|docs| self.client.signature_docs.documentation(docs)),
             active_parameter: found.active,
             label: found.label,
         }
@@ -187,10 +188,6 @@ impl Engine {
             vec![TextEdit::new(convert::range(&source.document, edit.range, self.encoding), edit.text)]
         }))
     }
-}
-
-fn markdown(value: String) -> Documentation {
-    Documentation::MarkupContent(MarkupContent { kind: MarkupKind::Markdown, value })
 }
 
 fn kind(kind: ItemKind) -> CompletionItemKind {

@@ -1,6 +1,6 @@
 //! Findings as diagnostics: pushed when there is a pause, or asked for.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
 
@@ -11,6 +11,7 @@ use lsp_types::{
     RelatedUnchangedDocumentDiagnosticReport, UnchangedDocumentDiagnosticReport, Url,
     WorkspaceDiagnosticParams, WorkspaceDiagnosticReport, WorkspaceDiagnosticReportResult,
     WorkspaceDocumentDiagnosticReport, WorkspaceFullDocumentDiagnosticReport,
+    WorkspaceUnchangedDocumentDiagnosticReport,
 };
 
 use super::convert::Places;
@@ -133,7 +134,7 @@ impl Engine {
         let (path, _) = self.source(&params.text_document.uri)?;
         self.scan_first();
         let items = self.of_file(&path, cancel)?;
-        let id = format!("{:x}", fingerprint(&serde_json::to_vec(&items).unwrap_or_default()));
+        let id = result_id(&items);
         let report = if params.previous_result_id.as_deref() == Some(&id) {
             let unchanged = UnchangedDocumentDiagnosticReport { result_id: id };
             DocumentDiagnosticReport::Unchanged(RelatedUnchangedDocumentDiagnosticReport {
@@ -152,21 +153,52 @@ impl Engine {
 
     pub fn pull_workspace(
         &mut self,
-        _: WorkspaceDiagnosticParams,
+        params: WorkspaceDiagnosticParams,
         cancel: &CancelFlag,
     ) -> Result<WorkspaceDiagnosticReportResult, Failure> {
-        let found = self.found(cancel).ok_or(Failure::Cancelled)?;
-        let items = found.into_iter().filter_map(|(path, items)| {
-            let version = self.documents.get(&path).map(|open| i64::from(open.version));
-            let report = FullDocumentDiagnosticReport { result_id: None, items };
-            Some(WorkspaceDocumentDiagnosticReport::Full(WorkspaceFullDocumentDiagnosticReport {
-                uri: self.uri(&path)?,
-                version,
-                full_document_diagnostic_report: report,
-            }))
-        });
-        let report = WorkspaceDiagnosticReport { items: items.collect() };
+        let mut found = self.found(cancel).ok_or(Failure::Cancelled)?;
+        let known = params.previous_result_ids.into_iter();
+        let known: BTreeMap<PathBuf, String> = known.map(|id| (self.path(&id.uri), id.value)).collect();
+        let with_findings = |found: &BTreeMap<PathBuf, Vec<Diagnostic>>| -> BTreeSet<PathBuf> {
+            found.iter().filter(|(_, items)| !items.is_empty()).map(|(path, _)| path.clone()).collect()
+        };
+        let reported = std::mem::replace(&mut self.reported, with_findings(&found));
+        // what was reported of a file stays until a report says otherwise
+        for path in known.keys().cloned().chain(reported) {
+            found.entry(path).or_default();
+        }
+        let report =
+            |(path, items): (PathBuf, Vec<Diagnostic>)| self.report_of(&path, items, known.get(&path));
+        let report = WorkspaceDiagnosticReport { items: found.into_iter().filter_map(report).collect() };
         Ok(WorkspaceDiagnosticReportResult::Report(report))
+    }
+
+    /// What there is to say of a file, or that it is what was said before.
+    fn report_of(
+        &self,
+        path: &Path,
+        items: Vec<Diagnostic>,
+        before: Option<&String>,
+    ) -> Option<WorkspaceDocumentDiagnosticReport> {
+        let version = self.documents.get(path).and_then(|open| open.version).map(i64::from);
+        let (uri, result_id) = (self.uri(path)?, result_id(&items));
+        Some(match before == Some(&result_id) {
+            true => {
+                WorkspaceDocumentDiagnosticReport::Unchanged(WorkspaceUnchangedDocumentDiagnosticReport {
+                    uri,
+                    version,
+                    unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport { result_id },
+                })
+            }
+            false => WorkspaceDocumentDiagnosticReport::Full(WorkspaceFullDocumentDiagnosticReport {
+                uri,
+                version,
+                full_document_diagnostic_report: FullDocumentDiagnosticReport {
+                    result_id: Some(result_id),
+                    items,
+                },
+            }),
+        })
     }
 
     fn of_file(&mut self, path: &Path, cancel: &CancelFlag) -> Result<Vec<Diagnostic>, Failure> {
@@ -280,6 +312,11 @@ fn page(rule: &str) -> Option<Url> {
         return None;
     }
     Url::parse(&format!("{REPOSITORY}/blob/main/docs/rules/{rule}.md")).ok()
+}
+
+/// What tells one list of findings from another.
+fn result_id(items: &[Diagnostic]) -> String {
+    format!("{:x}", fingerprint(&serde_json::to_vec(items).unwrap_or_default()))
 }
 
 pub(super) fn fingerprint(json: &[u8]) -> u64 {

@@ -23,8 +23,8 @@ use crate::vfs::{Environment, SourceFile};
 pub(super) struct OpenDocument {
     /// Its name as the client spells it.
     pub uri: Url,
-    /// Its version.
-    pub version: i32,
+    /// Its version, when the client counts them.
+    pub version: Option<i32>,
 }
 
 /// The state of the server.
@@ -38,6 +38,8 @@ pub(super) struct Engine {
     pub documents: BTreeMap<PathBuf, OpenDocument>,
     /// What was published last.
     pub published: super::publishing::Published,
+    /// The files that the client was told findings of when it asked for those of the workspace.
+    pub reported: BTreeSet<PathBuf>,
     /// The semantic tokens that were sent last, by path.
     pub sent_tokens: BTreeMap<PathBuf, super::tokens::Sent>,
     /// Macro calls that the user picked, by root.
@@ -68,6 +70,8 @@ pub(super) struct Engine {
     pub initialized: bool,
     /// The token of the progress that is shown.
     pub progress: Option<String>,
+    /// The settings that the client began with: they hold where it has none.
+    pub first_settings: serde_json::Value,
     /// What the user was told about settings.
     pub warned: std::collections::BTreeSet<String>,
     /// Whether the user was told of an internal fault.
@@ -82,7 +86,7 @@ impl Engine {
     /// How long an answer waits for a look at the workspace.
     pub const SCAN_FIRST: Duration = Duration::from_millis(200);
     /// The pause after the last edit unless configured.
-    const DELAY: Duration = Duration::from_millis(100);
+    pub const DELAY: Duration = Duration::from_millis(100);
 
     pub fn new(env: Environment, outbox: Outbox, pressure: Pressure) -> Self {
         Self {
@@ -93,6 +97,7 @@ impl Engine {
             pressure,
             documents: BTreeMap::new(),
             published: super::publishing::Published::default(),
+            reported: BTreeSet::new(),
             sent_tokens: BTreeMap::new(),
             pins: BTreeMap::new(),
             told: BTreeMap::new(),
@@ -108,6 +113,7 @@ impl Engine {
             letterbox: None,
             initialized: false,
             progress: None,
+            first_settings: serde_json::json!({}),
             warned: std::collections::BTreeSet::new(),
             fault_shown: false,
         }

@@ -26,6 +26,9 @@ pub(super) enum Incoming {
 /// What changes the text of a document.
 pub(super) const EDIT: &str = "textDocument/didChange";
 
+/// What stands for a version where a client gives none: the types that read it want one.
+pub(super) const NO_VERSION: i32 = i32::MIN;
+
 /// Hand on messages until the input ends, or until `take` wants no more.
 pub(super) fn read(input: impl BufRead, mut take: impl FnMut(Incoming) -> bool) {
     bodies(input, |body, is_reply| take(message(&body, is_reply)));
@@ -132,6 +135,7 @@ fn checked(body: &[u8]) -> (Cow<'_, [u8]>, bool) {
         // some clients send `null` for no parameters, which the service would refuse
         (Some("shutdown"), Some(id)) => written(json!({ "jsonrpc": "2.0", "id": id, "method": "shutdown" })),
         (Some("initialize"), Some(_)) => (with_our_name_of_diagnostics(mended), false),
+        (Some(EDIT | "textDocument/didOpen"), None) => (with_a_version(mended), false),
         (Some("exit"), _) => written(json!({ "jsonrpc": "2.0", "method": "exit" })),
         // requests with `$/` that are not known must be answered all the same
         (Some(method), Some(id)) if method.starts_with("$/") => {
@@ -152,6 +156,33 @@ fn with_our_name_of_diagnostics(body: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
         }
         None => body,
     }
+}
+
+/// A note about a text with a version, though old clients and small scripts give none or `null`.
+fn with_a_version(body: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
+    #[derive(Deserialize)]
+    struct Note {
+        params: Params,
+    }
+    #[derive(Deserialize)]
+    #[serde(rename_all = "camelCase")]
+    struct Params {
+        text_document: Versioned,
+    }
+    #[derive(Deserialize)]
+    struct Versioned {
+        version: i32,
+    }
+    let given = serde_json::from_slice::<Note>(&body).map(|note| note.params.text_document.version);
+    if given.is_ok() {
+        return body;
+    }
+    let Ok(mut message) = serde_json::from_slice::<Value>(&body) else { return body };
+    match message.pointer_mut("/params/textDocument").and_then(Value::as_object_mut) {
+        Some(document) => document.insert("version".to_owned(), NO_VERSION.into()),
+        None => return body,
+    };
+    Cow::Owned(message.to_string().into_bytes())
 }
 
 /// JSON in which halves of surrogate pairs that stand alone are replaced: editors cut text anywhere.

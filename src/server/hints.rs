@@ -1,7 +1,7 @@
 //! F6: inlay hints.
 
 use lsp_types::{
-    InlayHint, InlayHintKind, InlayHintLabel, InlayHintParams, InlayHintTooltip, TextDocumentIdentifier,
+    InlayHint, InlayHintKind, InlayHintLabel, InlayHintParams, TextDocumentIdentifier,
     TextDocumentPositionParams,
 };
 use serde::{Deserialize, Serialize};
@@ -62,7 +62,7 @@ impl Engine {
         // the text may have changed since
         if offset < asked.offset {
             let value = ide::value_of(&asked.cx(), offset);
-            hint.tooltip = value.map(|value| InlayHintTooltip::MarkupContent(self.markup(value)));
+            hint.tooltip = value.map(|value| self.client.hover.tooltip(value));
         }
         Ok(hint)
     }

@@ -1,6 +1,6 @@
 //! F4: what is shown under the pointer.
 
-use lsp_types::{HoverContents, HoverParams, MarkupContent, MarkupKind, TextDocumentPositionParams};
+use lsp_types::{HoverContents, HoverParams, TextDocumentPositionParams};
 
 use super::convert;
 use super::engine::Engine;
@@ -45,7 +45,7 @@ impl Engine {
     fn hover_answer(&self, source: &SourceFile, hover: Hover) -> lsp_types::Hover {
         lsp_types::Hover {
             range: Some(convert::range(&source.document, hover.range, self.encoding)),
-            contents: HoverContents::Markup(self.markup(hover.markdown)),
+            contents: HoverContents::Markup(self.client.hover.contents(hover.markdown)),
         }
     }
 
@@ -54,9 +54,5 @@ impl Engine {
         let session = self.world.session();
         let settings = session.settings(&asked.source.path);
         ide::hover(&asked.cx(), session.surroundings(&settings.config), offset)
-    }
-
-    pub fn markup(&self, markdown: String) -> MarkupContent {
-        MarkupContent { kind: MarkupKind::Markdown, value: markdown }
     }
 }

@@ -1,17 +1,19 @@
 //! F23: lines above macros and the robot: how often it is called, commands.
 
+use std::collections::BTreeMap;
+
 use lsp_types::{
     CodeLens, CodeLensParams, Command, Location, TextDocumentIdentifier, TextDocumentPositionParams, Url,
 };
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use super::commands;
 use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
+use super::navigation::Asked;
 use super::tokens::start_of;
-use crate::base::CancelFlag;
+use crate::base::{CancelFlag, TextRange};
 use crate::ide;
 
 /// The macro whose calls a lens counts.
@@ -19,6 +21,16 @@ use crate::ide;
 pub(super) struct CallsOf {
     uri: Url,
     position: lsp_types::Position,
+    /// Which macro it was when the lens was made: text above it may have moved it since.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    of: Option<Named>,
+}
+
+/// A macro of a file: its name, and how many of that name stand in front of it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+struct Named {
+    name: String,
+    before: usize,
 }
 
 impl Engine {
@@ -27,6 +39,9 @@ impl Engine {
         params: CodeLensParams,
         cancel: &CancelFlag,
     ) -> Result<Option<Vec<CodeLens>>, Failure> {
+        if !self.client.shows_lenses() {
+            return Ok(None);
+        }
         let text_document = params.text_document.clone();
         let asked = self.asked(&start_of(params.text_document), cancel)?;
         let document = &asked.source.document;
@@ -37,12 +52,15 @@ impl Engine {
             let range = convert::range(document, root.name_range(), self.encoding);
             found.extend(self.root_lenses(&text_document, &asked.analyzed.expansion.arguments, range));
         }
-        for (_, name) in ide::macros_of(&asked.cx()) {
+        if !self.client.own.lens_commands {
+            return Ok(Some(found));
+        }
+        for (of, name) in macros(&asked) {
             let range = convert::range(document, name, self.encoding);
-            let calls = CallsOf { uri: text_document.uri.clone(), position: range.start };
+            let calls = CallsOf { uri: text_document.uri.clone(), position: range.start, of: Some(of) };
             found.push(CodeLens { range, command: None, data: serde_json::to_value(&calls).ok() });
             let here = json!({ "textDocument": text_document, "position": range.start });
-            found.extend(lens(range, "expand", "xacro.expandAt", here));
+            found.push(lens(range, "expand", "xacro.expandAt", here));
         }
         Ok(Some(found))
     }
@@ -55,11 +73,15 @@ impl Engine {
     ) -> Vec<CodeLens> {
         const MOST: usize = 3;
         let here = json!({ "textDocument": document });
-        let mut found: Vec<CodeLens> =
-            lens(range, "Preview", "xacro.preview", here.clone()).into_iter().collect();
-        found.extend(lens(range, "Expand", "xacro.expand", here.clone()));
+        if !self.client.own.lens_commands {
+            // the only command whose result the server itself can have shown
+            let shown = json!({ "textDocument": document, "show": true });
+            return vec![lens(range, "Preview", "xacro.preview", shown)];
+        }
+        let mut found = vec![lens(range, "Preview", "xacro.preview", here.clone())];
+        found.push(lens(range, "Expand", "xacro.expand", here.clone()));
         for (name, value) in arguments.iter().take(MOST) {
-            found.extend(lens(range, &format!("{name}:={value} ▾"), "xacro.setArgs", here.clone()));
+            found.push(lens(range, &format!("{name}:={value} ▾"), "xacro.setArgs", here.clone()));
         }
         found
     }
@@ -68,6 +90,7 @@ impl Engine {
     pub fn resolve_lens(&mut self, mut lens: CodeLens, cancel: &CancelFlag) -> Result<CodeLens, Failure> {
         let calls: Option<CallsOf> = lens.data.clone().and_then(|data| serde_json::from_value(data).ok());
         let Some(calls) = calls else { return Ok(lens) };
+        let calls = self.where_now(calls, cancel)?;
         let (root, places) = self.calls_of(&calls, cancel)?;
         let number = places.len();
         let plural = if number == 1 { "" } else { "s" };
@@ -78,6 +101,16 @@ impl Engine {
             arguments: Some(arguments),
         });
         Ok(lens)
+    }
+
+    /// The same macro at the place where it stands now.
+    fn where_now(&mut self, calls: CallsOf, cancel: &CancelFlag) -> Result<CallsOf, Failure> {
+        let Some(of) = calls.of else { return Ok(calls) };
+        let asked = self.asked(&start_of(TextDocumentIdentifier { uri: calls.uri.clone() }), cancel)?;
+        let found = macros(&asked).find(|(known, _)| *known == of);
+        let (_, name) = found.ok_or(Failure::Outdated)?;
+        let position = convert::position(&asked.source.document, name.start, self.encoding);
+        Ok(CallsOf { uri: calls.uri, position, of: None })
     }
 
     /// The calls of a macro, and the roots they were looked for in.
@@ -102,9 +135,20 @@ impl Engine {
     }
 }
 
-/// A lens with a command, when the server has that command.
-fn lens(range: lsp_types::Range, title: &str, command: &str, argument: Value) -> Option<CodeLens> {
-    commands::NAMES.contains(&command).then(|| CodeLens {
+/// The macros of a file, and where their names stand.
+fn macros(asked: &Asked) -> impl Iterator<Item = (Named, TextRange)> {
+    let mut seen: BTreeMap<String, usize> = BTreeMap::new();
+    ide::macros_of(&asked.cx()).into_iter().map(move |(_, range)| {
+        let name = asked.source.document.slice(range);
+        let count = seen.entry(name.clone()).or_default();
+        let before = std::mem::replace(count, *count + 1);
+        (Named { name, before }, range)
+    })
+}
+
+/// A lens with a command.
+fn lens(range: lsp_types::Range, title: &str, command: &str, argument: Value) -> CodeLens {
+    CodeLens {
         range,
         command: Some(Command {
             title: title.to_owned(),
@@ -112,5 +156,5 @@ fn lens(range: lsp_types::Range, title: &str, command: &str, argument: Value) ->
             arguments: Some(vec![argument]),
         }),
         data: None,
-    })
+    }
 }

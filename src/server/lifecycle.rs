@@ -10,12 +10,14 @@ use lsp_types::{
 use serde_json::{Value, json};
 
 use super::capabilities;
-use super::client::ClientFacts;
+use super::client::{CLIENT_OPTIONS, ClientFacts, options};
 use super::engine::Engine;
 use super::exit::{Shutdown, watch_process};
 use super::failure::Failure;
 use super::outbox::Question;
 use crate::base::{CancelFlag, Encoding};
+use crate::ide::HintSettings;
+use crate::vfs::is_process_alive;
 use crate::workspace::config::unknown_settings;
 
 impl Engine {
@@ -25,14 +27,14 @@ impl Engine {
         _: &CancelFlag,
     ) -> Result<InitializeResult, Failure> {
         self.client = ClientFacts::of(&params);
-        if let Some(process) = params.process_id {
+        // a client in another container or on another machine is not to be seen from here
+        if let Some(process) = params.process_id.filter(|&process| is_process_alive(process)) {
             watch_process(process, shutdown);
         }
         self.encoding = encoding(&params);
         self.world.set_folders(folders(&params));
-        if let Some(options) = &params.initialization_options {
-            self.settings(options);
-        }
+        self.first_settings = first_settings(&params);
+        self.settings(&Value::Null);
         let encoding = match self.encoding {
             Encoding::Utf8 => PositionEncodingKind::UTF8,
             _ => PositionEncodingKind::UTF16,
@@ -89,38 +91,36 @@ impl Engine {
 
     /// The client's answer about settings: those of each folder hold for what lies in it.
     pub fn configured(&mut self, (scopes, values): (Vec<Option<Url>>, Vec<Value>)) {
-        let first = self.world.folders().first().cloned();
-        let mut of_folders = Vec::new();
-        for (scope, value) in scopes.iter().zip(&values) {
-            let settings = value.get("xacro").unwrap_or(value);
-            let folder = scope.as_ref().map(|uri| self.path(uri)).or_else(|| first.clone());
-            match folder.filter(|_| settings.is_object()) {
-                Some(folder) => {
-                    self.own_settings(settings);
-                    of_folders.push((settings.clone(), folder));
-                }
-                None => self.settings(value),
-            }
-        }
-        if !of_folders.is_empty() {
-            let warnings = self.world.set_folder_settings(of_folders);
-            self.warn_of_settings(warnings);
-        }
+        let folder = |scope: &Option<Url>| scope.as_ref().map(|uri| self.path(uri));
+        let scoped = scopes.iter().zip(&values);
+        let given = scoped.map(|(scope, value)| (self.effective(value), folder(scope))).collect();
+        self.take_settings(given);
         self.schedule();
     }
 
-    /// Take settings over, with or without the section around them.
-    fn settings(&mut self, settings: &Value) {
-        let settings = settings.get("xacro").unwrap_or(settings);
-        if !settings.is_object() {
-            return;
-        }
-        self.own_settings(settings);
-        let warnings = self.world.set_editor_settings(settings.clone());
-        self.warn_of_settings(warnings);
+    /// Settings of no folder in particular.
+    fn settings(&mut self, value: &Value) {
+        let given = vec![(self.effective(value), None)];
+        self.take_settings(given);
     }
 
-    fn warn_of_settings(&mut self, warnings: Vec<String>) {
+    /// What holds when a client gives this, with or without the section around it. Nothing is what it says when there
+    /// are no settings, or none any more: what it began with holds then.
+    fn effective(&self, value: &Value) -> Value {
+        let settings = value.get("xacro").unwrap_or(value);
+        if settings.is_object() { settings.clone() } else { self.first_settings.clone() }
+    }
+
+    /// Take settings over, in the place of all that held before: what is no longer said is the default again.
+    fn take_settings(&mut self, given: Vec<(Value, Option<PathBuf>)>) {
+        self.delay = Self::DELAY;
+        self.snippets = true;
+        self.hint_settings = HintSettings::default();
+        self.world.set_all_contexts(false);
+        for (settings, _) in &given {
+            self.own_settings(settings);
+        }
+        let warnings = self.world.set_folder_settings(given);
         for warning in warnings {
             self.warn_once(format!("settings: {warning}"));
         }
@@ -226,12 +226,24 @@ fn encoding(params: &InitializeParams) -> Encoding {
     }
 }
 
-#[allow(deprecated)] // old clients send `rootUri`
+/// What a client says of settings when it begins.
+fn first_settings(params: &InitializeParams) -> Value {
+    let mut settings = options(params).filter(|options| options.is_object()).cloned().unwrap_or(json!({}));
+    if let Some(settings) = settings.as_object_mut() {
+        settings.remove(CLIENT_OPTIONS);
+    }
+    settings
+}
+
+#[allow(deprecated)] // old clients send `rootUri`, and still older ones `rootPath`
 fn folders(params: &InitializeParams) -> Vec<PathBuf> {
     let listed = params.workspace_folders.iter().flatten().map(|folder| &folder.uri);
     let mut uris: Vec<&Url> = listed.collect();
     if uris.is_empty() {
         uris.extend(&params.root_uri);
+    }
+    if uris.is_empty() {
+        return params.root_path.iter().map(PathBuf::from).filter(|path| path.is_absolute()).collect();
     }
     uris.into_iter().filter(|uri| uri.scheme() == "file").filter_map(|uri| uri.to_file_path().ok()).collect()
 }

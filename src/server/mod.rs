@@ -28,6 +28,7 @@ mod letterbox;
 mod lifecycle;
 mod links;
 mod mapping;
+mod markup;
 mod navigation;
 mod outbox;
 mod preview;

@@ -66,11 +66,11 @@ impl Engine {
         let is_symbol = asked.cx().symbol_at(asked.offset).is_some();
         let file = if is_symbol { None } else { self.about_files(&asked, ide::file_definition) };
         if let Some((origin, place)) = file {
-            return Ok(self.file_target(&asked, origin, &place));
+            return Ok(self.file_target(&asked, origin, &place, self.client.links.definition));
         }
         let Some((origin, targets)) = ide::definitions(&asked.cx(), asked.offset) else { return Ok(None) };
         let origin = convert::range(&asked.source.document, origin, self.encoding);
-        Ok(self.targets(origin, &targets))
+        Ok(self.targets(origin, &targets, self.client.links.definition))
     }
 
     pub fn declaration(
@@ -81,7 +81,7 @@ impl Engine {
         let asked = self.asked(&params.text_document_position_params, cancel)?;
         let Some((origin, target)) = ide::declaration(&asked.cx(), asked.offset) else { return Ok(None) };
         let origin = convert::range(&asked.source.document, origin, self.encoding);
-        Ok(self.targets(origin, &[target]))
+        Ok(self.targets(origin, &[target], self.client.links.declaration))
     }
 
     pub fn type_definition(
@@ -91,15 +91,19 @@ impl Engine {
     ) -> Result<Option<GotoDefinitionResponse>, Failure> {
         let asked = self.asked(&params.text_document_position_params, cancel)?;
         let found = self.about_files(&asked, ide::type_definition);
-        Ok(found.and_then(|(origin, place)| self.file_target(&asked, origin, &place)))
+        let links = self.client.links.type_definition;
+        Ok(found.and_then(|(origin, place)| self.file_target(&asked, origin, &place, links)))
     }
 
-    /// What a macro makes, in the expanded text.
+    /// What a macro makes, in the expanded text; none for a client that could not open it.
     pub fn implementation(
         &mut self,
         params: GotoDefinitionParams,
         cancel: &CancelFlag,
     ) -> Result<Option<GotoDefinitionResponse>, Failure> {
+        if !self.client.own.expanded_documents {
+            return Ok(None);
+        }
         let asked = self.asked(&params.text_document_position_params, cancel)?;
         let written = asked.analyzed.written();
         let Some((origin, found)) = ide::implementations(&asked.cx(), written, asked.offset) else {
@@ -117,7 +121,7 @@ impl Engine {
                 target_selection_range: range,
             }
         });
-        Ok(self.links_or_places(links.collect()))
+        Ok(links_or_places(links.collect(), self.client.links.implementation))
     }
 
     /// The name of the expanded text of a root.
@@ -145,6 +149,7 @@ impl Engine {
         asked: &Asked,
         origin: TextRange,
         place: &FilePlace,
+        links: bool,
     ) -> Option<GotoDefinitionResponse> {
         let origin = convert::range(&asked.source.document, origin, self.encoding);
         let file = self.world.session().vfs.file_id(&place.path);
@@ -152,30 +157,18 @@ impl Engine {
             true => Range::default(),
             false => self.location(Span { file, range: place.range })?.range,
         };
-        self.links_or_places(vec![LocationLink {
+        let link = LocationLink {
             origin_selection_range: Some(origin),
             target_uri: self.uri(&place.path)?,
             target_range: range,
             target_selection_range: range,
-        }])
+        };
+        links_or_places(vec![link], links)
     }
 
-    /// Targets as links, or as plain places for clients that know no links.
-    fn targets(&self, origin: Range, targets: &[Target]) -> Option<GotoDefinitionResponse> {
-        let links: Vec<LocationLink> =
-            targets.iter().filter_map(|target| self.link(origin, target)).collect();
-        self.links_or_places(links)
-    }
-
-    fn links_or_places(&self, links: Vec<LocationLink>) -> Option<GotoDefinitionResponse> {
-        if links.is_empty() {
-            return None;
-        }
-        if self.client.links {
-            return Some(GotoDefinitionResponse::Link(links));
-        }
-        let plain = links.into_iter().map(|link| Location::new(link.target_uri, link.target_selection_range));
-        Some(GotoDefinitionResponse::Array(plain.collect()))
+    fn targets(&self, origin: Range, targets: &[Target], links: bool) -> Option<GotoDefinitionResponse> {
+        let found = targets.iter().filter_map(|target| self.link(origin, target));
+        links_or_places(found.collect(), links)
     }
 
     fn link(&self, origin: Range, target: &Target) -> Option<LocationLink> {
@@ -219,4 +212,16 @@ impl Engine {
         });
         Ok(Some(own.collect()))
     }
+}
+
+/// Targets as links, or as plain places for a request whose answers the client takes as such only.
+fn links_or_places(found: Vec<LocationLink>, links: bool) -> Option<GotoDefinitionResponse> {
+    if found.is_empty() {
+        return None;
+    }
+    if links {
+        return Some(GotoDefinitionResponse::Link(found));
+    }
+    let plain = found.into_iter().map(|link| Location::new(link.target_uri, link.target_selection_range));
+    Some(GotoDefinitionResponse::Array(plain.collect()))
 }

@@ -8,6 +8,7 @@ use std::time::Duration;
 use lsp_types::notification::{LogMessage, Notification, ShowMessage};
 use lsp_types::{
     LogMessageParams, MessageType, Range, Registration, ShowDocumentParams, ShowMessageParams, Url,
+    WorkspaceEdit,
 };
 use serde::Serialize;
 use tokio::sync::mpsc::{UnboundedReceiver, UnboundedSender, unbounded_channel};
@@ -29,6 +30,10 @@ pub(super) enum Question {
     CreateProgress(String),
     /// A document to be shown to the user.
     ShowDocument(Url, Range),
+    /// A page to be shown outside of the editor.
+    ShowPage(Url),
+    /// Edits to be made.
+    ApplyEdit(Box<WorkspaceEdit>),
 }
 
 /// What a client can be told to ask for again.
@@ -122,6 +127,12 @@ async fn ask(client: Client, letterbox: Letterbox, question: Question) {
             let params = ShowDocumentParams { uri, external: None, take_focus: Some(true), selection };
             let _ = client.show_document(params).await;
         }
+        Question::ShowPage(uri) => {
+            let external = Some(true);
+            let params = ShowDocumentParams { uri, external, take_focus: None, selection: None };
+            let _ = client.show_document(params).await;
+        }
+        Question::ApplyEdit(edit) => drop(client.apply_edit(*edit).await),
         Question::CreateProgress(token) => {
             let token = lsp_types::NumberOrString::String(token);
             let params = lsp_types::WorkDoneProgressCreateParams { token };

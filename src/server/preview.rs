@@ -15,6 +15,8 @@ use super::convert;
 use super::engine::Engine;
 use super::expansion::Root;
 use super::failure::Failure;
+#[cfg(feature = "preview")]
+use super::outbox::Question;
 use crate::analysis::RootChoice;
 use crate::base::limits::VIEWS;
 use crate::base::{CancelFlag, Encoding};
@@ -231,6 +233,7 @@ impl Engine {
             Value::String(uri) => json!({ "textDocument": { "uri": uri } }),
             other => other,
         };
+        let shown = params.get("show") == Some(&Value::Bool(true));
         let params: SubscribeParams =
             serde_json::from_value(params).map_err(|error| Failure::Invalid(error.to_string()))?;
         let hub = self.hub()?;
@@ -246,7 +249,12 @@ impl Engine {
             }
         };
         hub.open(id);
-        Ok(json!({ "url": hub.url(id), "id": id }))
+        let url = hub.url(id);
+        if shown && self.client.shows_documents {
+            let page = Url::parse(&url).map_err(|error| Failure::Invalid(error.to_string()))?;
+            self.outbox.ask(Question::ShowPage(page));
+        }
+        Ok(json!({ "url": url, "id": id }))
     }
 
     /// There is no server for browsers in this build.

@@ -85,9 +85,9 @@ impl Engine {
     }
 
     fn publish_encoded(&mut self, path: PathBuf, diagnostics: &[&RawValue]) {
-        let version = self.documents.get(&path).map(|open| open.version);
+        let version = self.documents.get(&path).and_then(|open| open.version);
         let Some(uri) = self.uri(&path) else { return };
-        let is_cleared = diagnostics.is_empty() && version.is_none();
+        let is_cleared = diagnostics.is_empty() && !self.documents.contains_key(&path);
         let message = notification(PublishDiagnostics::METHOD, &Params { uri, diagnostics, version });
         let hash = fingerprint(&message);
         if self.published.messages.get(&path) == Some(&hash) {

@@ -6,9 +6,9 @@
 use std::path::Path;
 
 use lsp_types::{
-    CodeAction, CodeActionDisabled, CreateFile, DocumentChangeOperation, DocumentChanges, OneOf,
-    OptionalVersionedTextDocumentIdentifier, Range, ResourceOp, TextDocumentEdit, TextDocumentPositionParams,
-    TextEdit, Url, WorkspaceEdit,
+    CodeAction, CodeActionDisabled, CodeActionParams, CodeActionTriggerKind, CreateFile,
+    DocumentChangeOperation, DocumentChanges, OneOf, OptionalVersionedTextDocumentIdentifier, Range,
+    ResourceOp, TextDocumentEdit, TextDocumentPositionParams, TextEdit, Url, WorkspaceEdit,
 };
 use serde::{Deserialize, Serialize};
 
@@ -17,11 +17,15 @@ use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
 use super::navigation::Asked;
+use crate::base::limits::QUICK_PROOF_EXPANSIONS;
 use crate::base::{CancelFlag, TextRange};
 use crate::facts::{MentionKind, facts};
 use crate::ide::{self, Action, ActionKind};
 use crate::vfs::SourceFile;
 use crate::xml::Document;
+
+/// Robots of fewer nodes are expanded in a few milliseconds.
+const SMALL: usize = 5_000;
 
 /// Where an action was offered, so that its edits can be made later.
 #[derive(Clone, Debug, Deserialize, Serialize)]
@@ -32,18 +36,36 @@ struct Offered {
     version: Option<i32>,
 }
 
+/// Whether it is tried out what a robot would be with a macro's text in the place of a call.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Inline {
+    /// Nobody wants to know.
+    No,
+    /// Nobody asked, the editor wants to show a sign: in a large robot that would hold up what is typed.
+    InSmallRobots,
+    /// Whatever it takes.
+    Yes,
+}
+
 impl Engine {
     /// The refactorings at a place, with their edits unless the client asks for these later.
     pub fn refactor_actions(
         &mut self,
-        uri: &Url,
-        range: Range,
+        params: &CodeActionParams,
+        inlines: bool,
         cancel: &CancelFlag,
     ) -> Result<Vec<CodeAction>, Failure> {
+        let (uri, range) = (&params.text_document.uri, params.range);
         let later = self.client.resolves_actions;
-        let version = self.documents.get(&self.path(uri)).map(|open| open.version);
+        let version = self.documents.get(&self.path(uri)).and_then(|open| open.version);
         let data = serde_json::to_value(Offered { uri: uri.clone(), range, version }).ok();
-        let mut found = self.all_refactorings(uri, range, later, cancel)?;
+        let is_automatic = params.context.trigger_kind == Some(CodeActionTriggerKind::AUTOMATIC);
+        let inline = match (inlines, is_automatic) {
+            (false, _) => Inline::No,
+            (true, true) => Inline::InSmallRobots,
+            (true, false) => Inline::Yes,
+        };
+        let mut found = self.all_refactorings(uri, range, inline, cancel)?;
         for action in found.iter_mut().filter(|action| later && action.edit.is_some()) {
             (action.edit, action.data) = (None, data.clone());
         }
@@ -55,22 +77,44 @@ impl Engine {
         &mut self,
         uri: &Url,
         range: Range,
-        later: bool,
+        inline: Inline,
         cancel: &CancelFlag,
     ) -> Result<Vec<CodeAction>, Failure> {
         let (path, source) = self.source(uri)?;
         let selection = convert::text_range(&source.document, range, self.encoding);
         let document = lsp_types::TextDocumentIdentifier { uri: uri.clone() };
         let asked = self.asked(&TextDocumentPositionParams::new(document, range.start), cancel)?;
-        let inlined = match ide::inline_macro(&asked.cx(), selection.start) {
-            Some(action) if !later => self.stays_the_same(&asked, &action, cancel)?.then_some(action),
-            other => other,
-        };
-        let actions = inlined.into_iter().chain(self.refactorings(&asked, selection, cancel)?);
-        let mut found: Vec<CodeAction> = actions.filter_map(|action| self.action(action, None)).collect();
+        let mut found: Vec<CodeAction> =
+            self.inlined_macro(&asked, selection.start, inline, cancel)?.into_iter().collect();
+        let actions = self.refactorings(&asked, selection, cancel)?;
+        found.extend(actions.into_iter().filter_map(|action| self.action(action, None)));
         found.extend(self.moved_to_file(&path, &source, selection));
         found.extend(self.refused(&asked, selection));
         Ok(found)
+    }
+
+    /// The text of a macro in the place of its call. That it leaves the robot the same has to be tried out: where it
+    /// does not, it cannot be made.
+    fn inlined_macro(
+        &mut self,
+        asked: &Asked,
+        offset: u32,
+        inline: Inline,
+        cancel: &CancelFlag,
+    ) -> Result<Option<CodeAction>, Failure> {
+        let is_tried = match inline {
+            Inline::No => false,
+            Inline::InSmallRobots => asked.analyzed.expansion.tree.len() < SMALL,
+            Inline::Yes => true,
+        };
+        let Some(action) = ide::inline_macro(&asked.cx(), offset).filter(|_| is_tried) else {
+            return Ok(None);
+        };
+        if self.stays_the_same(asked, &action, cancel)? {
+            return Ok(self.action(action, None));
+        }
+        let reason = "the robot would not stay the same: what the call passes means something else there";
+        Ok(self.client.disabled_actions.then(|| disabled(action.title, action.kind, reason.to_owned())))
     }
 
     /// The same action with its edits.
@@ -79,34 +123,23 @@ impl Engine {
         let Some(Offered { uri, range, version }) = offered.filter(|_| action.edit.is_none()) else {
             return Ok(action);
         };
-        if self.documents.get(&self.path(&uri)).map(|open| open.version) != version {
+        if self.documents.get(&self.path(&uri)).and_then(|open| open.version) != version {
             return Err(Failure::Outdated);
         }
-        let all = self.all_refactorings(&uri, range, true, cancel)?;
+        let inlines = action.kind.as_ref() == Some(&kind(ActionKind::Inline));
+        let inline = if inlines { Inline::Yes } else { Inline::No };
+        let all = self.all_refactorings(&uri, range, inline, cancel)?;
         let same = |known: &CodeAction| known.title == action.title && known.kind == action.kind;
-        let Some(edit) = all.into_iter().find(same).and_then(|known| known.edit) else {
-            return Err(Failure::Outdated);
-        };
-        let at = TextDocumentPositionParams::new(lsp_types::TextDocumentIdentifier { uri }, range.start);
-        let asked = self.asked(&at, cancel)?;
-        let inlined =
-            ide::inline_macro(&asked.cx(), asked.offset).filter(|known| known.title == action.title);
-        if let Some(inlined) = inlined
-            && !self.stays_the_same(&asked, &inlined, cancel)?
-        {
-            let message =
-                "the robot would not stay the same: what the call passes means something else there";
-            return Err(Failure::Refused(message.to_owned()));
-        }
+        let edit = all.into_iter().find(same).and_then(|known| known.edit).ok_or(Failure::Outdated)?;
         Ok(CodeAction { edit: Some(edit), ..action })
     }
 
-    /// Whether the robot is the same with the edits of an action, which are all in the file that was asked about.
+    /// Whether every robot is the same with the edits of an action, which are all in the file that was asked about.
     fn stays_the_same(&self, asked: &Asked, action: &Action, cancel: &CancelFlag) -> Result<bool, Failure> {
-        let edits: Vec<(TextRange, String)> =
-            action.edits.iter().map(|edit| (edit.span.range, edit.content.clone())).collect();
-        let (known, path) = (&asked.analyzed, &asked.source.path);
-        self.world.stays_the_same(known, path, &edits, cancel).ok_or(Failure::Cancelled)
+        let edits = action.edits.iter().map(|edit| (edit.span.range, edit.content.clone())).collect();
+        let effort = self.world.effort(&asked.source.path, QUICK_PROOF_EXPANSIONS, cancel);
+        let is_same = self.world.session().stays_the_same(&asked.source.path, edits, &effort);
+        if cancel.is_cancelled() { Err(Failure::Cancelled) } else { Ok(is_same) }
     }
 
     /// What cannot be made, for clients that show it.
@@ -118,12 +151,7 @@ impl Engine {
         let settings = session.settings(&asked.source.path);
         let world = session.surroundings(&settings.config);
         let ide::Refused { title, reason } = ide::of_mesh(&asked.cx(), world, selection.start).err()?;
-        Some(CodeAction {
-            title,
-            kind: Some(kind(ActionKind::Rewrite)),
-            disabled: Some(CodeActionDisabled { reason }),
-            ..CodeAction::default()
-        })
+        Some(disabled(title, ActionKind::Rewrite, reason))
     }
 
     fn refactorings(
@@ -179,6 +207,16 @@ impl Engine {
         let changes = Some(DocumentChanges::Operations(operations));
         let edit = WorkspaceEdit { document_changes: changes, ..WorkspaceEdit::default() };
         Some(CodeAction { edit: Some(edit), ..made })
+    }
+}
+
+/// An action that cannot be made, and why.
+fn disabled(title: String, of: ActionKind, reason: String) -> CodeAction {
+    CodeAction {
+        title,
+        kind: Some(kind(of)),
+        disabled: Some(CodeActionDisabled { reason }),
+        ..CodeAction::default()
     }
 }
 

@@ -13,8 +13,8 @@ use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
 use super::navigation::Asked;
-use crate::base::limits::RENAME_ROBOTS;
-use crate::base::{CancelFlag, Span};
+use crate::base::limits::{QUICK_PROOF_EXPANSIONS, RENAME_ROBOTS};
+use crate::base::{CancelFlag, Span, TextRange};
 use crate::expand::SymbolKind;
 use crate::ide::{self, Cx};
 use crate::workspace::config::{argument_places, files_named};
@@ -51,6 +51,7 @@ impl Engine {
         }
         spans.sort_by_key(|span| (span.file, span.range.start));
         spans.dedup();
+        self.admit_new_name(&asked, new, &spans, cancel)?;
         let mut edits: BTreeMap<Url, Vec<TextEdit>> = BTreeMap::new();
         for span in spans {
             let path = self.world.session().vfs.path(span.file);
@@ -60,6 +61,42 @@ impl Engine {
             }
         }
         Ok(Some(self.annotated(edits)))
+    }
+
+    /// Whether robots stay what they are when a name of xacro is another one. Names of links and joints are meant to
+    /// change them; an argument is renamed in presets as well, which no expansion reads.
+    fn admit_new_name(
+        &mut self,
+        asked: &Asked,
+        new: &str,
+        spans: &[Span],
+        cancel: &CancelFlag,
+    ) -> Result<(), Failure> {
+        let cx = asked.cx();
+        let definition = cx.symbol_at(asked.offset).and_then(|(id, _)| cx.expansion.symbols.get(id));
+        if spans.is_empty() || definition.is_none_or(|it| it.kind == SymbolKind::Argument) {
+            return Ok(());
+        }
+        let mut replaced: BTreeMap<PathBuf, Vec<(TextRange, String)>> = BTreeMap::new();
+        for span in spans {
+            let path = self.world.session().vfs.path(span.file).to_path_buf();
+            replaced.entry(path).or_default().push((span.range, new.to_owned()));
+        }
+        let mut roots = vec![asked.analyzed.root.clone()];
+        for path in replaced.keys() {
+            let further = self.world.context(path).candidates.into_iter().map(|(root, _)| root);
+            roots.extend(further.filter(|root| !roots.contains(root)).collect::<Vec<_>>());
+        }
+        roots.truncate(QUICK_PROOF_EXPANSIONS);
+        let changed = self.world.session().changed_robot(replaced.into_iter().collect(), &roots, cancel);
+        if cancel.is_cancelled() {
+            return Err(Failure::Cancelled);
+        }
+        let Some(robot) = changed.and_then(|path| path.file_name().map(|name| name.to_os_string())) else {
+            return Ok(());
+        };
+        let robot = robot.to_string_lossy();
+        Err(Failure::Refused(format!("with `{new}` here, `{robot}` would be another robot")))
     }
 
     /// Whether a file may be changed with the user's consent, which for files outside of the workspace the client has
@@ -211,7 +248,7 @@ impl Engine {
             return WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() };
         }
         let edit = |(uri, edits): (Url, Vec<TextEdit>)| {
-            let version = self.documents.get(&self.path(&uri)).map(|open| open.version);
+            let version = self.documents.get(&self.path(&uri)).and_then(|open| open.version);
             let text_document = OptionalVersionedTextDocumentIdentifier { uri, version };
             TextDocumentEdit { text_document, edits: edits.into_iter().map(OneOf::Left).collect() }
         };

@@ -163,6 +163,9 @@ impl Engine {
 
     /// Tell the client under which root each open file is shown, where that is news.
     pub fn tell_contexts(&mut self, cancel: &CancelFlag) {
+        if !self.client.own.context_changed {
+            return;
+        }
         let open: Vec<_> = self.documents.keys().cloned().collect();
         for path in open {
             self.tell_context(&path, cancel);

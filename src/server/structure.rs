@@ -2,8 +2,8 @@
 
 use lsp_types::{
     DocumentSymbol, DocumentSymbolParams, DocumentSymbolResponse, FoldingRange, FoldingRangeKind,
-    FoldingRangeParams, LinkedEditingRangeParams, LinkedEditingRanges, SelectionRange, SelectionRangeParams,
-    SymbolKind,
+    FoldingRangeParams, LinkedEditingRangeParams, LinkedEditingRanges, Location, SelectionRange,
+    SelectionRangeParams, SymbolInformation, SymbolKind, Url,
 };
 
 use super::convert;
@@ -26,8 +26,15 @@ impl Engine {
         let (_, source) = self.source(&params.text_document.uri)?;
         let mut symbols = ide::outline(&source.document);
         symbols.truncate(SYMBOLS);
-        let symbols = symbols.into_iter().map(|symbol| self.symbol(&source.document, symbol)).collect();
-        Ok(Some(DocumentSymbolResponse::Nested(symbols)))
+        let symbols = symbols.into_iter().map(|symbol| self.symbol(&source.document, symbol));
+        Ok(Some(match self.client.nested_symbols {
+            true => DocumentSymbolResponse::Nested(symbols.collect()),
+            false => {
+                let mut flat = Vec::new();
+                flatten(symbols.collect(), None, &params.text_document.uri, &mut flat);
+                DocumentSymbolResponse::Flat(flat)
+            }
+        }))
     }
 
     #[allow(deprecated)] // the protocol's struct has a deprecated field
@@ -63,7 +70,9 @@ impl Engine {
             },
             ..FoldingRange::default()
         };
-        Ok(Some(ide::folds(&source.document).into_iter().take(SYMBOLS).map(fold).collect()))
+        let most = self.client.most_folds.unwrap_or(SYMBOLS).min(SYMBOLS);
+        let folds = ide::largest(ide::folds(&source.document), most);
+        Ok(Some(folds.into_iter().map(fold).collect()))
     }
 
     pub fn selections(
@@ -99,6 +108,22 @@ impl Engine {
             word_pattern: Some(NAME.to_owned()),
         });
         Ok(ranges)
+    }
+}
+
+/// Symbols in a row, each with the name of the one that holds it.
+#[allow(deprecated)] // the protocol's struct has a deprecated field
+fn flatten(symbols: Vec<DocumentSymbol>, inside: Option<&str>, uri: &Url, flat: &mut Vec<SymbolInformation>) {
+    for symbol in symbols {
+        flat.push(SymbolInformation {
+            name: symbol.name.clone(),
+            kind: symbol.kind,
+            tags: None,
+            deprecated: None,
+            location: Location::new(uri.clone(), symbol.range),
+            container_name: inside.map(str::to_owned),
+        });
+        flatten(symbol.children.unwrap_or_default(), Some(&symbol.name), uri, flat);
     }
 }
 

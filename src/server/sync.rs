@@ -7,6 +7,7 @@ use lsp_types::{
 
 use super::convert;
 use super::engine::{Engine, OpenDocument};
+use super::framing::NO_VERSION;
 use super::outbox::{Question, Refresh};
 
 impl Engine {
@@ -14,7 +15,7 @@ impl Engine {
         let document = params.text_document;
         let path = self.path(&document.uri);
         self.world.set_text(&path, document.text);
-        let open = OpenDocument { uri: document.uri, version: document.version };
+        let open = OpenDocument { uri: document.uri, version: version(document.version) };
         self.documents.insert(path, open);
         self.published.forget_names();
         // the first look at a file should not wait for a pause in typing
@@ -29,7 +30,7 @@ impl Engine {
                 .outbox
                 .log(format!("changes of `{}`, which is not open, are ignored", params.text_document.uri));
         };
-        open.version = params.text_document.version;
+        open.version = version(params.text_document.version);
         for change in params.content_changes {
             match (change.range, self.world.document(&path)) {
                 (Some(range), Some(source)) => {
@@ -106,4 +107,9 @@ impl Engine {
             self.outbox.ask(Question::Refresh(what));
         }
     }
+}
+
+/// The version that a client gives, if it gives one.
+fn version(given: i32) -> Option<i32> {
+    (given != NO_VERSION).then_some(given)
 }

@@ -52,7 +52,7 @@ impl Vfs {
         let path = self.path(id);
         let listed = self
             .stat(id, &path)
-            .and_then(|stat| self.folders.get(id, stat.stamp, || Ok(self.list_dir(&path))));
+            .and_then(|stat| self.shared.folders.get(id, stat.stamp, || Ok(self.list_dir(&path))));
         listed.unwrap_or_default()
     }
 

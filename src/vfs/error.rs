@@ -62,7 +62,7 @@ impl LoadError {
     }
 
     /// The same for an error of the system.
-    pub(super) fn from_io(error: &io::Error, path: &Path) -> Self {
+    pub fn from_io(error: &io::Error, path: &Path) -> Self {
         let kind = match error.kind() {
             io::ErrorKind::NotFound => LoadErrorKind::NotFound,
             io::ErrorKind::PermissionDenied => LoadErrorKind::PermissionDenied,

@@ -25,7 +25,7 @@ pub struct Held<'a>(&'a Vfs);
 
 impl Drop for Held<'_> {
     fn drop(&mut self) {
-        self.0.asked.with(|answers| {
+        self.0.shared.asked.with(|answers| {
             answers.holders -= 1;
             if answers.holders == 0 {
                 *answers = Answers::default();
@@ -48,16 +48,16 @@ impl Vfs {
     /// Take the files on the disk to stay as they are, until the result is dropped: a run over many robots reads
     /// the same files again and again.
     pub fn hold(&self) -> Held<'_> {
-        self.asked.with(|answers| answers.holders += 1);
+        self.shared.asked.with(|answers| answers.holders += 1);
         Held(self)
     }
 
     /// The state of a file or folder.
     pub(super) fn stat(&self, id: FileId, path: &Path) -> Result<Stat, LoadError> {
-        let known = self.asked.with(|answers| answers.known.get(&id).cloned());
+        let known = self.shared.asked.with(|answers| answers.known.get(&id).cloned());
         known.unwrap_or_else(|| {
             let found = read::stat(path);
-            self.asked.with(|answers| {
+            self.shared.asked.with(|answers| {
                 if answers.holders > 0 {
                     answers.known.insert(id, found.clone());
                 }
@@ -70,12 +70,14 @@ impl Vfs {
     /// would never be taken back, unless the answer is to be remembered.
     pub(super) fn look(&self, path: &Path) -> Option<Stat> {
         let path = self.absolute(path);
-        if !self.asked.are_held() {
+        if !self.shared.asked.are_held() {
             return read::stat(&path).ok();
         }
-        let id = self.ids.id(path);
-        let known =
-            self.asked.with(|answers| answers.known.get(&id).map(|found| found.as_ref().ok().copied()));
+        let id = self.shared.ids.id(path);
+        let known = self
+            .shared
+            .asked
+            .with(|answers| answers.known.get(&id).map(|found| found.as_ref().ok().copied()));
         known.unwrap_or_else(|| self.stat(id, &self.path(id)).ok())
     }
 
@@ -85,13 +87,13 @@ impl Vfs {
         path: PathBuf,
         list: impl FnOnce(&Path) -> Vec<DirEntry>,
     ) -> Arc<Vec<DirEntry>> {
-        if !self.asked.are_held() {
+        if !self.shared.asked.are_held() {
             return Arc::new(list(&path));
         }
-        let id = self.ids.id(path);
-        self.asked.with(|answers| answers.listed.get(&id).cloned()).unwrap_or_else(|| {
+        let id = self.shared.ids.id(path);
+        self.shared.asked.with(|answers| answers.listed.get(&id).cloned()).unwrap_or_else(|| {
             let names = Arc::new(list(&self.path(id)));
-            self.asked.with(|answers| answers.listed.insert(id, names.clone()));
+            self.shared.asked.with(|answers| answers.listed.insert(id, names.clone()));
             names
         })
     }

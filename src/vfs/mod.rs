@@ -134,8 +134,14 @@ enum State {
 pub struct Vfs {
     max_file_bytes: AtomicU64,
     cwd: PathBuf,
-    ids: Ids,
     buffers: RwLock<FastMap<FileId, Arc<Buffer>>>,
+    shared: Arc<Shared>,
+}
+
+/// What an overlay has in common with the files below it.
+#[derive(Default)]
+struct Shared {
+    ids: Ids,
     revision: AtomicU64,
     texts: Cache<TextFile>,
     sources: Cache<SourceFile>,
@@ -156,15 +162,25 @@ impl Vfs {
         Self {
             max_file_bytes: AtomicU64::new(max_file_bytes),
             cwd,
-            ids: Ids::default(),
             buffers: RwLock::default(),
-            revision: AtomicU64::new(0),
-            texts: Cache::default(),
-            sources: Cache::default(),
-            yaml: Cache::default(),
-            folders: Cache::default(),
-            asked: Asked::default(),
+            shared: Arc::default(),
         }
+    }
+
+    /// These files as they would be with other texts. The original is not touched, whatever becomes of the overlay; file
+    /// numbers are the same in both.
+    pub fn overlay(&self, texts: impl IntoIterator<Item = (PathBuf, String)>) -> Self {
+        let buffers = self.buffers.read().unwrap_or_else(PoisonError::into_inner).clone();
+        let overlay = Self {
+            max_file_bytes: AtomicU64::new(self.max_file_bytes.load(Ordering::Relaxed)),
+            cwd: self.cwd.clone(),
+            buffers: RwLock::new(buffers),
+            shared: self.shared.clone(),
+        };
+        for (path, text) in texts {
+            overlay.set_buffer(&path, Some(text));
+        }
+        overlay
     }
 
     /// Change the size limit, in bytes; it holds for files that are not in a cache yet.
@@ -175,12 +191,12 @@ impl Vfs {
     /// The number of a file, which need not exist. Links stay as they are, so two spellings of one file may have two
     /// numbers.
     pub fn file_id(&self, path: &Path) -> FileId {
-        self.ids.id(self.absolute(path))
+        self.shared.ids.id(self.absolute(path))
     }
 
     /// The absolute path of a number given out by [`Vfs::file_id`].
     pub fn path(&self, id: FileId) -> Arc<Path> {
-        self.ids.path(id)
+        self.shared.ids.path(id)
     }
 
     /// `path` made absolute against the working directory, without `.` and doubled slashes; and without `folder/..`
@@ -255,12 +271,14 @@ impl Vfs {
         let path = self.path(id);
         match self.state(id, &path)? {
             State::Buffer(buffer) if buffer.id == id => Ok(buffer.text()),
-            State::Buffer(buffer) => self.texts.get(id, Stamp::Buffer(buffer.revision), || {
+            State::Buffer(buffer) => self.shared.texts.get(id, Stamp::Buffer(buffer.revision), || {
                 let file = buffer.text();
                 let (text, hash) = (file.text.clone(), file.hash);
                 Ok(Arc::new(TextFile { id, path, text, hash, encoding_error: None }))
             }),
-            State::Disk(stat) => self.texts.get(id, stat.stamp, || self.read(id, &path, &stat).map(Arc::new)),
+            State::Disk(stat) => {
+                self.shared.texts.get(id, stat.stamp, || self.read(id, &path, &stat).map(Arc::new))
+            }
         }
     }
 
@@ -281,18 +299,19 @@ impl Vfs {
         let path = self.path(id);
         match self.state(id, &path)? {
             State::Buffer(buffer) if buffer.id == id => Ok(buffer.source()),
-            State::Buffer(buffer) => self.sources.get(id, Stamp::Buffer(buffer.revision), || {
+            State::Buffer(buffer) => self.shared.sources.get(id, Stamp::Buffer(buffer.revision), || {
                 let source = buffer.source();
                 let (document, hash) = (source.document.clone(), source.hash);
                 Ok(Arc::new(SourceFile { id, path, document, hash, encoding_error: None }))
             }),
             // the document holds the text: it need not be kept a second time
-            State::Disk(stat) if stat.stamp.is_settled() => {
-                self.sources.get(id, stat.stamp, || Ok(SourceFile::parse(&self.read(id, &path, &stat)?)))
-            }
+            State::Disk(stat) if stat.stamp.is_settled() => self
+                .shared
+                .sources
+                .get(id, stat.stamp, || Ok(SourceFile::parse(&self.read(id, &path, &stat)?))),
             State::Disk(_) => {
                 let text = self.text(&path)?;
-                self.sources.get(id, Stamp::Content(text.hash), || Ok(SourceFile::parse(&text)))
+                self.shared.sources.get(id, Stamp::Content(text.hash), || Ok(SourceFile::parse(&text)))
             }
         }
     }
@@ -303,7 +322,9 @@ impl Vfs {
         let id = self.file_id(path);
         match self.state(id, &self.path(id)).ok()? {
             State::Buffer(buffer) => Some(buffer.hash()),
-            State::Disk(stat) if self.sources.knows(id, stat.stamp) => Some(self.document(path).ok()?.hash),
+            State::Disk(stat) if self.shared.sources.knows(id, stat.stamp) => {
+                Some(self.document(path).ok()?.hash)
+            }
             State::Disk(_) => Some(self.text(path).ok()?.hash),
         }
     }
@@ -315,7 +336,7 @@ impl Vfs {
     pub fn yaml(&self, path: &Path, name: &str) -> Result<Arc<YamlFile>, LoadError> {
         let file = self.text(path)?;
         let stamp = Stamp::Content(read::hash(&(file.hash, name)));
-        self.yaml.get(file.id, stamp, || Ok(Arc::new(YamlFile::load(file, name))))
+        self.shared.yaml.get(file.id, stamp, || Ok(Arc::new(YamlFile::load(file, name))))
     }
 
     /// A number that changes when the content of a file on disk does, or when it comes or goes.
@@ -326,6 +347,11 @@ impl Vfs {
     /// Whether there is a file, folder or buffer at `path`.
     pub fn exists(&self, path: &Path) -> bool {
         self.has_buffer(path) || self.look(path).is_some()
+    }
+
+    /// Whether there is anything at `path`, be it a link that leads nowhere.
+    pub fn is_present(&self, path: &Path) -> bool {
+        self.exists(path) || std::fs::symlink_metadata(self.absolute(path)).is_ok()
     }
 
     /// Whether there is a file (of any kind but a folder) or a buffer at `path`.
@@ -378,7 +404,7 @@ impl Vfs {
     }
 
     fn next_revision(&self) -> u64 {
-        self.revision.fetch_add(1, Ordering::Relaxed) + 1
+        self.shared.revision.fetch_add(1, Ordering::Relaxed) + 1
     }
 
     /// Where the text of `path` is now.

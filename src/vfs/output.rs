@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
+use super::process::is_process_alive;
 use super::read;
 
 /// How long a file that another program has locked is waited for.
@@ -24,7 +25,7 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
 
 /// The same, if at the last moment everything is still `as_before`.
 fn replace(path: &Path, bytes: &[u8], as_before: &dyn Fn() -> bool) -> io::Result<()> {
-    let target = std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let target = std::fs::canonicalize(path).unwrap_or_else(|_| end_of_links(path));
     let existing = std::fs::metadata(&target).ok();
     if existing.as_ref().is_some_and(|found| !found.is_file()) {
         // A pipe or device (`/dev/stdout`) has no content to protect; a folder gives its error.
@@ -37,10 +38,18 @@ fn replace(path: &Path, bytes: &[u8], as_before: &dyn Fn() -> bool) -> io::Resul
         // renaming asks for the folder only: what its author protected stays as it is
         OpenOptions::new().write(true).open(&target)?;
     }
+    if existing.as_ref().is_some_and(has_other_names) {
+        // a new file would have one of the names, and the old content the others
+        if !as_before() {
+            return Err(changed_meanwhile());
+        }
+        return OpenOptions::new().write(true).truncate(true).open(&target)?.write_all(bytes);
+    }
+    remove_left_over(&target);
     let (temporary, file) = new_beside(&target)?;
     let written = fill(file, bytes, existing.as_ref()).and_then(|()| {
         if !as_before() {
-            return Err(io::Error::other("it changed in the meantime"));
+            return Err(changed_meanwhile());
         }
         std::fs::rename(&temporary, &target)
     });
@@ -49,6 +58,41 @@ fn replace(path: &Path, bytes: &[u8], as_before: &dyn Fn() -> bool) -> io::Resul
         let _ = std::fs::remove_file(&temporary);
     }
     written
+}
+
+fn changed_meanwhile() -> io::Error {
+    io::Error::other("it changed in the meantime")
+}
+
+/// Where a link leads, be there a file or not.
+fn end_of_links(path: &Path) -> PathBuf {
+    /// As many as Linux follows.
+    const MOST: usize = 40;
+    let mut path = path.to_owned();
+    for _ in 0..MOST {
+        match std::fs::read_link(&path) {
+            Ok(target) => path = path.parent().unwrap_or(Path::new("")).join(target),
+            Err(_) => break,
+        }
+    }
+    path
+}
+
+/// Remove what runs that were killed left beside `target`.
+fn remove_left_over(target: &Path) {
+    /// Processes of another machine, which the folder may be shared with, are not seen: theirs are at work no longer.
+    const OLD: Duration = Duration::from_secs(600);
+    let (Some(folder), Some(prefix)) = (target.parent(), temporary_prefix(target)) else { return };
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        let rest = name.to_str().and_then(|name| name.strip_prefix(&prefix)?.strip_suffix(".tmp"));
+        let process = rest.and_then(|rest| rest.split('-').next()?.parse().ok());
+        let age = || entry.metadata().ok()?.modified().ok()?.elapsed().ok();
+        if process.is_some_and(|process| !is_process_alive(process)) && age().is_some_and(|age| age > OLD) {
+            let _ = std::fs::remove_file(entry.path());
+        }
+    }
 }
 
 /// Replace the bytes of an existing file of at most `limit` bytes by what `change` makes of them, if anything. While
@@ -105,6 +149,18 @@ fn is_at(_: &File, _: &Path) -> bool {
     true
 }
 
+/// Whether a file is known by other names as well (hard links).
+#[cfg(unix)]
+fn has_other_names(found: &Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    found.nlink() > 1
+}
+
+#[cfg(not(unix))]
+fn has_other_names(_: &Metadata) -> bool {
+    false
+}
+
 /// Write a new file, with what an existing one has beside its content.
 fn fill(mut file: File, bytes: &[u8], existing: Option<&Metadata>) -> io::Result<()> {
     file.write_all(bytes)?;
@@ -130,18 +186,14 @@ fn keep_owner(_: &File, _: &Metadata) {}
 /// A new file beside `target`. One that replaces another can be read by nobody else until it has the permissions of
 /// the old one.
 fn new_beside(target: &Path) -> io::Result<(PathBuf, File)> {
-    /// Longest part of the old name that is kept: names have at most 255 bytes.
-    const KEPT: usize = 100;
     static NUMBER: AtomicU64 = AtomicU64::new(0);
-    let Some(name) = target.file_name() else {
+    let Some(prefix) = temporary_prefix(target) else {
         return Err(io::Error::new(io::ErrorKind::IsADirectory, "not the name of a file"));
     };
-    let name = name.to_string_lossy();
-    let name = name.get(..name.floor_char_boundary(KEPT)).unwrap_or_default();
     let (process, options) = (std::process::id(), new_file(target.exists()));
     loop {
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);
-        let temporary = target.with_file_name(format!(".{name}.{process}-{number}.tmp"));
+        let temporary = target.with_file_name(format!("{prefix}{process}-{number}.tmp"));
         match options.open(&temporary) {
             Ok(file) => return Ok((temporary, file)),
             // left over from a run that was killed
@@ -149,6 +201,14 @@ fn new_beside(target: &Path) -> io::Result<(PathBuf, File)> {
             Err(error) => return Err(error),
         }
     }
+}
+
+/// How names of temporary files beside `target` begin.
+fn temporary_prefix(target: &Path) -> Option<String> {
+    /// Longest part of the old name that is kept: names have at most 255 bytes.
+    const KEPT: usize = 100;
+    let name = target.file_name()?.to_string_lossy();
+    Some(format!(".{}.", name.get(..name.floor_char_boundary(KEPT)).unwrap_or_default()))
 }
 
 #[cfg(unix)]
@@ -179,6 +239,48 @@ mod tests {
         write_atomically(&path, b"two").unwrap();
         assert_eq!(std::fs::read(&path).unwrap(), b"two");
         assert_eq!(std::fs::read_dir(path.parent().unwrap()).unwrap().count(), 1);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn follows_links_that_lead_nowhere() {
+        let tree = Tree::new();
+        std::os::unix::fs::symlink("sub/new", tree.path("link")).unwrap();
+        write_atomically(&tree.path("link"), b"text").unwrap();
+        assert!(tree.path("link").symlink_metadata().unwrap().is_symlink());
+        assert_eq!(std::fs::read(tree.path("sub/new")).unwrap(), b"text");
+    }
+
+    #[test]
+    fn all_names_of_a_file_see_the_new_content() {
+        let tree = Tree::new();
+        tree.write("one", "old and longer");
+        std::fs::hard_link(tree.path("one"), tree.path("two")).unwrap();
+        write_atomically(&tree.path("one"), b"new").unwrap();
+        assert_eq!(std::fs::read(tree.path("one")).unwrap(), b"new");
+        assert_eq!(std::fs::read(tree.path("two")).unwrap() == b"new", cfg!(unix));
+    }
+
+    #[test]
+    fn what_a_killed_run_left_goes() {
+        let tree = Tree::new();
+        let long_ago = std::time::SystemTime::now() - std::time::Duration::from_secs(3600);
+        for name in [".a.4000000-1.tmp", ".a.4000000-x.bak", ".b.4000000-1.tmp", ".a.young-1.tmp"] {
+            tree.write(name, "");
+            std::fs::File::options()
+                .write(true)
+                .open(tree.path(name))
+                .unwrap()
+                .set_modified(long_ago)
+                .unwrap();
+        }
+        tree.write(".a.4000000-2.tmp", "");
+        write_atomically(&tree.path("a"), b"new").unwrap();
+        let mut left: Vec<_> =
+            std::fs::read_dir(tree.root()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        left.sort();
+        let expected = [".a.4000000-2.tmp", ".a.4000000-x.bak", ".a.young-1.tmp", ".b.4000000-1.tmp", "a"];
+        assert_eq!(left, expected);
     }
 
     #[test]

@@ -72,7 +72,7 @@ pub(super) enum Layout {
     Merged,
     /// `PKG/share/PKG`.
     Isolated,
-    /// `share/PKG`, whatever it holds.
+    /// `share/PKG`, whatever it holds; with files of CMake only, the package is used from its sources elsewhere.
     Devel,
 }
 
@@ -100,7 +100,8 @@ impl Prefix {
         let installed = match self.layout {
             Layout::Indexed => is_marked(),
             Layout::Merged => vfs.is_file(&on_disk(&share.join(MANIFEST))) || is_marked(),
-            Layout::Isolated | Layout::Devel => vfs.is_dir(&on_disk(&share)),
+            Layout::Isolated => vfs.is_dir(&on_disk(&share)),
+            Layout::Devel => vfs.list_dir(&on_disk(&share)).iter().any(|entry| entry.name != "cmake"),
         };
         let place = if self.layout == Layout::Indexed { marker } else { share.clone() };
         (installed.then_some(share), place)

@@ -218,7 +218,8 @@ fn overlays_lie_beside_the_workspace() {
     tree.write("ws/install/share/colcon-core/x", "");
     tree.write("ws/install/alone/share/alone/urdf/x", "");
     tree.write("ws/install/marked/share/marked/x", "");
-    tree.write("ws/devel/share/developed/cmake/x", "");
+    tree.write("ws/devel/share/developed/urdf/x", "");
+    tree.write("ws/devel/share/elsewhere/cmake/x", "");
     tree.write(&format!("ws/install/{INDEX}/indexed"), "");
     for folder in ["ws", "ws/src", "ws/src/repo"] {
         let folders = vec![PathBuf::from(folder)];
@@ -230,6 +231,7 @@ fn overlays_lie_beside_the_workspace() {
             ("developed", "overlay ws/devel/share/developed"),
             ("indexed", "overlay ws/install/share/indexed"),
             ("colcon-core", "none, near None"),
+            ("elsewhere", "none, near None"),
         ];
         for (name, expected) in table {
             assert_eq!(find(&tree, &packages, name, "ws/src/repo/a/x.xacro"), expected, "{folder}");

@@ -175,6 +175,13 @@ impl Document {
         })
     }
 
+    /// How the first line of this text ends; with a line feed when there is one line only.
+    pub fn line_end(&self) -> &'static str {
+        let mut parts = self.parts().map(|(_, item)| item.text());
+        let first = parts.find_map(|text| text.get(..text.find('\n')?));
+        if first.is_some_and(|line| line.ends_with('\r')) { "\r\n" } else { "\n" }
+    }
+
     /// Header, items, footer, with their absolute offsets.
     pub fn parts(&self) -> impl Iterator<Item = (u32, &Arc<Item>)> {
         let footer = std::iter::once((self.footer_start(), &self.footer.item));

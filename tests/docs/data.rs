@@ -36,6 +36,13 @@ fn findings(folder: &Path, words: &[&str]) -> String {
 
 #[test]
 fn configurations_are_valid() {
+    // with the arguments that the examples give
+    let args = ["prefix", "robot_ip", "side", "sim"]
+        .map(|name| format!("<xacro:arg name=\"{name}\" default=\"\"/>"));
+    let robot = format!(
+        "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">{}<link name=\"a\"/></robot>\n",
+        args.concat()
+    );
     let mut wrong = Vec::new();
     for block in of("toml") {
         let folder = scratch("toml");
@@ -44,7 +51,7 @@ fn configurations_are_valid() {
         let roots = block.text.lines().filter_map(|line| line.strip_prefix("file = "));
         for file in roots.map(|value| folder.join(value.trim_matches('"'))) {
             fs::create_dir_all(file.parent().unwrap()).unwrap();
-            fs::write(file, "<robot name=\"r\"><link name=\"a\"/></robot>\n").unwrap();
+            fs::write(file, &robot).unwrap();
         }
         let words = ["check", ".", "--extend-select", "invalid-config", "--format", "concise"];
         let said = findings(&folder, &words);

@@ -203,12 +203,14 @@ fn all_safe_fixes_are_made_at_once() {
     let mut client = Client::start();
     let joint = |name: &str, child: &str| {
         format!(
-            "  <joint name=\"{name}\" type=\"revolute\">\n    <parent link=\"a\"/><child link=\"{child}\"/><axis xyz=\"0 0 2\"/>\
+            "  <joint name=\"{name}\" type=\"revolute\">\n    <parent link=\"a\"/><child link=\"{child}\"/>\
              <limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/>\n  </joint>\n"
         )
     };
+    // what would change the robot is no part of it
+    let switch = "  <xacro:property name=\"q\" value=\"true\"/><xacro:if value=\"${q == 'true'}\"><link name=\"d\"/></xacro:if>\n";
     let content = format!(
-        "  <link name=\"a\"/><link name=\"b\"/><link name=\"c\"/>\n{}{}",
+        "  <link name=\"a\"/><link name=\"b\"/><link name=\"c\"/>\n{}{}{switch}",
         joint("é", "b"),
         joint("k", "c")
     );
@@ -218,9 +220,12 @@ fn all_safe_fixes_are_made_at_once() {
     assert_eq!(found.len(), 1, "{found:?}");
     assert_eq!(found[0]["kind"], "source.fixAll.xacro");
     let made = client.after(FILE, &found[0]["edit"]);
-    assert_eq!(made.matches("xyz=\"0 0 1\"").count(), 2, "{made}");
-    let fix = fixes(&mut client, FILE, "axis-not-normalized");
-    assert_eq!(titled(&fix, "0 0 1")["isPreferred"], true);
+    assert_eq!(made.matches("<axis xyz=\"1 0 0\"/>").count(), 2, "{made}");
+    assert!(made.contains("q == 'true'"), "{made}");
+    let fix = fixes(&mut client, FILE, "missing-axis");
+    assert_eq!(titled(&fix, "1 0 0")["isPreferred"], true);
+    let fix = fixes(&mut client, FILE, "string-bool-comparison");
+    assert_eq!(titled(&fix, "write `q`")["isPreferred"], Value::Null);
     assert!(
         actions(&mut client, FILE, "|<robot", &[], &[]).iter().all(|a| a["kind"] != "source.fixAll.xacro")
     );

@@ -18,6 +18,8 @@ const PATIENCE: Duration = Duration::from_secs(60);
 #[derive(Clone, Default)]
 pub struct Options {
     pub capabilities: Value,
+    /// What is taken away from the capabilities, as JSON pointers; the empty one takes all.
+    pub without: Vec<&'static str>,
     pub settings: Value,
     /// What `initialize` says, beyond that there is no delay.
     pub first: Value,
@@ -86,11 +88,12 @@ impl Client {
     }
 
     pub fn initialize(&mut self) -> Value {
-        let mut capabilities = json!({
-            "workspace": { "configuration": !self.options.settings.is_null() },
-            "textDocument": { "definition": { "linkSupport": true } },
-        });
+        let mut capabilities = usual();
+        capabilities["workspace"]["configuration"] = json!(!self.options.settings.is_null());
         merge(&mut capabilities, &self.options.capabilities);
+        for pointer in &self.options.without {
+            remove(&mut capabilities, pointer);
+        }
         let folders = json!([{ "uri": uri(&self.folder), "name": "ws" }]);
         let mut first = json!({ "diagnostics": { "delay": 0 } });
         merge(&mut first, &self.options.first);
@@ -263,6 +266,18 @@ impl Client {
         self.wait(current, || format!("diagnostics of {file} at version {version}"))
     }
 
+    /// Other settings than before, for when the server asks again.
+    pub fn change_settings(&mut self, settings: Value) {
+        self.options.settings = settings;
+    }
+
+    /// Whether diagnostics of a file arrive that carry a version.
+    pub fn have_version(&mut self, file: &str) -> bool {
+        let uri = self.uri(file);
+        let found = |client: &mut Self| client.published.get(&uri).map(|(version, _)| version.is_some());
+        self.wait(found, || format!("diagnostics of {file}"))
+    }
+
     /// The place in an open file that `pattern` marks with `|`: parameters of a request about a position.
     #[track_caller]
     pub fn at(&self, file: &str, pattern: &str) -> Value {
@@ -353,6 +368,38 @@ impl Drop for Client {
         let _ = self.child.kill();
         let _ = self.child.wait();
         let _ = std::fs::remove_dir_all(&self.folder);
+    }
+}
+
+/// What editors can do that the tests speak for.
+pub fn usual() -> Value {
+    let formats = json!(["markdown", "plaintext"]);
+    json!({
+        "workspace": { "applyEdit": true },
+        "textDocument": {
+            "definition": { "linkSupport": true },
+            "declaration": { "linkSupport": true },
+            "typeDefinition": { "linkSupport": true },
+            "implementation": { "linkSupport": true },
+            "hover": { "contentFormat": formats },
+            "completion": { "completionItem": { "documentationFormat": formats } },
+            "signatureHelp": { "signatureInformation": { "documentationFormat": formats } },
+            "documentSymbol": { "hierarchicalDocumentSymbolSupport": true },
+            "codeAction": { "codeActionLiteralSupport": { "codeActionKind": { "valueSet": [] } } },
+            "rename": { "prepareSupport": true },
+        },
+        "experimental": { "xacro": { "contextChanged": true, "lensCommands": true, "expandedDocuments": true } },
+    })
+}
+
+/// Take away what a pointer names.
+fn remove(from: &mut Value, pointer: &str) {
+    match pointer.rsplit_once('/') {
+        None => *from = json!({}),
+        Some((parent, key)) => {
+            let parent = from.pointer_mut(parent).and_then(Value::as_object_mut).expect("an object there");
+            parent.remove(key).expect("it is there");
+        }
     }
 }
 

@@ -10,6 +10,7 @@
 mod acceptance;
 mod actions;
 mod calls;
+mod capabilities;
 mod client;
 mod completion;
 mod context;
@@ -26,6 +27,7 @@ mod limits;
 mod navigation;
 mod picked;
 mod preview;
+mod protocol;
 mod quick_fixes;
 mod refactorings;
 mod rename;

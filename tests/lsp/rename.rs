@@ -82,6 +82,47 @@ fn names_that_do_not_fit_are_refused() {
 }
 
 #[test]
+fn names_that_would_change_the_robot_are_refused() {
+    let mut client = both();
+    client.edit(ROBOT, "</robot>", "<!-- 🤖 --><link name=\"a${pi / 2}\"/></robot>");
+    for name in ["if", "unless", "property", "include", "macro", "arg", "insert_block", "call", "element"] {
+        let refused = renamed(&mut client, UNIT, "name=\"un|it\"", name).unwrap_err();
+        assert_eq!(refused, format!("`xacro:{name}` is a tag of xacro"));
+    }
+    for name in ["1a", "a.b", "a:b", "-a", "", "a b", "<a"] {
+        let refused = renamed(&mut client, UNIT, "name=\"un|it\"", name).unwrap_err();
+        assert!(refused.contains("no good name"), "{name}: {refused}");
+    }
+    // a parameter around a use, a name of xacro that is used
+    for name in ["axis", "parent", "pi"] {
+        let refused = renamed(&mut client, ROBOT, "name=\"m|0\"", name).unwrap_err();
+        assert!(refused.contains("something else"), "{name}: {refused}");
+    }
+    // `at` is a block there, and `e` is not used
+    for name in ["at", "e"] {
+        assert!(renamed(&mut client, ROBOT, "name=\"m|0\"", name).is_ok(), "{name}");
+    }
+    // a parameter is known in its macro only, where nobody needs `pi`
+    let files = renamed(&mut client, UNIT, "${ax|is}", "pi").unwrap();
+    assert!(files[ROBOT].contains("pi=\"0 1 0\""), "{}", files[ROBOT]);
+}
+
+#[test]
+fn names_that_a_caller_would_capture_are_refused() {
+    let mut client = both();
+    let macros = "<xacro:property name=\"width\" value=\"1\"/><!-- 🤖 -->
+  <xacro:macro name=\"inner\" params=\"n\"><link name=\"${n}_${width}\"/></xacro:macro>
+  <xacro:macro name=\"outer\" params=\"p\"><xacro:inner n=\"${p}\"/></xacro:macro>
+  <xacro:outer p=\"7\"/>\n</robot>";
+    client.edit(ROBOT, "</robot>", macros);
+    let refused = renamed(&mut client, ROBOT, "name=\"wid|th\"", "p").unwrap_err();
+    assert!(refused.contains("`pan_tilt.urdf.xacro` would be another robot"), "{refused}");
+    // what a call gives is named after the parameter
+    let files = renamed(&mut client, ROBOT, "params=\"|n\"", "p").unwrap();
+    assert!(files[ROBOT].contains("<xacro:inner p=\"${p}\"/>"), "{}", files[ROBOT]);
+}
+
+#[test]
 fn what_is_no_name_is_not_renamed() {
     let mut client = both();
     assert_eq!(client.request("textDocument/prepareRename", client.at(UNIT, "<lim|it")), Value::Null);
@@ -251,4 +292,17 @@ fn an_argument_is_renamed_in_the_presets_of_its_robots() {
     assert_eq!(changed, expected);
     assert!(client.after(ROBOT, &edit).contains("$(arg place)"));
     assert!(client.after(UNIT, &edit).contains("pan_tilt.urdf.xacro place:=🤖 -->"));
+}
+
+#[test]
+fn a_namespace_is_renamed_in_the_tags_of_its_calls() {
+    let mut client = both();
+    client.edit(ROBOT, "filename=\"unit.xacro\"/>", "filename=\"unit.xacro\" ns=\"parts\"/>");
+    for _ in 0..2 {
+        client.edit(ROBOT, "<xacro:unit name", "<xacro:parts.unit name");
+        client.edit(ROBOT, "</xacro:unit>", "</xacro:parts.unit>");
+    }
+    let files = renamed(&mut client, ROBOT, "ns=\"pa|rts\"", "pieces").unwrap();
+    assert!(!files[ROBOT].contains("parts"), "{}", files[ROBOT]);
+    assert_eq!(files[ROBOT].matches("</xacro:pieces.unit>").count(), 2, "{}", files[ROBOT]);
 }

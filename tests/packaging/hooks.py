@@ -102,9 +102,9 @@ def scenario(repository, variables):
 
     repository.write("urdf/lifter.urdf.xacro", FIXABLE)
     repository.git("add", ".")
-    printed = repository.commit("Name space", code=1, **variables)
+    printed = repository.commit("Comment", code=1, **variables)
     demand("files were modified by this hook" in printed, printed)
-    demand(repository.read("urdf/lifter.urdf.xacro") == LIFTER, "the hook mends the name space")
+    demand(repository.read("urdf/lifter.urdf.xacro") == LIFTER, "the hook deletes the comment")
 
     repository.write("urdf/lifter.urdf.xacro", CROOKED)
     repository.git("add", ".")

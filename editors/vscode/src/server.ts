@@ -280,11 +280,15 @@ export class Server implements vscode.Disposable {
     };
   }
 
-  /** The settings; and findings are pushed, since those of an edit come before the whole robot is checked. */
+  /**
+   * The settings; findings are pushed, since those of an edit come before the whole robot is checked; and what of the
+   * server's own protocol is known here.
+   */
   private initialOptions(): Record<string, unknown> {
     const settings = this.settingsOf(undefined);
     const diagnostics = settings.diagnostics as Record<string, unknown> | undefined;
-    return { ...settings, diagnostics: { ...diagnostics, pull: false } };
+    const client = { contextChanged: true, lensCommands: true, expandedDocuments: true };
+    return { ...settings, diagnostics: { ...diagnostics, pull: false }, client };
   }
 
   /** The settings that somebody chose, for a folder. */

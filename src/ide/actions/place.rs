@@ -8,7 +8,7 @@ use crate::xml::{Document, Node, NodeKind, Part};
 
 /// The line end of a document.
 pub(super) fn line_end(document: &Document) -> &'static str {
-    if document.header().text().contains("\r\n") { "\r\n" } else { "\n" }
+    document.line_end()
 }
 
 /// The white space that begins the line of an offset.

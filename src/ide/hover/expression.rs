@@ -67,7 +67,8 @@ pub(super) fn whole(cx: &Cx<'_>, at: &At<'_>) -> Option<Page> {
     Some(valued(cx, at, source.trim(), &instances(cx, range)))
 }
 
-/// The package of the `$(find package)` at an offset of the file, wherever in an expression that stands.
+/// The package of the `$(find package)` at an offset of the file, wherever in an expression that stands, and its name
+/// there; all of the substitution, when the offset is in front of the name.
 pub fn package_at<'t>(text: &'t ExprText<'_>, offset: u32) -> Option<(TextRange, &'t str)> {
     const LEAD: &str = "$(find ";
     let inside = text.offset(offset);
@@ -75,8 +76,9 @@ pub fn package_at<'t>(text: &'t ExprText<'_>, offset: u32) -> Option<(TextRange,
         let name = text.text.get(start + LEAD.len()..)?.split(')').next()?;
         let begin = (start + LEAD.len()) as u32;
         let range = TextRange::new(begin, begin + name.len() as u32);
-        let around = TextRange::new(start as u32, range.end);
-        around.touches(inside).then(|| (text.range(range), name.trim()))
+        let around = TextRange::new(start as u32, (range.end + 1).min(text.text.len() as u32));
+        let shown = if range.touches(inside) { range } else { around };
+        around.touches(inside).then(|| (text.range(shown), name.trim()))
     })
 }
 

@@ -46,6 +46,12 @@ impl Crowd {
 }
 
 impl Pass {
+    /// Leave for good: the place is no longer needed, and nobody sends its owner away.
+    pub fn leave(&self) {
+        let mut inside = self.crowd.inside.lock().unwrap_or_else(PoisonError::into_inner);
+        inside.retain(|other| !Arc::ptr_eq(other, &self.own));
+    }
+
     /// Comes back when the place is needed for somebody else.
     pub async fn lost(&self) {
         self.own.notified().await;
@@ -54,7 +60,6 @@ impl Pass {
 
 impl Drop for Pass {
     fn drop(&mut self) {
-        let mut inside = self.crowd.inside.lock().unwrap_or_else(PoisonError::into_inner);
-        inside.retain(|other| !Arc::ptr_eq(other, &self.own));
+        self.leave();
     }
 }

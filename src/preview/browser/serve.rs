@@ -4,17 +4,18 @@ use std::net::TcpListener;
 use std::sync::Arc;
 use std::time::Duration;
 
-use axum::Router;
 use axum::extract::{Path, State};
 use axum::http::StatusCode;
 use axum::http::header::{CONTENT_TYPE, HeaderMap};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
+use axum::{Extension, Router};
 use hyper::server::conn::http1;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
 use tokio::runtime::Builder;
 
+use super::crowd::Pass;
 use super::hub::Hub;
 use super::{guard, page, socket};
 use crate::base::limits::{REQUEST_HEAD, SENT_BYTES};
@@ -48,8 +49,8 @@ async fn accept(hub: Arc<Hub>, router: Router, listener: TcpListener) {
         if !peer.ip().is_loopback() {
             continue;
         }
-        let pass = hub.connections.enter();
-        let service = TowerToHyperService::new(router.clone());
+        let pass = Arc::new(hub.connections.enter());
+        let service = TowerToHyperService::new(router.clone().layer(Extension(pass.clone())));
         tokio::spawn(async move {
             let connection = http1::Builder::new()
                 .timer(TokioTimer::new())
@@ -79,11 +80,18 @@ fn routes(hub: Arc<Hub>) -> Router {
 }
 
 /// `/mesh/ID`: the bytes of a file of a model.
-async fn mesh(State(hub): State<Arc<Hub>>, Path(id): Path<String>, headers: HeaderMap) -> Response {
+async fn mesh(
+    State(hub): State<Arc<Hub>>,
+    Extension(pass): Extension<Arc<Pass>>,
+    Path(id): Path<String>,
+    headers: HeaderMap,
+) -> Response {
     let given = headers.get("x-xacro-token").and_then(|token| token.to_str().ok()).unwrap_or("");
     if !guard::same(given, hub.token()) {
         return (StatusCode::FORBIDDEN, "the token is missing or wrong").into_response();
     }
+    // a page of ours: others that come and say nothing do not end its download
+    pass.leave();
     let Some(path) = hub.files.path(&id) else {
         return (StatusCode::NOT_FOUND, "no robot that is shown has such a file").into_response();
     };

@@ -349,6 +349,33 @@ fn sockets_that_say_nothing_keep_nobody_out() {
     drop(silent);
 }
 
+#[test]
+fn connections_that_say_nothing_end_no_download() {
+    const SIZE: u64 = 50_000_000;
+    let rig = rig();
+    let mesh = rig.tree.path("mesh.stl");
+    std::fs::File::options().write(true).open(&mesh).unwrap().set_len(SIZE).unwrap();
+    let id = rig.files.id(&mesh, 1);
+    let mut download = rig.connect();
+    let host = format!("Host: 127.0.0.1:{}", rig.port());
+    write!(download, "GET /mesh/{id} HTTP/1.1\r\n{host}\r\n{}\r\n\r\n", rig.token()).unwrap();
+    let mut first = [0; 4096];
+    download.read_exact(&mut first).unwrap();
+    // a thousand of them; the server has let go of those that are dropped here
+    let mut silent = std::collections::VecDeque::new();
+    for _ in 0..1000 {
+        silent.push_back(rig.connect());
+        if silent.len() > 300 {
+            silent.pop_front();
+        }
+    }
+    assert!(rig.get("/", &[]).starts_with("HTTP/1.1 200"));
+    let mut rest = Vec::new();
+    download.read_to_end(&mut rest).unwrap();
+    let head = first.windows(4).position(|bytes| bytes == b"\r\n\r\n").unwrap() + 4;
+    assert_eq!((first.len() - head + rest.len()) as u64, SIZE);
+}
+
 #[tokio::test]
 async fn who_waits_longest_makes_room() {
     let crowd = Crowd::new(2);

@@ -24,7 +24,16 @@ pub(super) fn controlled<'a>(cx: &DocumentCx<'a>) -> Vec<(&'a ControlJoint, &'a 
 /// Whether the robot is for distributions whose ros2_control does not compare its joints with those of the robot.
 pub(super) fn is_before_jazzy(cx: &DocumentCx<'_>) -> bool {
     let root = cx.expansion.files.first().map(|file| &*file.source.path);
-    root.is_some_and(|root| cx.world.packages.is_before_jazzy(root))
+    has_old_plugin(cx) || root.is_some_and(|root| cx.world.packages.is_before_jazzy(root))
+}
+
+/// Whether the hardware is that of a simulator that Jazzy has not.
+fn has_old_plugin(cx: &DocumentCx<'_>) -> bool {
+    const OLD: [&str; 2] = ["gazebo_ros2_control/", "ign_ros2_control/"];
+    let tree = &cx.expansion.tree;
+    let plugins = cx.robot.into_iter().flat_map(|robot| &robot.controls).filter_map(|one| one.plugin(tree));
+    let mut names = plugins.filter_map(|plugin| Text::content(tree, plugin));
+    names.any(|name| OLD.iter().any(|old| name.value.trim().starts_with(old)))
 }
 
 /// Report the names of joints in blocks of a kind that the robot does not have.

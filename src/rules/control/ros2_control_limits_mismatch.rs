@@ -1,8 +1,8 @@
 //! Command limits beyond the limits of the joint.
 
 use super::super::context::DocumentCx;
-use super::super::numbers::{UNLIMITED, short};
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::numbers::{UNLIMITED, rewrite, short};
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::joints::{controlled, range, value_place};
 
@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     severity: Severity::Warning,
     default: Activation::On,
     since: "0.1",
-    fix: None,
+    fix: Some(Safety::Unsafe),
     docs: page!("ros2-control-limits-mismatch"),
     check: Check::Document(check),
 };
@@ -34,9 +34,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 if beyond && value.abs() < UNLIMITED {
                     let message =
                         format!("{name} {} of joint `{}` is beyond its limits", text.value, joint.shown());
-                    out.report(value_place(cx.expansion, text), message)
-                        .help(format!("the limits of the joint are {} ... {}", short(lower), short(upper)))
-                        .done();
+                    let report = out.report(value_place(cx.expansion, text), message).help(format!(
+                        "the limits of the joint are {} ... {}",
+                        short(lower),
+                        short(upper)
+                    ));
+                    let limit = if name == "min" { lower } else { upper };
+                    rewrite(report, Safety::Unsafe, text, short(limit)).done();
                 }
             }
         }

@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     severity: Severity::Error,
     default: Activation::On,
     since: "0.1",
-    fix: Some(Safety::Safe),
+    fix: Some(Safety::Unsafe),
     docs: page!("ros2-control-mimic-command"),
     check: Check::Document(check),
 };
@@ -36,7 +36,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 .report(tag_start(cx.expansion, command.element), message)
                 .severity(if is_old { Severity::Info } else { RULE.severity })
                 .help("remove the command interface, or write mimic=\"false\" at the joint of ros2_control");
-            delete_element(report, cx.expansion, command.element, "remove the command interface").done();
+            let fix = (Safety::Unsafe, "remove the command interface");
+            delete_element(report, cx.expansion, command.element, fix).done();
         }
     }
 }

@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     severity: Severity::Warning,
     default: Activation::On,
     since: "0.1",
-    fix: Some(Safety::Safe),
+    fix: Some(Safety::Unsafe),
     docs: page!("leading-slash-name"),
     check: Check::Document(check),
 };
@@ -32,7 +32,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .help("tf2 refuses frames whose name begins with a slash");
         match names::rename(cx, named, &name.value, new).filter(|_| !new.is_empty()) {
             Some(edits) => {
-                report.edits(Safety::Safe, format!("rename it to `{new}` everywhere"), edits).done();
+                report.edits(Safety::Unsafe, format!("rename it to `{new}` everywhere"), edits).done();
             }
             None => report.done(),
         }

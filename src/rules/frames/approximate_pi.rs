@@ -17,7 +17,7 @@ pub(super) const RULE: Rule = Rule {
     severity: Severity::Hint,
     default: Activation::On,
     since: "0.1",
-    fix: Some(Safety::Safe),
+    fix: Some(Safety::Unsafe),
     docs: page!("approximate-pi"),
     check: Check::Document(check),
 };
@@ -63,7 +63,7 @@ fn exact<'s, 'a>(
     }
     if speaks_xacro(cx.expansion, at) {
         let new = format!("${{{}}}", meant.0);
-        report.replace_with(Safety::Safe, format!("write `{new}`"), new)
+        report.replace_with(Safety::Unsafe, format!("write `{new}`"), new)
     } else {
         report.replace_with(Safety::Unsafe, format!("write {} in full", meant.0), meant.1.to_string())
     }

@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     severity: Severity::Error,
     default: Activation::On,
     since: "0.1",
-    fix: Some(Safety::Safe),
+    fix: Some(Safety::Unsafe),
     docs: page!("malformed-resource-uri"),
     check: Check::Document(check),
 };
@@ -54,7 +54,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .group(Group::Name(format!("{message} {}", beginning(&name.value)).into()))
             .help(help);
         match meant.filter(|meant| is_replaceable(name, meant) && leads_to_package(cx, name, meant)) {
-            Some(meant) => report.replace_with(Safety::Safe, format!("write `{meant}`"), meant).done(),
+            Some(meant) => report.replace_with(Safety::Unsafe, format!("write `{meant}`"), meant).done(),
             None => report.done(),
         }
     }

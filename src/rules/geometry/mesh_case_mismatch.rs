@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     severity: Severity::Error,
     default: Activation::On,
     since: "0.1",
-    fix: Some(Safety::Safe),
+    fix: Some(Safety::Unsafe),
     docs: page!("mesh-case-mismatch"),
     check: Check::Document(check),
 };
@@ -31,7 +31,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         // the path ends as the file does, but for case
         let tail = tail_of(written, &found.to_string_lossy());
         match tail.filter(|tail| is_replaceable(mesh.file, tail)) {
-            Some(spelled) => report.replace_with(Safety::Safe, "spell it as the file is", spelled).done(),
+            Some(spelled) => report.replace_with(Safety::Unsafe, "spell it as the file is", spelled).done(),
             None => report.done(),
         }
     }

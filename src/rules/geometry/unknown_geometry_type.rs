@@ -20,7 +20,11 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, body, _) in bodies(cx) {
-        for shape in body.geometry.iter().flat_map(|geometry| &geometry.shapes) {
+        let shapes = body.geometry.iter().flat_map(|geometry| &geometry.shapes);
+        let mut is_first = true;
+        for shape in shapes {
+            // urdfdom takes the first element, whatever follows
+            let is_passed_over = !std::mem::replace(&mut is_first, false);
             let name = cx.expansion.tree.get(shape.element).text.as_str();
             let extension =
                 name.contains(':') || cx.world.config.allow_elements.iter().any(|known| known == name);
@@ -32,6 +36,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 "capsule" => "urdfdom refuses it; Drake, MuJoCo, Bullet and Gazebo's SDF take capsules",
                 "ellipsoid" => "urdfdom refuses it; Drake, MuJoCo and Gazebo's SDF take ellipsoids",
                 "plane" => "urdfdom refuses it; MuJoCo, Bullet and Gazebo's SDF take planes",
+                "material" | "origin" => "move it out of `geometry`",
                 _ => "URDF has box, cylinder, sphere and mesh",
             };
             let message = format!("link `{}`: `{name}` is no shape of URDF", link.shown());
@@ -40,7 +45,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let in_package = root.is_some_and(|root| cx.world.packages.containing(root).is_some());
             let is_meant = is_of_simulators && !in_package;
             out.report(tag_start(cx.expansion, shape.element), message)
-                .severity(if is_meant { Severity::Warning } else { RULE.severity })
+                .severity(if is_meant || is_passed_over { Severity::Warning } else { RULE.severity })
                 .help(help)
                 .done();
         }

@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     severity: Severity::Warning,
     default: Activation::On,
     since: "0.1",
-    fix: Some(Safety::Safe),
+    fix: Some(Safety::Unsafe),
     docs: page!("axis-not-normalized"),
     check: Check::Document(check),
 };
@@ -27,7 +27,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 format!("the axis of joint `{}` has the length {}, not 1", joint.shown(), short(length));
             let report =
                 out.report(text.origin, message).help("parsers take it as it is, and motion is scaled by it");
-            rewrite(report, Safety::Safe, text, vector(&axis.map(|part| part / length))).done();
+            rewrite(report, Safety::Unsafe, text, vector(&axis.map(|part| part / length))).done();
         }
     }
 }

@@ -28,7 +28,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         for (name, element) in parts.into_iter().filter_map(|(name, element)| Some((name, element?))) {
             let message = format!("<{name}> of the fixed joint `{}` has no effect", joint.shown());
             let report = out.report(element_range(cx.expansion, element), message);
-            delete_element(report, cx.expansion, element, &format!("remove <{name}>")).done();
+            let fix = format!("remove <{name}>");
+            delete_element(report, cx.expansion, element, (Safety::Safe, &fix)).done();
         }
     }
 }

@@ -28,6 +28,6 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let report = out.report(element_range(cx.expansion, dynamics.element), message);
         let report =
             report.help("urdfdom refuses the joint: remove the element, or write damping or friction");
-        delete_element(report, cx.expansion, dynamics.element, "remove <dynamics>").done();
+        delete_element(report, cx.expansion, dynamics.element, (Safety::Safe, "remove <dynamics>")).done();
     }
 }

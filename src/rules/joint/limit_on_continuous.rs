@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::edits::delete_attrs;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use crate::model::{JointType, Limit, Text, tag_start};
+use crate::model::{Joint, JointType, Limit, Text, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT017",
@@ -38,10 +38,22 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         );
         let report = out
             .report(tag_start(cx.expansion, limit.element), message)
-            .severity(if restricts(limit) { Severity::Warning } else { Severity::Info })
+            .severity(if restricts(limit) && !follows(cx, joint) {
+                Severity::Warning
+            } else {
+                Severity::Info
+            })
             .help("a joint with limits is revolute; of a continuous one, only effort and velocity count");
         delete_attrs(report, cx.expansion, limit.element, &names).done();
     }
+}
+
+/// Whether a joint only goes where another one with limits leads it.
+fn follows(cx: &DocumentCx<'_>, joint: &Joint) -> bool {
+    let leader = joint.mimic.as_ref().and_then(|mimic| mimic.joint.as_ref()?.name());
+    let mut joints = cx.joints().iter();
+    let is_leader = |other: &&Joint| other.name.as_ref().and_then(Text::name) == leader;
+    leader.is_some() && joints.find(is_leader).is_some_and(|found| !found.is(&[JointType::Continuous]))
 }
 
 /// Whether the limits leave less than a full turn: they are meant, and ignored. Limits of zero say nothing.

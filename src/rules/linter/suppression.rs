@@ -82,8 +82,9 @@ impl Suppressions {
     /// Read the comments of a document.
     pub fn of(document: &Document) -> Self {
         let mut found = Self::default();
-        let mark = memchr::memmem::Finder::new(Self::MARK);
-        if document.parts().all(|(_, item)| mark.find(item.text().as_bytes()).is_none()) {
+        let marks = ["lint", "Lint", "LINT"].map(memchr::memmem::Finder::new);
+        let is_marked = |text: &[u8]| marks.iter().any(|mark| mark.find(text).is_some());
+        if !document.parts().any(|(_, item)| is_marked(item.text().as_bytes())) {
             return found;
         }
         let end = document.len();
@@ -162,11 +163,30 @@ fn own_text(element: Node<'_>) -> TextRange {
 
 /// Read a comment; none when it is not for the linter.
 fn parse(comment: Node<'_>, base: u32) -> Option<Result<Suppression, Malformed>> {
-    let raw = comment.raw();
-    let rest = raw.trim_start().strip_prefix(Suppressions::MARK)?;
-    let start = base + comment.raw_range().end - rest.len() as u32;
+    let text = comment.raw().trim_start();
     let range = comment.range().shift(base);
+    let Some(rest) = text.strip_prefix(Suppressions::MARK) else {
+        return misspelled(text).map(|(message, help)| Err(Malformed { comment: range, message, help }));
+    };
+    let start = base + comment.raw_range().end - rest.len() as u32;
     Some(read(rest, start, range).map_err(|(message, help)| Malformed { comment: range, message, help }))
+}
+
+/// What is wrong with a comment that begins nearly as those for the linter do, and goes on as they do.
+fn misspelled(text: &str) -> Option<(String, String)> {
+    let (name, _) = Suppressions::MARK.split_at(Suppressions::MARK.len() - 1);
+    let (own, rest) = text.split_at_checked(name.len())?;
+    let rest = rest.trim_start();
+    let said = rest.strip_prefix(':').unwrap_or(rest);
+    let is_word = |word: &str| WORDS.iter().any(|known| known.eq_ignore_ascii_case(word));
+    let word = said.split_whitespace().next()?;
+    if !own.eq_ignore_ascii_case(name) || !is_word(word) {
+        return None;
+    }
+    let begins = &text[..text.len() - said.len()];
+    let message =
+        format!("a comment for the linter begins with `{}`, not `{}`", Suppressions::MARK, begins.trim_end());
+    Some((message, format!("write <!-- {} {} -->", Suppressions::MARK, said.trim())))
 }
 
 /// Read what follows the mark; `start` is where it stands.
@@ -309,6 +329,18 @@ mod tests {
             ("xacro-lint: disable: all of it", "`disable` names no rule"),
             ("xacro-lint: disable STR008, : why", "`disable` names no rule"),
             ("xacro-lint: disable STR008 STR007", "`STR008 STR007` is no rule"),
+            (
+                "Xacro-Lint: disable STR008",
+                "a comment for the linter begins with `xacro-lint:`, not `Xacro-Lint:`",
+            ),
+            (
+                "xacro-lint disable STR008",
+                "a comment for the linter begins with `xacro-lint:`, not `xacro-lint`",
+            ),
+            (
+                "XACRO-LINT : Disable x",
+                "a comment for the linter begins with `xacro-lint:`, not `XACRO-LINT :`",
+            ),
         ] {
             let found = Suppressions::of(&Document::parse(&format!("<robot><!-- {comment} --></robot>")));
             let messages: Vec<&str> = found.malformed.iter().map(|m| m.message.as_str()).collect();
@@ -318,5 +350,7 @@ mod tests {
         assert_eq!(Suppressions::of(&Document::parse(&late)).malformed.len(), 1);
         let other = Suppressions::of(&Document::parse("<robot><!-- see xacro-lint: disable x --></robot>"));
         assert!(other.malformed.is_empty() && other.list.is_empty());
+        let prose = Suppressions::of(&Document::parse("<robot><!-- xacro-lint finds this --></robot>"));
+        assert!(prose.malformed.is_empty() && prose.list.is_empty());
     }
 }

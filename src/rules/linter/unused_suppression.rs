@@ -3,7 +3,8 @@
 use super::super::finding::{Edit, Finding, Fix};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::suppression::{Directive, Selector, Suppression};
-use crate::base::{FastSet, FileId, Span, TextRange};
+use crate::base::{FastSet, Span, TextRange};
+use crate::vfs::SourceFile;
 use crate::xml::Document;
 
 pub(super) const RULE: Rule = Rule {
@@ -18,13 +19,15 @@ pub(super) const RULE: Rule = Rule {
     check: Check::Analysis,
 };
 
-/// The finding about a suppression whose rules `unused` hide nothing. Only whoever has all findings knows.
+/// The finding about a suppression whose rules `unused` hide nothing. Only whoever has all findings knows, and whether
+/// it is safe to remove it.
 pub fn unused_suppression(
-    file: FileId,
-    document: &Document,
+    source: &SourceFile,
     suppression: &Suppression,
     unused: &[&Selector],
+    safety: Safety,
 ) -> Finding {
+    let (file, document) = (source.id, &source.document);
     let names: Vec<String> = unused.iter().map(|selector| format!("`{}`", selector.text)).collect();
     let names = names.join(", ");
     let message = match suppression.directive {
@@ -47,7 +50,7 @@ pub fn unused_suppression(
             ("delete the comment".to_owned(), Edit { span: span(range), content: String::new() })
         }
     };
-    let fix = Fix { safety: Safety::Safe, message: message_of_fix, edits: vec![edit] };
+    let fix = Fix { safety, message: message_of_fix, edits: vec![edit] };
     Finding { fix: Some(fix), ..Finding::new(&RULE, span(suppression.comment), message) }
 }
 
@@ -59,8 +62,12 @@ fn with_its_line(document: &Document, comment: TextRange) -> TextRange {
     let begins = before.trim_end_matches(blanks);
     let tail = behind.trim_start_matches(blanks);
     let line_end = if tail.starts_with("\r\n") { 2 } else { usize::from(tail.starts_with('\n')) };
-    if !(comment.start == indent as u32 || begins.ends_with('\n')) || line_end == 0 {
+    if line_end == 0 {
         return comment;
+    }
+    if !(comment.start == indent as u32 || begins.ends_with('\n')) {
+        // behind something else: the blanks between go with it
+        return TextRange::new(comment.start - indent as u32, comment.end);
     }
     let end = comment.end as usize + (behind.len() - tail.len()) + line_end;
     TextRange::new(comment.start - indent as u32, end as u32)

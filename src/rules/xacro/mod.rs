@@ -26,6 +26,7 @@ use super::registry::{Rule, page};
 
 pub(super) use mentions::Mentions;
 pub(super) use shadowed_builtin::is_news as shadowing_is_news;
+pub use source::include_tags;
 pub(super) use unprefixed_xacro_tag::is_unprefixed;
 
 /// The rules. Those without a file are found by the expander.
@@ -61,7 +62,7 @@ pub(super) static RULES: &[Rule] = &[
     string_bool_comparison::RULE,
     Rule::found("XAC029", "deprecated-builtin-call", Xacro, Info, page!("deprecated-builtin-call")).fixed(Safe),
     Rule::found("XAC030", "macro-name-with-prefix", Xacro, Warning, page!("macro-name-with-prefix")).fixed(Safe),
-    Rule::found("XAC031", "unknown-xacro-attribute", Xacro, Info, page!("unknown-xacro-attribute")).fixed(Unsafe),
+    Rule::found("XAC031", "unknown-xacro-attribute", Xacro, Info, page!("unknown-xacro-attribute")).fixed(Safe),
     Rule::found("XAC032", "missing-xacro-attribute", Xacro, Error, page!("missing-xacro-attribute")),
     Rule::found("XAC033", "include-children-ignored", Xacro, Warning, page!("include-children-ignored")).fixed(Safe),
     Rule::found("XAC034", "infinite-macro-recursion", Xacro, Error, page!("infinite-macro-recursion")),

@@ -7,7 +7,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::source::{self, Inclusion};
 use crate::base::{FastMap, FastSet};
-use crate::expand::{FileIdx, Place, SymbolKind};
+use crate::expand::{FileIdx, Place, SymbolKind, UseKind};
 use crate::xml::{Node, NodeKind};
 
 pub(super) const RULE: Rule = Rule {
@@ -29,7 +29,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let inclusions = source::inclusions(cx.expansion, cx.world);
     let spaces = namespaces(&inclusions);
     let mut first: FastMap<(&str, &str), (Place, Node<'_>)> = FastMap::default();
-    for (_, definition) in cx.expansion.symbols.iter().filter(|(_, found)| found.kind == SymbolKind::Macro) {
+    for (id, definition) in cx.expansion.symbols.iter().filter(|(_, found)| found.kind == SymbolKind::Macro) {
         let node = source::definition_tag(cx.expansion, definition);
         let place = source::place(cx.expansion, definition.place);
         let (Some(node), Some(place)) = (node, place) else { continue };
@@ -40,7 +40,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let name = definition.name.as_str();
         let earlier = first.insert((space.as_str(), name), (place, node));
         if let Some((earlier, _)) = earlier.filter(|(_, earlier)| !is_same(*earlier, node)) {
+            let is_called = cx.expansion.symbols.uses_of(id).any(|used| used.kind == UseKind::Call);
             out.report_in(place.file, place.range, format!("macro `{name}` is defined again"))
+                .severity(if is_called { RULE.severity } else { Severity::Info })
                 .also_at(earlier, "the first definition is here")
                 .help("calls below use the second one: rename one of them, or include a file with ns=\"...\"")
                 .done();

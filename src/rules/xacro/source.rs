@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::super::context::{DocumentCx, Surroundings};
-use crate::base::{FastMap, FileId, TextRange};
+use crate::base::{FastMap, FileId, Span, TextRange};
 use crate::expand::{Definition, Expansion, FileIdx, FrameKind, Place, SourceRange};
 use crate::xml::{Document, Node};
 
@@ -109,6 +109,16 @@ pub(super) fn inclusions<'a>(expansion: &'a Expansion, world: Surroundings<'_>) 
         found.push(Inclusion { frame: number, tag, node, target, namespace, within });
     }
     found
+}
+
+/// The files that an expansion included, each with the tag that did.
+pub fn include_tags(expansion: &Expansion, world: Surroundings<'_>) -> Vec<(FileId, Span)> {
+    let id = |file: FileIdx| Some(expansion.files.get(file.0 as usize)?.source.id);
+    let tag = |found: Inclusion<'_>| {
+        let span = Span { file: id(found.tag.file)?, range: found.tag.range };
+        Some((id(found.target)?, span))
+    };
+    inclusions(expansion, world).into_iter().filter_map(tag).collect()
 }
 
 /// The innermost include among a frame and those around it.

@@ -20,6 +20,9 @@ pub(super) const RULE: Rule = Rule {
 /// Roots of other formats that carry the ending `.urdf` by accident.
 const OTHER_FORMATS: [&str; 4] = ["sdf", "mujoco", "COLLADA", "launch"];
 
+/// What stands inside of links: a file of these alone is a piece to be included there.
+const PARTS_OF_LINKS: [&str; 6] = ["inertial", "visual", "collision", "origin", "geometry", "material"];
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
     let Some(root) = tree.root().filter(|_| cx.kind == RootKind::Robot && cx.robot.is_none()) else { return };
@@ -30,6 +33,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         return report
             .severity(Severity::Info)
             .help("this file is of another format and was not checked")
+            .done();
+    }
+    let mut parts = tree.elements(root).map(|part| tree.get(part).text.as_str()).peekable();
+    if parts.peek().is_some() && parts.all(|part| PARTS_OF_LINKS.contains(&part)) {
+        return report
+            .severity(Severity::Info)
+            .help("whoever includes this inside a link gets its content")
             .done();
     }
     report.help("urdfdom reads nothing but a `robot`").done();

@@ -24,6 +24,8 @@ pub struct Caller {
     descriptions: FastSet<String>,
     /// What further names end with, whose beginnings are computed.
     endings: Vec<String>,
+    /// Whether whoever calls it names the description.
+    is_open: bool,
     /// The arguments it gives, in order.
     pub args: Vec<GivenArg>,
     /// The package whose configuration it completes.
@@ -76,6 +78,29 @@ impl Callers {
         self.of(file, packages).iter().any(|caller| caller.descriptions.contains(name))
     }
 
+    /// Whether something that runs names the description `file`, in part at least; a page does not run.
+    pub fn load(&self, file: &Path, packages: &Packages) -> bool {
+        self.of(file, packages).iter().any(|caller| !caller.is_page() && caller.says(file))
+    }
+
+    /// Whether a launch file may mean the description `file`.
+    pub fn launch(&self, file: &Path, packages: &Packages) -> bool {
+        self.of(file, packages).iter().any(Caller::is_launch)
+    }
+
+    /// The names of the descriptions in the package of `file` that launch files load instead: none where the file itself
+    /// is named somewhere, or the launch files take the name of any.
+    pub fn launched_instead(&self, file: &Path, packages: &Packages) -> FastSet<String> {
+        let top = packages.containing(file).and_then(|_| packages.sources_around(file));
+        let may_mean = |caller: &Caller| caller.says(file) || caller.is_open && caller.is_launch();
+        let is_free = || !self.of(file, packages).iter().any(may_mean);
+        let Some(top) = top.filter(|_| is_free()) else { return FastSet::default() };
+        let all = self.below.get(top.clone(), || Arc::new(search(&packages.vfs, &top)));
+        let launches =
+            all.iter().filter(|caller| caller.is_launch() && packages.may_mean(&caller.path, file));
+        launches.flat_map(|caller| caller.descriptions.iter().cloned()).collect()
+    }
+
     /// Forget what was found: files have come, gone or changed.
     pub fn forget(&self) {
         self.below.clear();
@@ -83,6 +108,26 @@ impl Callers {
 }
 
 impl Caller {
+    /// Whether the text names a description, or the end of its name.
+    fn says(&self, file: &Path) -> bool {
+        let name = file.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+        let is_end = |ending: &String| !ending.is_empty() && name.ends_with(ending.as_str());
+        self.descriptions.contains(name) || self.endings.iter().any(is_end)
+    }
+
+    /// Whether this is a file to be read, not run.
+    fn is_page(&self) -> bool {
+        let ending = self.path.extension().and_then(|ending| ending.to_str()).unwrap_or("");
+        ["md", "rst", "txt", "ipynb"].contains(&ending) && !self.path.ends_with("CMakeLists.txt")
+    }
+
+    /// Whether this is a launch file, by its name or folder.
+    fn is_launch(&self) -> bool {
+        let name = self.path.file_name().and_then(|name| name.to_str()).unwrap_or("");
+        let folder = self.path.parent().and_then(Path::file_name);
+        name.contains("launch") || folder.is_some_and(|folder| folder == "launch") && !self.is_page()
+    }
+
     /// Whether the text says nothing of the file, so that its package may be computed as well.
     fn computes_the_file(&self) -> bool {
         self.descriptions.is_empty() && self.endings.iter().any(String::is_empty)

@@ -49,7 +49,8 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
     if is_yaml {
         args.extend(config::urdf_params(text));
     }
-    Some(Caller { path: path.to_owned(), descriptions, endings, args, based_on })
+    let is_open = takes_any(text);
+    Some(Caller { path: path.to_owned(), descriptions, endings, is_open, args, based_on })
 }
 
 /// The names of descriptions in a text, without folders. What is only installed or included is not called.
@@ -99,13 +100,18 @@ fn computed(text: &str) -> Vec<String> {
             found.push(ending.to_owned());
         }
     }
-    let calls = text.match_indices("xacro").filter_map(|(at, word)| text.get(at + word.len()..));
-    let mut names = calls.map(|after| after.trim_start_matches([' ', '\'', '"', ',', '.', 'p', 'y']));
-    let is_argument = names.any(|name| name.starts_with("$(arg ") || name.starts_with("$(var "));
-    if is_argument || ["xacro.process", "xacro.parse("].iter().any(|call| text.contains(call)) {
+    if takes_any(text) || ["xacro.process", "xacro.parse("].iter().any(|call| text.contains(call)) {
         found.push(String::new());
     }
     found
+}
+
+/// Whether the name of the description is an argument of the call.
+fn takes_any(text: &str) -> bool {
+    const ARGUMENTS: [&str; 3] = ["$(arg ", "$(var ", "LaunchConfiguration("];
+    let calls = text.match_indices("xacro").filter_map(|(at, word)| text.get(at + word.len()..));
+    let mut names = calls.map(|after| after.trim_start_matches([' ', '\'', '"', ',', '.', 'p', 'y']));
+    names.any(|name| ARGUMENTS.iter().any(|argument| name.starts_with(argument)))
 }
 
 fn is_name(c: char) -> bool {

@@ -8,7 +8,9 @@ use super::keys::{FORMAT, KEYS, Key, LAYOUTS, LEVELS, LIMITS, PROFILES, ROOTS, T
 use super::pattern::Pattern;
 use super::roots::{Args, Root};
 use super::value::{Entry, Value, ValueKind};
-use super::{AttributeLayout, Config, ConfigWarning, Format, Level, Limits, Mention, Place, Profile};
+use super::{
+    AttributeLayout, Config, ConfigWarning, Format, Level, Limits, Mention, MentionKind, Place, Profile,
+};
 use crate::base::{TextRange, count_line_ends, last_line_start};
 use crate::workspace::{Target, nearest};
 
@@ -66,7 +68,8 @@ impl Applier {
                     config.exclude.extend(patterns.iter().map(|text| Pattern::new(text, &self.folder)));
                 }
                 "package-path" => {
-                    let folders = self.texts(entry).into_iter().map(|folder| self.folder.join(folder));
+                    let folders = self.named(config, entry, MentionKind::Folder);
+                    let folders = folders.into_iter().map(|folder| self.folder.join(folder));
                     config.package_path.splice(0..0, folders.collect::<Vec<_>>());
                 }
                 "use-environment" => {
@@ -88,7 +91,7 @@ impl Applier {
 
     fn selection(&mut self, config: &mut Config, entry: &Entry) {
         let rules = match entry.key.as_str() {
-            "select" | "extend-select" | "ignore" => self.rules(config, entry),
+            "select" | "extend-select" | "ignore" => self.named(config, entry, MentionKind::Rule),
             _ => return,
         };
         match entry.key.as_str() {
@@ -98,29 +101,29 @@ impl Applier {
         }
     }
 
-    /// Names of rules, which are noted.
-    fn rules(&mut self, config: &mut Config, entry: &Entry) -> Vec<String> {
-        let mut rules = Vec::new();
+    /// A list of names, which are noted.
+    fn named(&mut self, config: &mut Config, entry: &Entry, kind: MentionKind) -> Vec<String> {
+        let mut names = Vec::new();
         for value in self.values(entry) {
             if let ValueKind::Text(text) = &value.kind {
-                self.mention(config, text, value.range, false);
-                rules.push(text.clone());
+                self.mention(config, text, value.range, kind);
+                names.push(text.clone());
             } else {
                 self.wrong(&entry.key, value, "a list of strings");
             }
         }
-        rules
+        names
     }
 
-    fn mention(&self, config: &mut Config, text: &str, range: TextRange, is_threshold: bool) {
+    fn mention(&self, config: &mut Config, text: &str, range: TextRange, kind: MentionKind) {
         let place = self.place(range);
-        config.mentions.push(Mention { is_threshold, text: text.to_owned(), place });
+        config.mentions.push(Mention { kind, text: text.to_owned(), place });
     }
 
     fn severity(&mut self, config: &mut Config, entry: &Entry) {
         let levels = [Level::Error, Level::Warning, Level::Info, Level::Hint, Level::Off];
         for field in self.table(entry) {
-            self.mention(config, &field.key, field.key_range, false);
+            self.mention(config, &field.key, field.key_range, MentionKind::Rule);
             if let Some(level) = self.choice(&field.key, &field.value, LEVELS, &levels) {
                 config.severity.insert(field.key.clone(), level);
             }
@@ -129,14 +132,14 @@ impl Applier {
 
     fn per_file_ignores(&mut self, config: &mut Config, entry: &Entry) {
         for field in self.table(entry) {
-            let rules = self.rules(config, field);
+            let rules = self.named(config, field, MentionKind::Rule);
             config.per_file_ignores.push((Pattern::new(&field.key, &self.folder), rules));
         }
     }
 
     fn thresholds(&mut self, config: &mut Config, entry: &Entry) {
         for field in self.table(entry) {
-            self.mention(config, &field.key, field.key_range, true);
+            self.mention(config, &field.key, field.key_range, MentionKind::Threshold);
             match field.value.kind {
                 ValueKind::Int(Some(value)) => {
                     config.thresholds.insert(field.key.clone(), value as f64);
@@ -197,13 +200,14 @@ impl Applier {
 
     fn root(&mut self, fields: &[Entry], range: TextRange) -> Option<Root> {
         let (mut file, mut args, mut presets) = (None, Args::new(), Vec::new());
+        let mut given = Vec::new();
         for field in self.known(fields, ROOTS, "roots") {
             match field.key.as_str() {
                 "file" => file = self.text(field).map(|text| (text.to_owned(), field.value.range)),
-                "args" => args = self.args(field),
+                "args" => args = self.args(field, &mut given),
                 _ => {
                     for preset in self.table(field) {
-                        let args = self.args(preset);
+                        let args = self.args(preset, &mut given);
                         presets.push((preset.key.clone(), args));
                     }
                 }
@@ -213,7 +217,7 @@ impl Applier {
         match file {
             Some((file, range)) => {
                 let (folder, place) = (self.folder.clone(), self.place(range));
-                Some(Root { file, folder, args, presets, place })
+                Some(Root { file, folder, args, presets, place, given })
             }
             None if has_file_key => None,
             None => {
@@ -224,7 +228,7 @@ impl Applier {
     }
 
     /// Arguments as they would be typed behind `name:=`.
-    fn args(&mut self, entry: &Entry) -> Args {
+    fn args(&mut self, entry: &Entry, given: &mut Vec<(String, Place)>) -> Args {
         let mut args = Args::new();
         for field in self.table(entry) {
             let value = match &field.value.kind {
@@ -237,6 +241,7 @@ impl Applier {
                     continue;
                 }
             };
+            given.push((field.key.clone(), self.place(field.key_range)));
             args.push((field.key.clone(), value));
         }
         args

@@ -21,16 +21,16 @@ pub struct Loaded {
     pub warnings: Vec<ConfigWarning>,
 }
 
-/// The configuration file for what lies in or below `folder`.
+/// The configuration file for what lies in or below `folder`; it may be one that cannot be read.
 pub fn find_config(vfs: &Vfs, folder: &Path) -> Option<PathBuf> {
     let mut folder = vfs.absolute(folder);
     if folder.components().any(|part| part == std::path::Component::ParentDir) {
         // what lies above `a/../b` is not `a`
         folder = vfs.canonical(&folder);
     }
-    folder
-        .ancestors()
-        .find_map(|folder| CONFIG_NAMES.iter().map(|name| folder.join(name)).find(|path| vfs.is_file(path)))
+    folder.ancestors().find_map(|folder| {
+        CONFIG_NAMES.iter().map(|name| folder.join(name)).find(|path| vfs.is_present(path))
+    })
 }
 
 impl Config {

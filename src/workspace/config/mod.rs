@@ -196,15 +196,26 @@ pub struct Place {
     pub column: u32,
 }
 
-/// A name that only the rules can check.
+/// A name whose meaning is outside of the configuration.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mention {
-    /// Whether it names a threshold; else it is the code, prefix or name of rules.
-    pub is_threshold: bool,
-    /// The name.
+    /// What it names.
+    pub kind: MentionKind,
+    /// The name, as it is written.
     pub text: String,
     /// Where it stands.
     pub place: Place,
+}
+
+/// What a name in a configuration names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MentionKind {
+    /// Rules, by code, prefix or name.
+    Rule,
+    /// A threshold of a rule.
+    Threshold,
+    /// A folder of packages.
+    Folder,
 }
 
 /// Something in the configuration that has no effect.

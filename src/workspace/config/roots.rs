@@ -22,6 +22,8 @@ pub struct Root {
     pub presets: Vec<(String, Args)>,
     /// Where the entry stands.
     pub place: Place,
+    /// Where arguments are given, with their names: those of every run, and those of the presets.
+    pub given: Vec<(String, Place)>,
 }
 
 /// One run of a root.

@@ -1,6 +1,6 @@
 use std::path::PathBuf;
 
-use super::{AttributeLayout, Config, Level, Limits, Loaded, Profile, find_config, schema};
+use super::{AttributeLayout, Config, Level, Limits, Loaded, MentionKind, Profile, find_config, schema};
 use crate::vfs::testing::Tree;
 use crate::workspace::Target;
 
@@ -92,9 +92,10 @@ include-depth = 6
     assert_eq!(config.limits, limits);
     assert_eq!(config.limits.file_bytes(), 4_000_000);
     let mentions: Vec<&str> = config.mentions.iter().map(|mention| mention.text.as_str()).collect();
-    let rules = ["XML", "JNT006", "STR013", "unused-macro", "GEO007", "unused-property", "STR"];
+    let rules =
+        ["XML", "JNT006", "STR013", "unused-macro", "../other", "/abs", "GEO007", "unused-property", "STR"];
     assert_eq!(mentions, [rules.as_slice(), &["max-extent-m", "other"]].concat());
-    assert_eq!(config.mentions.iter().filter(|mention| mention.is_threshold).count(), 2);
+    assert_eq!(config.mentions.iter().filter(|mention| mention.kind == MentionKind::Threshold).count(), 2);
 }
 
 #[test]

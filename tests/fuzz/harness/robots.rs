@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-use xacro_lsp::analysis::{CheckOptions, Session, Setup};
+use xacro_lsp::analysis::{CheckOptions, FixOptions, Session, Setup};
 use xacro_lsp::expand::{Limits, Request, World, expand, write_mapped};
-use xacro_lsp::rules::Safety;
+use xacro_lsp::rules::{Safety, Severity};
 use xacro_lsp::vfs::{Environment, Vfs};
 use xacro_lsp::workspace::Packages;
 use xacro_lsp::xml::Document;
@@ -68,7 +68,7 @@ pub fn fixes(data: &[u8]) {
     session.vfs.set_buffer(Path::new(ROOT), Some(text.clone()));
     let options = CheckOptions { paths: vec![ROOT.into()], ..CheckOptions::default() };
     let most = if choice & 1 == 0 { Safety::Safe } else { Safety::Unsafe };
-    let fixed = session.fix(&options, most);
+    let fixed = session.fix(&options, FixOptions { most, shown: Severity::Hint });
     for finding in &fixed.found.findings {
         let source = fixed.found.source(finding.span.file).expect("a file that was read");
         assert!(finding.span.range.end <= source.document.len(), "{finding:?} of {text:?}");

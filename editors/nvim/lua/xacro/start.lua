@@ -99,6 +99,8 @@ local function common()
     name = M.name,
     cmd = user.cmd,
     settings = { xacro = user.settings },
+    -- what of the server's own protocol is known here
+    init_options = { client = { contextChanged = true, lensCommands = true } },
     handlers = require('xacro.handlers').of_server(),
     commands = require('xacro.handlers').of_lenses(),
   }

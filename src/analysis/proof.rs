@@ -1,0 +1,358 @@
+//! Proof that edits leave every robot as it is.
+//!
+//! Most edits are proved by the text alone: if a file says the same to a reader of URDF before and after, whatever its
+//! expressions give, so do all robots made of it. For the others, every robot that reads a changed file is expanded
+//! before and after: with its defaults, its presets and the arguments of its callers, with each switch turned over, and
+//! with the branches taken that hold an edit. The files themselves are never touched: the texts after lie in an overlay.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::analyzed::job_of;
+use super::check::CheckOptions;
+use super::context::RootChoice;
+use super::job;
+use super::plan::apply;
+use super::report::Report;
+use super::roots::{Job, Reason};
+use super::session::Session;
+use super::walk::is_description;
+use crate::base::{CancelFlag, TextRange};
+use crate::expand::{Expansion, Forced, FrameKind, Request, World, expand, write};
+use crate::model::{JointType, same_robot};
+use crate::vfs::{SourceFile, Vfs};
+use crate::xml::{Document, Node, NodeKind};
+
+/// Arguments of one caller that are tried, at most so many callers.
+const MOST_CALLERS: usize = 4;
+/// Values that are tried for arguments when an edit is in an expression.
+const OTHER_VALUES: [&str; 3] = ["other", "2", ""];
+
+/// A file as it is and as it would be.
+pub(super) struct Changed {
+    /// Its path, absolute.
+    pub path: Arc<Path>,
+    /// The text as it is.
+    pub old: String,
+    /// The text as it would be.
+    pub new: String,
+    /// What leads from one to the other, in order.
+    pub edits: Vec<(TextRange, String)>,
+}
+
+/// What is to be proved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Claim {
+    /// Every robot stays what it is.
+    Same,
+    /// The same, but for robots that are refused, or that hold what was meant for xacro: those are accepted afterwards.
+    Repaired,
+    /// No robot that is accepted is refused afterwards.
+    Accepted,
+}
+
+/// How much may be done for a proof.
+#[derive(Clone, Debug)]
+pub struct Effort {
+    /// Expansions that are made for one claim; where more are needed, it is not proved.
+    pub expansions: usize,
+    /// The robots that may read the files, where that is known; else they are looked for in the workspace.
+    pub roots: Option<Vec<PathBuf>>,
+    /// Set to stop early; nothing is proved then.
+    pub cancel: CancelFlag,
+}
+
+impl Session {
+    /// Whether a claim about changes holds, as far as it can be proved.
+    pub(super) fn proves(&self, changed: &[Changed], claim: Claim, effort: &Effort) -> bool {
+        let open: Vec<&Changed> = changed.iter().filter(|changed| !changed.is_same_by_text()).collect();
+        open.is_empty() || Trial::new(self, open, effort).is_some_and(|trial| trial.holds(claim))
+    }
+
+    /// Whether every robot stays what it is when texts of a file are replaced; they are in order and do not overlap.
+    pub fn stays_the_same(&self, path: &Path, edits: Vec<(TextRange, String)>, effort: &Effort) -> bool {
+        let Ok(source) = self.vfs.document(path) else { return false };
+        let old = source.document.text();
+        let new = apply(&old, &edits);
+        self.proves(&[Changed { path: source.path.clone(), old, new, edits }], Claim::Same, effort)
+    }
+}
+
+/// Texts of files replaced, each file once.
+pub type Replaced = Vec<(PathBuf, Vec<(TextRange, String)>)>;
+
+impl Session {
+    /// The first of these robots that is accepted as it is, and would be another one or refused with texts replaced.
+    pub fn changed_robot(
+        &self,
+        replaced: Replaced,
+        roots: &[RootChoice],
+        cancel: &CancelFlag,
+    ) -> Option<PathBuf> {
+        let changed = replaced.into_iter().filter_map(|(path, mut edits)| {
+            edits.sort_by_key(|(range, _)| range.start);
+            let source = self.vfs.document(&path).ok()?;
+            let old = source.document.text();
+            let new = apply(&old, &edits);
+            Some(Changed { path: source.path.clone(), old, new, edits })
+        });
+        let changed: Vec<Changed> = changed.collect();
+        let effort = Effort { expansions: 0, roots: None, cancel: cancel.clone() };
+        let trial = Trial::new(self, changed.iter().collect(), &effort)?;
+        let mut jobs = roots.iter().map(job_of);
+        jobs.find(|job| !cancel.is_cancelled() && trial.changes(job)).map(|job| job.file)
+    }
+}
+
+impl Changed {
+    /// Whether the file says the same before and after, whatever its expressions give.
+    pub fn is_same_by_text(&self) -> bool {
+        !is_description(&self.path) || same_robot(&self.old, &self.new) == Some(true)
+    }
+
+    /// Where a place of the old text stands in the new one; edits that begin there come behind it.
+    fn moved(&self, at: u32) -> u32 {
+        let before = self.edits.iter().filter(|(range, _)| range.end <= at && range.start < at);
+        let shift: i64 = before.map(|(range, new)| new.len() as i64 - i64::from(range.len())).sum();
+        (i64::from(at) + shift) as u32
+    }
+}
+
+/// One way to expand a robot.
+#[derive(Clone, Default)]
+struct Setting {
+    args: Vec<(String, String)>,
+    forced: Vec<Forced>,
+}
+
+/// Expansions before and after changes.
+struct Trial<'a> {
+    session: &'a Session,
+    changed: Vec<&'a Changed>,
+    /// The changed files, parsed as they are.
+    sources: Vec<Arc<SourceFile>>,
+    after: Vfs,
+    effort: &'a Effort,
+}
+
+/// What an expansion gave.
+struct Run {
+    text: String,
+    refused: bool,
+    expansion: Expansion,
+}
+
+impl<'a> Trial<'a> {
+    fn new(session: &'a Session, changed: Vec<&'a Changed>, effort: &'a Effort) -> Option<Self> {
+        let sources = changed
+            .iter()
+            .map(|changed| session.vfs.document(&changed.path).ok())
+            .collect::<Option<Vec<_>>>()?;
+        let texts = changed.iter().map(|changed| (changed.path.to_path_buf(), changed.new.clone()));
+        let after = session.vfs.overlay(texts);
+        Some(Self { session, changed, sources, after, effort })
+    }
+
+    fn holds(&self, claim: Claim) -> bool {
+        let mut uncalled = self.macros_around_edits();
+        let mut unread: Vec<&Path> = self.changed.iter().map(|changed| &*changed.path).collect();
+        let mut left = self.effort.expansions;
+        for job in self.jobs() {
+            let first = Setting { args: job.args.clone(), forced: Vec::new() };
+            let Some(before) = self.compare(&job, &first, claim) else { return false };
+            let reads = |path: &&Path| before.expansion.files.iter().any(|file| *file.source.path == **path);
+            if !self.changed.iter().any(|changed| reads(&&*changed.path)) {
+                continue;
+            }
+            unread.retain(|path| !reads(path));
+            uncalled.retain(|place| !is_called(&before.expansion, place));
+            for setting in self.settings(&job, &before.expansion) {
+                left = left.saturating_sub(1);
+                let Some(run) = self.compare(&job, &setting, claim).filter(|_| left > 0) else {
+                    return false;
+                };
+                uncalled.retain(|place| !is_called(&run.expansion, place));
+            }
+        }
+        // what nobody reads or calls here may be read and called elsewhere
+        claim == Claim::Accepted || unread.is_empty() && uncalled.is_empty()
+    }
+
+    /// The robots that may read a changed file, below the workspaces of these files.
+    fn jobs(&self) -> Vec<Job> {
+        let session = self.session;
+        if let Some(roots) = &self.effort.roots {
+            let job = |file: &PathBuf| Job {
+                file: file.clone(),
+                reason: Reason::Named,
+                args: Vec::new(),
+                preset: None,
+            };
+            return roots.iter().map(job).collect();
+        }
+        let files: Vec<PathBuf> = self.changed.iter().map(|changed| changed.path.to_path_buf()).collect();
+        let around = |file: &PathBuf| {
+            let folder = file.parent()?;
+            let package = || session.packages.containing(file).map(|package| package.folder);
+            Some(session.packages.workspace(folder).or_else(package).unwrap_or_else(|| folder.to_owned()))
+        };
+        let mut paths: Vec<PathBuf> = files.iter().filter_map(around).collect();
+        paths.sort();
+        paths.dedup();
+        let options = CheckOptions { paths, changed: files, ..CheckOptions::default() };
+        session.jobs(&options, &mut Report::default())
+    }
+
+    /// What an expansion gives before; none when the claim does not hold for it.
+    fn compare(&self, job: &Job, setting: &Setting, claim: Claim) -> Option<Run> {
+        if self.effort.cancel.is_cancelled() {
+            return None;
+        }
+        let before = self.run(job, &self.session.vfs, setting.clone());
+        let forced = setting.forced.iter().map(|forced| Forced { at: self.moved(forced), ..forced.clone() });
+        let setting = Setting { args: setting.args.clone(), forced: forced.collect() };
+        let after = self.run(job, &self.after, setting);
+        let is_same = before.text == after.text || same_robot(&before.text, &after.text) == Some(true);
+        let holds = match claim {
+            Claim::Same if !is_same => before.refused && !after.refused,
+            _ => before.refused || !after.refused,
+        };
+        holds.then_some(before)
+    }
+
+    /// Whether a robot that is accepted before would be another one, or refused.
+    fn changes(&self, job: &Job) -> bool {
+        let setting = Setting { args: job.args.clone(), forced: Vec::new() };
+        let before = self.run(job, &self.session.vfs, setting.clone());
+        if before.refused {
+            return false;
+        }
+        let after = self.run(job, &self.after, setting);
+        let is_same = before.text == after.text || same_robot(&before.text, &after.text) == Some(true);
+        (after.refused || !is_same) && !self.effort.cancel.is_cancelled()
+    }
+
+    fn moved(&self, forced: &Forced) -> u32 {
+        let changed = self.changed.iter().find(|changed| *changed.path == *forced.file);
+        changed.map_or(forced.at, |changed| changed.moved(forced.at))
+    }
+
+    fn run(&self, job: &Job, vfs: &Vfs, setting: Setting) -> Run {
+        let World { packages, env, .. } = job::world(self.session);
+        let Setting { args, forced } = setting;
+        let request =
+            Request { probe: false, args, forced, ..job::request(self.session, &self.effort.cancel, job) };
+        let expansion = expand(World { vfs, packages, env }, &request);
+        let is_broken = |file: &crate::expand::FileUse| !file.source.document.errors().is_empty();
+        let refused =
+            expansion.has_errors() || expansion.root_error.is_some() || expansion.files.iter().any(is_broken);
+        Run { text: write(&expansion.tree, "").text, refused, expansion }
+    }
+
+    /// Further ways to expand a robot that may show what an edit does.
+    fn settings(&self, job: &Job, before: &Expansion) -> Vec<Setting> {
+        let mut found = Vec::new();
+        let with = |more: Vec<(String, String)>| Setting {
+            args: job.args.iter().cloned().chain(more).collect(),
+            forced: Vec::new(),
+        };
+        for caller in self.session.callers(&job.file).iter().take(MOST_CALLERS) {
+            let known = caller.args.iter().filter_map(|arg| Some((arg.name.clone(), arg.value.clone()?)));
+            let known: Vec<_> = known.collect();
+            if !known.is_empty() {
+                found.push(with(known));
+            }
+        }
+        let in_expressions =
+            self.edits().any(|(document, range, new)| is_in_expression(document, range, new));
+        for (name, value) in &before.arguments {
+            let others: &[&str] = if in_expressions { &OTHER_VALUES } else { &[] };
+            let values = turned_over(value).into_iter().chain(others.iter().copied());
+            found.extend(values.map(|value| with(vec![(name.to_string(), value.to_owned())])));
+        }
+        found.extend(self.branches().into_iter().map(|forced| Setting { args: job.args.clone(), forced }));
+        found
+    }
+
+    /// The edits with the documents they are made in.
+    fn edits(&self) -> impl Iterator<Item = (&Document, TextRange, &str)> {
+        let files = self.changed.iter().zip(&self.sources);
+        files.flat_map(|(changed, source)| {
+            changed.edits.iter().map(|(range, new)| (&source.document, *range, new.as_str()))
+        })
+    }
+
+    /// For each edit inside of conditions: these conditions, taken.
+    fn branches(&self) -> Vec<Vec<Forced>> {
+        let mut found = Vec::new();
+        for (changed, source) in self.changed.iter().zip(&self.sources) {
+            for (range, _) in &changed.edits {
+                let conditions = enclosing(&source.document, *range, &["xacro:if", "xacro:unless"]);
+                let forced =
+                    |at: TextRange| Forced { file: changed.path.to_path_buf(), at: at.start, taken: true };
+                let forced: Vec<Forced> = conditions.into_iter().map(forced).collect();
+                if !forced.is_empty() && !found.contains(&forced) {
+                    found.push(forced);
+                }
+            }
+        }
+        found
+    }
+
+    /// The macros that have an edit in their bodies: file and place.
+    fn macros_around_edits(&self) -> Vec<(PathBuf, TextRange)> {
+        let mut found = Vec::new();
+        for (changed, source) in self.changed.iter().zip(&self.sources) {
+            for (range, _) in &changed.edits {
+                let macros = enclosing(&source.document, *range, &["xacro:macro"]);
+                found.extend(macros.into_iter().map(|place| (changed.path.to_path_buf(), place)));
+            }
+        }
+        found.sort_by(|(a, one), (b, other)| (a, one.start).cmp(&(b, other.start)));
+        found.dedup();
+        found
+    }
+}
+
+/// Whether a macro was called.
+fn is_called(expansion: &Expansion, (path, range): &(PathBuf, TextRange)) -> bool {
+    let calls = expansion.frames.iter().filter(|frame| frame.kind == FrameKind::Macro);
+    let mut places = calls.filter_map(|frame| expansion.place(frame.definition?));
+    places.any(|place| {
+        let file = expansion.files.get(place.file.0 as usize);
+        range.contains_range(place.range) && file.is_some_and(|file| *file.source.path == **path)
+    })
+}
+
+/// The elements of these names around a range, outermost first.
+pub(super) fn enclosing(document: &Document, range: TextRange, names: &[&str]) -> Vec<TextRange> {
+    let place = document.item_at(range.start);
+    let holds = |node: &Node<'_>| {
+        let own = node.range().shift(place.start);
+        node.kind() == NodeKind::Element && own.start < range.start && range.end <= own.end
+    };
+    let named = place.item.all_nodes().filter(holds).filter(|node| names.contains(&node.name()));
+    named.map(|node| node.range().shift(place.start)).collect()
+}
+
+/// Whether an edit touches a value that is computed.
+fn is_in_expression(document: &Document, range: TextRange, new: &str) -> bool {
+    let place = document.item_at(range.start);
+    let mut attrs = place.item.all_nodes().flat_map(|node| node.attrs());
+    new.contains('$')
+        || attrs.any(|attr| attr.range().shift(place.start).contains_range(range) && attr.raw().contains('$'))
+}
+
+/// Other values of an argument that decides between two or few things.
+fn turned_over(value: &str) -> Vec<&'static str> {
+    match value.trim() {
+        "true" | "True" => vec!["false"],
+        "false" | "False" => vec!["true"],
+        "1" => vec!["0"],
+        "0" => vec!["1"],
+        kind if JointType::of(kind).is_some() => {
+            JointType::ALL.iter().map(|(name, _)| *name).filter(|name| *name != kind).collect()
+        }
+        _ => Vec::new(),
+    }
+}

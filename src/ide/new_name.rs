@@ -1,0 +1,114 @@
+//! Which names a definition may get: those that are good ones, and that stand for nothing else where it is used.
+
+use super::context::Cx;
+use super::names::definition_of;
+use crate::base::{Span, TextRange};
+use crate::expand::{Definition, DefinitionId, SymbolKind, UseKind, parse_params};
+use crate::expr::{is_global_symbol, is_identifier};
+use crate::facts::{MentionKind, facts, is_keyword};
+use crate::xml::{Document, Node, NodeKind};
+
+/// Whether a definition may be called `new`, where its name stands at `places`.
+///
+/// # Errors
+/// Why not, for the user.
+pub(super) fn admit(cx: &Cx<'_>, id: DefinitionId, new: &str, places: &[Span]) -> Result<(), String> {
+    let symbols = &cx.expansion.symbols;
+    let Some(definition) = symbols.get(id) else { return Err("this name is not known any more".to_owned()) };
+    if definition.kind == SymbolKind::Macro && is_keyword(new) {
+        return Err(format!("`xacro:{new}` is a tag of xacro"));
+    }
+    if !fits(definition.kind, new) {
+        return Err(format!(
+            "`{new}` is no good name here: letters, digits and `_`, not a digit first, not a keyword of Python"
+        ));
+    }
+    let clashes = |other: &&Definition| {
+        other.name == new
+            && class(other.kind) == class(definition.kind)
+            && (other.of.is_none() || other.of == definition.of)
+    };
+    if symbols.definitions.iter().any(|other| clashes(&other)) {
+        return Err(format!("`{new}` is defined already"));
+    }
+    // what a call gives is named after the parameter, whatever is around the call
+    let uses = symbols.all_uses().filter(|used| used.definition == id && used.kind == UseKind::Given);
+    let given: Vec<Span> = uses.filter_map(|used| cx.span(used.place)).collect();
+    let reads: Vec<Span> = places.iter().filter(|place| !given.contains(place)).copied().collect();
+    match hidden(cx, definition, new, &reads) || hides(cx, id, definition, new) {
+        true => Err(format!("`{new}` stands for something else where the name is used")),
+        false => Ok(()),
+    }
+}
+
+/// Whether a name is good for what is called so.
+fn fits(kind: SymbolKind, new: &str) -> bool {
+    let all = |further: &[char]| new.chars().all(|c| c.is_alphanumeric() || further.contains(&c));
+    match kind {
+        // a part of the name of a tag; a dot would part it from a namespace
+        SymbolKind::Macro => new.starts_with(|c: char| c.is_alphabetic() || c == '_') && all(&['_', '-']),
+        SymbolKind::Argument => !new.is_empty() && all(&['_', '-', '.', '/']),
+        _ => is_identifier(new) && !new.starts_with("__"),
+    }
+}
+
+/// Names of one class hide each other.
+fn class(kind: SymbolKind) -> u8 {
+    match kind {
+        SymbolKind::Property | SymbolKind::Parameter | SymbolKind::Namespace => 0,
+        SymbolKind::BlockProperty | SymbolKind::BlockParameter => 1,
+        SymbolKind::Argument => 2,
+        SymbolKind::Macro => 3,
+    }
+}
+
+/// Whether a use of the definition would mean a parameter of the macro around it.
+fn hidden(cx: &Cx<'_>, definition: &Definition, new: &str, reads: &[Span]) -> bool {
+    if class(definition.kind) > 1 {
+        return false;
+    }
+    let is_block = class(definition.kind) == 1;
+    let takes = |params: &str| {
+        let params = parse_params(params).unwrap_or_default();
+        params.iter().any(|param| param.is_block() == is_block && param.name.trim_start_matches('*') == new)
+    };
+    reads.iter().any(|place| {
+        let Some(file) = cx.file_of(place.file) else { return false };
+        macros_around(&file.document, place.range)
+            .any(|(_, node)| node.attr("params").is_some_and(|params| takes(params.raw())))
+    })
+}
+
+/// Whether the definition would hide a name of xacro's own, such as `pi`, where that is used.
+fn hides(cx: &Cx<'_>, id: DefinitionId, definition: &Definition, new: &str) -> bool {
+    if class(definition.kind) != 0 || !is_global_symbol(new) {
+        return false;
+    }
+    // a parameter is known in its macro only
+    let own = definition.of.and(definition_of(cx, id)).map(|target| target.name);
+    let is_within = |span: Span| {
+        let Some(own) = own else { return true };
+        let file = cx.file_of(own.file).filter(|_| span.file == own.file);
+        file.is_some_and(|file| {
+            let innermost = macros_around(&file.document, own.range).last();
+            innermost.is_some_and(|(range, _)| range.contains_range(span.range))
+        })
+    };
+    cx.expansion.files.iter().any(|file| {
+        let of_file = facts(&file.source.document);
+        let mut spans = of_file.flat_map(|(base, facts)| {
+            let named = facts.mentions().filter(|it| it.kind == MentionKind::Name && it.name == new);
+            named.map(|it| Span { file: file.source.id, range: it.range.shift(base) }).collect::<Vec<_>>()
+        });
+        spans.any(is_within)
+    })
+}
+
+/// The definitions of macros around a range, outermost first, and where they stand.
+fn macros_around(document: &Document, range: TextRange) -> impl Iterator<Item = (TextRange, Node<'_>)> {
+    let place = document.item_at(range.start);
+    let base = place.start;
+    let is_macro = |node: &Node<'_>| node.kind() == NodeKind::Element && node.name() == "xacro:macro";
+    let nodes = place.item.all_nodes().filter(is_macro).map(move |node| (node.range().shift(base), node));
+    nodes.filter(move |(around, _)| around.contains_range(range))
+}
