@@ -1,24 +1,23 @@
 //! `xacro-lsp` and `xacro-lint`: exact expansion and analysis of xacro and URDF.
 //!
-//! The modules below are listed in import order: each may use only those above it
-//! (see `docs/architecture.md`; `tests/architecture.rs` fails when an import breaks the order).
+//! The crates below are listed in import order: each uses only those above it (see `docs/architecture.md`).
 
-pub mod analysis;
-pub mod base;
+pub use base;
+pub use xml;
+pub use expr;
+pub use yaml;
+pub use vfs;
+pub use workspace;
+pub use facts;
+pub use expand;
+pub use model;
+pub use rules;
+pub use ide;
+pub use analysis;
+pub use preview;
 #[cfg(feature = "cli")]
-pub mod cli;
-pub mod expand;
-pub mod expr;
-pub mod facts;
-pub mod ide;
-pub mod model;
-#[cfg(feature = "cli")]
-pub mod picture;
-pub mod preview;
-pub mod rules;
+pub use picture;
 #[cfg(feature = "lsp")]
-pub mod server;
-pub mod vfs;
-pub mod workspace;
-pub mod xml;
-pub mod yaml;
+pub use server;
+#[cfg(feature = "cli")]
+pub use cli;

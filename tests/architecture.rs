@@ -5,25 +5,35 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Modules in import order: each may use only those in front of it. Those on one level may not use each other.
-const LEVELS: &[&[&str]] = &[
-    &["base"],
-    &["xml", "expr", "yaml"],
-    &["vfs"],
-    &["workspace"],
-    &["facts"],
-    &["expand"],
-    &["model"],
-    &["rules"],
-    &["ide"],
-    &["analysis"],
-    &["preview"],
-    &["picture"],
-    &["server", "cli"],
-];
+const REPOSITORY: &str = env!("CARGO_MANIFEST_DIR");
 
-fn level(module: &str) -> Option<usize> {
-    LEVELS.iter().position(|names| names.contains(&module))
+fn read(path: &str) -> String {
+    fs::read_to_string(Path::new(REPOSITORY).join(path)).unwrap()
+}
+
+/// The crates below `src`, as `Cargo.toml` lists them.
+fn crates() -> Vec<String> {
+    let manifest = read("Cargo.toml");
+    let members = manifest.split("members = [").nth(1).and_then(|rest| rest.split(']').next()).unwrap();
+    let names = members.lines().filter_map(|line| line.trim().strip_prefix("\"src/")?.strip_suffix("\","));
+    names.map(str::to_owned).collect()
+}
+
+/// The crates of this repository that a crate uses.
+fn used(name: &str) -> Vec<String> {
+    let manifest = read(&format!("src/{name}/Cargo.toml"));
+    let dependencies = manifest.split("[dependencies]").nth(1).unwrap_or("").split("\n[").next().unwrap();
+    let names = dependencies.lines().filter_map(|line| line.split(['.', ' ']).next());
+    let known = crates();
+    names.filter(|name| known.iter().any(|crate_name| crate_name == name)).map(str::to_owned).collect()
+}
+
+/// The rows of the table in `docs/architecture.md`: crates that do not use each other.
+fn rows() -> Vec<Vec<String>> {
+    let page = read("docs/architecture.md");
+    let table = page.split("| crate | what it is |").nth(1).unwrap().split("\n\n").next().unwrap().to_owned();
+    let cells = table.lines().skip(2).filter_map(|line| line.split('|').nth(1));
+    cells.map(|cell| cell.split('`').skip(1).step_by(2).map(str::to_owned).collect()).collect()
 }
 
 fn rust_files(dir: &Path, found: &mut Vec<PathBuf>) {
@@ -37,9 +47,9 @@ fn rust_files(dir: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// Every source file of the library with its top-level module and its text without `//` comments.
+/// Every source file with its crate and its text without `//` comments.
 fn sources() -> Vec<(PathBuf, String, String)> {
-    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let src = Path::new(REPOSITORY).join("src");
     let mut files = Vec::new();
     rust_files(&src, &mut files);
     files.sort();
@@ -47,51 +57,37 @@ fn sources() -> Vec<(PathBuf, String, String)> {
         .into_iter()
         .map(|path| {
             let inside = path.strip_prefix(&src).unwrap().to_path_buf();
-            let module = inside.iter().next().unwrap().to_string_lossy().trim_end_matches(".rs").to_owned();
+            let crate_name = inside.iter().next().unwrap().to_string_lossy().into_owned();
             let text = fs::read_to_string(&path).unwrap();
             let code: Vec<&str> = text.lines().map(|l| l.split("//").next().unwrap_or("")).collect();
-            (inside, module, code.join("\n"))
+            (inside, crate_name, code.join("\n"))
         })
         .collect()
 }
 
-/// Top-level modules named in `crate::...` paths, those in braces included.
-fn crate_paths(code: &str) -> Vec<String> {
-    let mut found = Vec::new();
-    for (i, _) in code.match_indices("crate::") {
-        let rest = &code[i + "crate::".len()..];
-        let names: Vec<&str> = match rest.strip_prefix('{') {
-            Some(list) => list.split('}').next().unwrap_or("").split(',').collect(),
-            None => vec![rest],
-        };
-        for name in names {
-            let word = name.trim().split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or("");
-            found.push(word.to_owned());
+#[test]
+fn each_crate_uses_only_those_in_front_of_it() {
+    let order = crates();
+    assert!(order.len() > 10, "{order:?}");
+    let place = |name: &String| order.iter().position(|known| known == name).unwrap();
+    for name in &order {
+        for other in used(name) {
+            assert!(place(&other) < place(name), "`{name}` uses `{other}`, which Cargo.toml lists behind it");
         }
     }
-    found
+    let facade = read("src/lib.rs");
+    let exported = facade.lines().filter_map(|line| line.strip_prefix("pub use ")?.strip_suffix(';'));
+    assert_eq!(exported.collect::<Vec<_>>(), order, "src/lib.rs");
 }
 
 #[test]
-fn imports_go_upward_only() {
-    let mut wrong = Vec::new();
-    for (path, module, code) in sources() {
-        let Some(own) = level(&module) else { continue };
-        for used in crate_paths(&code) {
-            let Some(other) = level(&used) else { continue };
-            if used != module && other >= own {
-                wrong.push(format!("{}: `{module}` may not use `{used}`", path.display()));
-            }
+fn the_page_shows_the_order_of_crates() {
+    let rows = rows();
+    assert_eq!(rows.concat(), crates(), "docs/architecture.md");
+    for row in &rows {
+        for name in row {
+            assert!(used(name).iter().all(|other| !row.contains(other)), "`{name}` uses another one of its row");
         }
-    }
-    assert!(wrong.is_empty(), "imports against the order of docs/architecture.md:\n{}", wrong.join("\n"));
-}
-
-#[test]
-fn every_module_has_a_level() {
-    for (path, module, _) in sources() {
-        let known = level(&module).is_some() || ["lib", "bin"].contains(&module.as_str());
-        assert!(known, "{} belongs to no level of the import order", path.display());
     }
 }
 
@@ -106,15 +102,15 @@ fn only_vfs_touches_the_disk_and_only_the_server_speaks_the_protocol() {
         ("std::net", &["preview", "server"]),
     ];
     let mut wrong = Vec::new();
-    for (path, module, code) in sources() {
+    for (path, crate_name, code) in sources() {
         let parts: Vec<String> = path.iter().map(|part| part.to_string_lossy().into_owned()).collect();
         let is_test = parts
             .iter()
             .any(|part| part == "testing.rs" || part.ends_with("tests.rs") || part.ends_with("tests"));
         let product = code.split("#[cfg(test)]").next().unwrap_or("");
         for (name, allowed) in rules {
-            if product.contains(name) && !allowed.contains(&module.as_str()) && !is_test {
-                wrong.push(format!("{}: `{name}` is not for `{module}`", path.display()));
+            if product.contains(name) && !allowed.contains(&crate_name.as_str()) && !is_test {
+                wrong.push(format!("{}: `{name}` is not for `{crate_name}`", path.display()));
             }
         }
     }

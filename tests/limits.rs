@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use xacro_lsp::analysis::{Effort, Session, Setup};
+use xacro_lsp::analysis::{Effort, Roots, Session, Setup};
 use xacro_lsp::base::limits::*;
 use xacro_lsp::base::{CancelFlag, TextRange};
 use xacro_lsp::cli::{self, Io};
@@ -226,7 +226,7 @@ fn quick_proof_expansions() {
         let at = text.rfind(include).unwrap() as u32;
         let edits = vec![(TextRange::new(at, at + include.len() as u32), String::new())];
         let cancel = CancelFlag::default();
-        let effort = Effort { expansions: QUICK_PROOF_EXPANSIONS, roots: Some(vec![path.clone()]), cancel };
+        let effort = Effort { expansions: QUICK_PROOF_EXPANSIONS, roots: Roots::Known(vec![path.clone()]), cancel };
         assert_eq!(session.stays_the_same(&path, edits, &effort), expected, "{arguments} arguments");
     }
 }

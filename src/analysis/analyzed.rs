@@ -7,10 +7,10 @@ use super::context::RootChoice;
 use super::job::{self, Outcome};
 use super::roots::{Job, Reason};
 use super::session::Session;
-use crate::base::CancelFlag;
-use crate::expand::{Expansion, Written, write_mapped};
-use crate::model::{Kinematics, Robot};
-use crate::rules::RootKind;
+use base::CancelFlag;
+use expand::{Expansion, Written, write_mapped};
+use model::{Kinematics, Robot};
+use rules::RootKind;
 
 /// A root expanded.
 pub struct Analyzed {

@@ -6,7 +6,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::report::Report;
-use crate::rules::Finding;
+use rules::Finding;
 
 /// The form of the file.
 const VERSION: u32 = 1;

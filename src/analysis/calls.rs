@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use super::session::Session;
-use crate::base::FastSet;
-use crate::expand::{Expansion, Outside, Problem, Request, Severity, World, expand};
-use crate::workspace::Caller;
+use base::FastSet;
+use expand::{Expansion, Outside, Problem, Request, Severity, World, expand};
+use workspace::Caller;
 
 /// Callers that are tried.
 const MOST_CALLERS: usize = 6;
@@ -99,8 +99,8 @@ fn called(request: &Request, caller: &Caller, fails: &Failures, with_all: bool) 
 
 #[cfg(test)]
 mod tests {
-    use crate::analysis::{CheckOptions, Session, Setup};
-    use crate::vfs::testing::Tree;
+    use crate::{CheckOptions, Session, Setup};
+    use vfs::testing::Tree;
 
     /// Check `r.urdf.xacro` with these contents beside further files: errors, warnings and notes about arguments.
     fn check_called(robot: &str, files: &[(&str, &str)], expected: &[&str]) {

@@ -1,18 +1,20 @@
 //! Checks of a change: which robots it reaches, and which findings are about it.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::candidates::Candidates;
 use super::check::CheckOptions;
-use super::includes::{self, Reach};
+use super::includes::Reach;
 use super::job::Outcome;
 use super::roots::{Job, Reason};
 use super::session::Session;
 use super::walk::is_description;
-use crate::base::{FastSet, FileId};
-use crate::rules::{Category, Check, Finding, Severity};
-use crate::workspace::{BUILD_FILES, Package};
+use base::{FastSet, FileId};
+use rules::{Category, Check, Finding, Severity};
+use workspace::{BUILD_FILES, Package};
 
 /// The files that changed.
 pub(super) struct Change<'a> {
@@ -57,28 +59,24 @@ impl<'a> Change<'a> {
     }
 
     /// The jobs that may read a changed file, by what the texts include. All of them when something changed
-    /// that is read in other ways.
-    pub(super) fn reached(&self, jobs: Vec<Job>) -> Vec<Job> {
+    /// that is read in other ways. What files include is looked up in `known`, and put there.
+    pub(super) fn reached(&self, jobs: Vec<Job>, known: &Candidates) -> Vec<Job> {
         if !self.paths.iter().all(|path| is_description(path)) {
             return jobs;
         }
         let files: FastSet<&Path> = jobs.iter().map(|job| job.file.as_path()).collect();
         let files: Vec<&Path> = files.into_iter().collect();
-        let reach = |file: &&Path| {
-            let source = self.session.vfs.document(file).ok()?;
-            Some(includes::reach(&source, &self.session.packages))
-        };
-        let mut open: Vec<(&Path, Reach)> =
-            files.into_par_iter().filter_map(|file| Some((file, reach(&file)?))).collect();
+        let mut open: Vec<(&Path, Arc<Reach>)> =
+            files.into_par_iter().filter_map(|file| Some((file, known.reach(self.session, file)?))).collect();
         let mut reached: FastSet<PathBuf> = FastSet::default();
         let mut newest = self.paths.clone();
         while !newest.is_empty() {
-            let is_next = |(file, reach): &(&Path, Reach)| {
+            let is_next = |(file, reach): &(&Path, Arc<Reach>)| {
                 reach.anything || self.holds(file) || newest.iter().any(|path| reach.has(path))
             };
             let (next, rest) = open.into_iter().partition(is_next);
             open = rest;
-            newest = Vec::<(&Path, Reach)>::into_iter(next).map(|(file, _)| file.to_path_buf()).collect();
+            newest = Vec::<(&Path, Arc<Reach>)>::into_iter(next).map(|(file, _)| file.to_path_buf()).collect();
             reached.extend(newest.iter().cloned());
         }
         jobs.into_iter().filter(|job| reached.contains(&job.file)).collect()
@@ -117,8 +115,8 @@ impl<'a> Change<'a> {
 
 #[cfg(test)]
 mod tests {
-    use crate::analysis::{CheckOptions, Report, Session, Setup};
-    use crate::vfs::testing::Tree;
+    use crate::{CheckOptions, Report, Session, Setup};
+    use vfs::testing::Tree;
 
     fn check(tree: &Tree, changed: &[&str]) -> (Report, usize) {
         let session = Session::new(&tree.environment(&[]), Setup::default()).unwrap();

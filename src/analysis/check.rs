@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
+use super::candidates::Candidates;
 use super::change::Change;
 use super::job::{self, Outcome};
 use super::merge::merge;
@@ -14,11 +15,11 @@ use super::roots::{Job, Reason};
 use super::session::Session;
 use super::suppress::Hiding;
 use super::walk;
-use crate::base::limits::MESSAGE_LETTERS;
-use crate::base::{CancelFlag, FastMap, FastSet, FileId};
-use crate::expand::large_stacks;
-use crate::rules::{Finding, Severity};
-use crate::workspace::UNQUOTED;
+use base::limits::MESSAGE_LETTERS;
+use base::{CancelFlag, FastMap, FastSet, FileId};
+use expand::large_stacks;
+use rules::{Finding, Severity};
+use workspace::UNQUOTED;
 
 /// What to check.
 #[derive(Clone, Debug, Default)]
@@ -198,7 +199,23 @@ impl Session {
         files.into_iter().collect()
     }
 
-    pub(super) fn jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<Job> {
+    fn jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<Job> {
+        let mut jobs = self.all_jobs(options, report);
+        if let Some(change) = Change::of(self, options) {
+            jobs.extend(change.further(&jobs, &options.args));
+            jobs = change.reached(jobs, &Candidates::default());
+        }
+        for job in jobs.iter().filter(|job| job.reason != Reason::Walked) {
+            if let Err(error) = self.vfs.document(&job.file) {
+                report.unreadable.push(Unreadable { path: job.file.clone(), error });
+            }
+        }
+        jobs.retain(|job| !report.unreadable.iter().any(|unreadable| unreadable.path == job.file));
+        jobs
+    }
+
+    /// The jobs for what is named, whatever changed.
+    pub(super) fn all_jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<Job> {
         let absolute = |path: &PathBuf| self.vfs.absolute(path);
         let plain = |file, reason| Job { file, reason, args: options.args.clone(), preset: None };
         let entries = options.entries.iter().map(|path| plain(absolute(path), Reason::Root));
@@ -223,16 +240,6 @@ impl Session {
         let named = named.into_iter().map(|path| plain(path, Reason::Named));
         let walked = walked.into_iter().map(|path| plain(path, Reason::Walked));
         jobs.extend(named.chain(walked).filter(|job| known.insert(job.file.clone())));
-        if let Some(change) = Change::of(self, options) {
-            jobs.extend(change.further(&jobs, &options.args));
-            jobs = change.reached(jobs);
-        }
-        for job in jobs.iter().filter(|job| job.reason != Reason::Walked) {
-            if let Err(error) = self.vfs.document(&job.file) {
-                report.unreadable.push(Unreadable { path: job.file.clone(), error });
-            }
-        }
-        jobs.retain(|job| !report.unreadable.iter().any(|unreadable| unreadable.path == job.file));
         jobs
     }
 

@@ -10,12 +10,12 @@ use super::configs::Settings;
 use super::job::Outcome;
 use super::report::Report;
 use super::session::Session;
-use crate::base::FastSet;
-use crate::facts::{FactKind, MentionKind as Mentioned, facts_of};
-use crate::rules::{Finding, invalid_config};
-use crate::vfs::SourceFile;
-use crate::workspace::config::{ConfigWarning, MentionKind, Place, Root};
-use crate::workspace::nearest;
+use base::FastSet;
+use facts::{FactKind, MentionKind as Mentioned, facts_of};
+use rules::{Finding, invalid_config};
+use vfs::SourceFile;
+use workspace::config::{ConfigWarning, MentionKind, Place, Root};
+use workspace::nearest;
 
 impl Session {
     /// What has no effect in the configurations that hold for what was checked. What is wrong in the settings of an

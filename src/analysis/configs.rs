@@ -3,15 +3,15 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use crate::base::FastMap;
-use crate::rules::{
+use base::FastMap;
+use rules::{
     Finding, Rule, Selection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector,
 };
-use crate::vfs::{LoadError, Vfs};
-use crate::workspace::config::{
+use vfs::{LoadError, Vfs};
+use workspace::config::{
     Config, ConfigWarning, Level, Loaded, Mention, MentionKind, Profile, find_config,
 };
-use crate::workspace::nearest;
+use workspace::nearest;
 
 /// What the command line says over every configuration file.
 #[derive(Clone, Debug, Default)]

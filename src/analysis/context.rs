@@ -6,8 +6,8 @@
 use std::path::{Path, PathBuf};
 
 use super::world::World;
-use crate::base::{Span, TextRange};
-use crate::vfs::SourceFile;
+use base::{Span, TextRange};
+use vfs::SourceFile;
 
 /// A root and the arguments it is expanded with.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -76,7 +76,7 @@ impl World {
         let roots = settings.config.roots.iter().filter(|root| {
             root.files(&self.session().vfs).iter().any(|listed| self.session().vfs.absolute(listed) == file)
         });
-        let variant = |variant: crate::workspace::config::Variant| RootChoice {
+        let variant = |variant: workspace::config::Variant| RootChoice {
             file: file.to_path_buf(),
             args: variant.args,
             preset: variant.preset,

@@ -8,10 +8,10 @@ use super::context::RootChoice;
 use super::job::Outcome;
 use super::roots::Job;
 use super::world::World;
-use crate::base::{FastSet, FileId, Span, TextRange};
-use crate::rules::Related;
-use crate::vfs::SourceFile;
-use crate::workspace::config::Variant;
+use base::{FastSet, FileId, Span, TextRange};
+use rules::Related;
+use vfs::SourceFile;
+use workspace::config::Variant;
 
 /// Contexts listed with a finding.
 const MOST_PLACES: usize = 10;

@@ -9,7 +9,7 @@ use super::job::Outcome;
 use super::roots::{Job, Reason};
 use super::session::Session;
 use super::set_aside::leave_out_copies;
-use crate::base::FastSet;
+use base::FastSet;
 
 impl Session {
     /// Jobs in two parts: what has to be expanded whatever the others give, and what a robot may cover that
@@ -73,8 +73,8 @@ mod tests {
     use std::collections::BTreeSet;
     use std::path::PathBuf;
 
-    use crate::analysis::{CheckOptions, Report, Session, Setup};
-    use crate::vfs::testing::Tree;
+    use crate::{CheckOptions, Report, Session, Setup};
+    use vfs::testing::Tree;
 
     fn check(tree: &Tree) -> (Report, (usize, usize)) {
         let setup = Setup { about: tree.root().to_owned(), ..Setup::default() };

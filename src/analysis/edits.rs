@@ -1,6 +1,6 @@
 //! Edits of a text since some moment, and where what stood in it then stands now.
 
-use crate::base::TextRange;
+use base::TextRange;
 
 /// The edits, in the order in which they came.
 #[derive(Default)]
@@ -60,7 +60,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::Edits;
-    use crate::base::TextRange;
+    use base::TextRange;
 
     proptest! {
         /// What is said to have moved reads as before.

@@ -12,12 +12,12 @@ use super::job::{self, Outcome};
 use super::report::Report;
 use super::roots::{Job, Reason};
 use super::world::World;
-use crate::base::{CancelFlag, Span, TextRange};
-use crate::expand::Focus;
-use crate::facts::Definitions;
-use crate::rules::{Category, Finding, LEFT_TO_DO, Suppressions, check_part};
-use crate::vfs::SourceFile;
-use crate::xml::{Document, NodeKind};
+use base::{CancelFlag, Span, TextRange};
+use expand::Focus;
+use facts::Definitions;
+use rules::{Category, Finding, LEFT_TO_DO, Suppressions, check_part};
+use vfs::SourceFile;
+use xml::{Document, NodeKind};
 
 /// What the last check said of an open file, and what was edited since.
 pub(super) struct Settled {
@@ -179,7 +179,7 @@ impl World {
             findings,
             has_arguments: false,
             includes: Vec::new(),
-            called: crate::base::FastSet::default(),
+            called: base::FastSet::default(),
         };
         let report = session.conclude(&self.options(&[path.to_path_buf()]), vec![outcome]);
         let own =

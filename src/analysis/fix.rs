@@ -9,16 +9,16 @@ use std::sync::Arc;
 use super::change::Change;
 use super::check::{CheckOptions, Done};
 use super::plan::{Plan, apply, choose};
-use super::proof::{Changed, Claim, Effort};
+use super::proof::{Changed, Claim, Effort, Roots};
 use super::report::Report;
 use super::session::Session;
 use super::walk::is_description;
-use crate::base::limits::{FIX_ROUNDS, PROOF_EXPANSIONS};
-use crate::base::{FastMap, FastSet, FileId, TextRange};
-use crate::rules::{Category, Finding, Fix, Safety, Severity};
-use crate::vfs::Vfs;
-use crate::workspace::is_built;
-use crate::xml::Document;
+use base::limits::{FIX_ROUNDS, PROOF_EXPANSIONS};
+use base::{FastMap, FastSet, FileId, TextRange};
+use rules::{Category, Finding, Fix, Safety, Severity};
+use vfs::Vfs;
+use workspace::is_built;
+use xml::Document;
 
 /// Which findings are fixed.
 #[derive(Clone, Copy, Debug)]
@@ -227,7 +227,7 @@ impl<'a> Work<'a> {
         };
         let wanted = choose(report.findings.iter().enumerate().filter(admitted)).settles;
         let cancel = self.options.cancel.clone();
-        let effort = Effort { expansions: PROOF_EXPANSIONS, roots: None, cancel };
+        let effort = Effort { expansions: PROOF_EXPANSIONS, roots: Roots::Searched(Arc::default()), cancel };
         let admission = Admission { session: self.session, report, most: self.how.most, effort: &effort };
         let mut made = Vec::new();
         self.changed.clear();

@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::includes;
-use crate::base::{FastMap, FastSet};
-use crate::facts::{FactKind, facts};
-use crate::vfs::{SourceFile, Vfs};
-use crate::workspace::Packages;
-use crate::workspace::config::Pattern;
-use crate::xml::Document;
+use base::{FastMap, FastSet};
+use facts::{FactKind, facts};
+use vfs::{SourceFile, Vfs};
+use workspace::Packages;
+use workspace::config::Pattern;
+use xml::Document;
 
 /// What the graph knows of a file.
 #[derive(Clone, Debug)]

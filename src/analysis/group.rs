@@ -6,8 +6,8 @@ use std::collections::BTreeMap;
 use indexmap::IndexMap;
 
 use super::report::Report;
-use crate::base::{FastSet, FileId, Span};
-use crate::rules::{Edit, Finding, Fix, Group, Related, Severity};
+use base::{FastSet, FileId, Span};
+use rules::{Edit, Finding, Fix, Group, Related, Severity};
 
 /// What the findings of a group share.
 #[derive(PartialEq, Eq, Hash)]
@@ -181,8 +181,8 @@ fn joined_fix(mut fix: Fix, others: Vec<Fix>) -> Fix {
 #[cfg(test)]
 mod tests {
     use super::{join, mark_groups};
-    use crate::base::{FileId, Span, TextRange};
-    use crate::rules::{Edit, Finding, Fix, Safety, Severity, by_code};
+    use base::{FileId, Span, TextRange};
+    use rules::{Edit, Finding, Fix, Safety, Severity, by_code};
 
     fn span(file: u32, start: u32, end: u32) -> Span {
         Span { file: FileId(file), range: TextRange::new(start, end) }

@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use crate::base::FastMap;
-use crate::facts::{Fact, FactKind, facts};
-use crate::vfs::SourceFile;
-use crate::workspace::Packages;
-use crate::workspace::config::Pattern;
-use crate::xml::Node;
+use base::FastMap;
+use facts::{Fact, FactKind, facts};
+use vfs::SourceFile;
+use workspace::Packages;
+use workspace::config::Pattern;
+use xml::Node;
 
 /// The files that a file may include, as patterns of absolute paths.
 pub(super) fn patterns(source: &SourceFile, packages: &Packages) -> Vec<Pattern> {
@@ -175,8 +175,8 @@ mod tests {
     use std::path::Path;
 
     use super::{Included, tidy};
-    use crate::vfs::testing::Tree;
-    use crate::workspace::{PackageOptions, Packages};
+    use vfs::testing::Tree;
+    use workspace::{PackageOptions, Packages};
 
     #[test]
     fn included_by_another_file() {

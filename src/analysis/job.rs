@@ -9,14 +9,14 @@ use super::configs::Settings;
 use super::roles::Checked;
 use super::roots::{Job, Reason};
 use super::session::Session;
-use crate::base::{CancelFlag, FastSet, FileId, Span, TextRange};
-use crate::expand::{Expansion, FileUse, Focus, FrameKind, Limits, Origin, Read, Request, World, expand};
-use crate::model::Robot;
-use crate::rules::{
+use base::{CancelFlag, FastSet, FileId, Span, TextRange};
+use expand::{Expansion, FileUse, Focus, FrameKind, Limits, Origin, Read, Request, World, expand};
+use model::Robot;
+use rules::{
     Activation, Chosen, Finding, RootKind, Rule, Selector, Suppressions, all, by_code, check_expansion,
     check_files, holds_for_semantic, include_tags, is_semantic,
 };
-use crate::vfs::{LoadError, LoadErrorKind, SourceFile};
+use vfs::{LoadError, LoadErrorKind, SourceFile};
 
 /// What a job gave.
 #[derive(Clone)]

@@ -2,8 +2,8 @@
 
 use super::contexts::{Contexts, Run};
 use super::job::Outcome;
-use crate::base::{FastMap, Span};
-use crate::rules::{Finding, Severity};
+use base::{FastMap, Span};
+use rules::{Finding, Severity};
 
 /// A finding, and where it occurred.
 struct Merged {

@@ -1,8 +1,8 @@
 //! Packages as they are installed, and packages that are not there, seen from a whole check.
 
 use super::{CheckOptions, Report, Session, Setup};
-use crate::rules::Severity;
-use crate::vfs::testing::Tree;
+use rules::Severity;
+use vfs::testing::Tree;
 
 fn check(tree: &Tree, changed: &[&str]) -> Report {
     let session = Session::new(&tree.environment(&[]), Setup::default()).unwrap();

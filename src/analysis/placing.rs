@@ -4,9 +4,9 @@
 use std::path::Path;
 
 use super::report::Report;
-use crate::base::Span;
-use crate::rules::{Finding, Group, Related, Severity, Way};
-use crate::vfs::Vfs;
+use base::Span;
+use rules::{Finding, Group, Related, Severity, Way};
+use vfs::Vfs;
 
 /// Notes at calls, of one finding.
 const MOST_NOTES: usize = 10;

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::base::{FileId, TextRange};
-use crate::rules::{Edit, Finding};
+use base::{FileId, TextRange};
+use rules::{Edit, Finding};
 
 /// Edits that can be made together.
 #[derive(Clone, Debug, Default)]
@@ -75,8 +75,8 @@ pub fn apply(text: &str, edits: &[(TextRange, String)]) -> String {
 #[cfg(test)]
 mod tests {
     use super::{apply, choose};
-    use crate::base::{FileId, Span, TextRange};
-    use crate::rules::{Edit, Finding, Fix, Safety, by_code};
+    use base::{FileId, Span, TextRange};
+    use rules::{Edit, Finding, Fix, Safety, by_code};
 
     /// A finding whose fix makes these edits: file, start, end, new text.
     fn finding(edits: &[(u32, u32, u32, &str)]) -> Finding {

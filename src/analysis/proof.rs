@@ -9,19 +9,18 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::analyzed::job_of;
-use super::check::CheckOptions;
+use super::candidates::Candidates;
 use super::context::RootChoice;
 use super::job;
 use super::plan::apply;
-use super::report::Report;
 use super::roots::{Job, Reason};
 use super::session::Session;
 use super::walk::is_description;
-use crate::base::{CancelFlag, TextRange};
-use crate::expand::{Expansion, Forced, FrameKind, Request, World, expand, write};
-use crate::model::{JointType, same_robot};
-use crate::vfs::{SourceFile, Vfs};
-use crate::xml::{Document, Node, NodeKind};
+use base::{CancelFlag, TextRange};
+use expand::{Expansion, Forced, FrameKind, Request, World, expand, write};
+use model::{JointType, same_robot};
+use vfs::{SourceFile, Vfs};
+use xml::{Document, Node, NodeKind};
 
 /// Arguments of one caller that are tried, at most so many callers.
 const MOST_CALLERS: usize = 4;
@@ -52,14 +51,23 @@ pub(super) enum Claim {
 }
 
 /// How much may be done for a proof.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Effort {
     /// Expansions that are made for one claim; where more are needed, it is not proved.
     pub expansions: usize,
-    /// The robots that may read the files, where that is known; else they are looked for in the workspace.
-    pub roots: Option<Vec<PathBuf>>,
+    /// The robots that may read the files.
+    pub roots: Roots,
     /// Set to stop early; nothing is proved then.
     pub cancel: CancelFlag,
+}
+
+/// The robots that may read the files of a claim.
+#[derive(Clone)]
+pub enum Roots {
+    /// Those are known.
+    Known(Vec<PathBuf>),
+    /// They are searched for in the workspaces of the files, once for all claims.
+    Searched(Arc<Candidates>),
 }
 
 impl Session {
@@ -97,7 +105,7 @@ impl Session {
             Some(Changed { path: source.path.clone(), old, new, edits })
         });
         let changed: Vec<Changed> = changed.collect();
-        let effort = Effort { expansions: 0, roots: None, cancel: cancel.clone() };
+        let effort = Effort { expansions: 0, roots: Roots::Known(Vec::new()), cancel: cancel.clone() };
         let trial = Trial::new(self, changed.iter().collect(), &effort)?;
         let mut jobs = roots.iter().map(job_of);
         jobs.find(|job| !cancel.is_cancelled() && trial.changes(job)).map(|job| job.file)
@@ -180,27 +188,21 @@ impl<'a> Trial<'a> {
 
     /// The robots that may read a changed file, below the workspaces of these files.
     fn jobs(&self) -> Vec<Job> {
+        let known = match &self.effort.roots {
+            Roots::Known(files) => return files.iter().map(|file| named(file)).collect(),
+            Roots::Searched(known) => known,
+        };
         let session = self.session;
-        if let Some(roots) = &self.effort.roots {
-            let job = |file: &PathBuf| Job {
-                file: file.clone(),
-                reason: Reason::Named,
-                args: Vec::new(),
-                preset: None,
-            };
-            return roots.iter().map(job).collect();
-        }
         let files: Vec<PathBuf> = self.changed.iter().map(|changed| changed.path.to_path_buf()).collect();
         let around = |file: &PathBuf| {
             let folder = file.parent()?;
             let package = || session.packages.containing(file).map(|package| package.folder);
             Some(session.packages.workspace(folder).or_else(package).unwrap_or_else(|| folder.to_owned()))
         };
-        let mut paths: Vec<PathBuf> = files.iter().filter_map(around).collect();
-        paths.sort();
-        paths.dedup();
-        let options = CheckOptions { paths, changed: files, ..CheckOptions::default() };
-        session.jobs(&options, &mut Report::default())
+        let mut folders: Vec<PathBuf> = files.iter().filter_map(around).collect();
+        folders.sort();
+        folders.dedup();
+        known.reading(session, folders, files)
     }
 
     /// What an expansion gives before; none when the claim does not hold for it.
@@ -243,7 +245,7 @@ impl<'a> Trial<'a> {
         let request =
             Request { probe: false, args, forced, ..job::request(self.session, &self.effort.cancel, job) };
         let expansion = expand(World { vfs, packages, env }, &request);
-        let is_broken = |file: &crate::expand::FileUse| !file.source.document.errors().is_empty();
+        let is_broken = |file: &expand::FileUse| !file.source.document.errors().is_empty();
         let refused =
             expansion.has_errors() || expansion.root_error.is_some() || expansion.files.iter().any(is_broken);
         Run { text: write(&expansion.tree, "").text, refused, expansion }
@@ -312,6 +314,11 @@ impl<'a> Trial<'a> {
         found.dedup();
         found
     }
+}
+
+/// The expansion of a file that was named.
+fn named(file: &Path) -> Job {
+    Job { file: file.to_owned(), reason: Reason::Named, args: Vec::new(), preset: None }
 }
 
 /// Whether a macro was called.

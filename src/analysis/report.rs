@@ -4,10 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::base::limits::DRAWN_LINE;
-use crate::base::{Encoding, FileId, Span};
-use crate::rules::Finding;
-use crate::vfs::{LoadError, SourceFile};
+use base::limits::DRAWN_LINE;
+use base::{Encoding, FileId, Span};
+use rules::Finding;
+use vfs::{LoadError, SourceFile};
 
 /// What a check found.
 #[derive(Debug, Default)]

@@ -14,10 +14,10 @@ use super::includes::Included;
 use super::roots::{Job, Reason};
 use super::session::Session;
 use super::walk;
-use crate::base::FastSet;
-use crate::expand::{Expansion, Outside};
-use crate::model::{Kinematics, Robot};
-use crate::rules::{Check, Finding, RootKind, Severity, is_plain_urdf};
+use base::FastSet;
+use expand::{Expansion, Outside};
+use model::{Kinematics, Robot};
+use rules::{Check, Finding, RootKind, Severity, is_plain_urdf};
 
 /// What a file is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -177,8 +177,8 @@ fn above_fragment(robot: &Robot) -> Option<&EcoString> {
 
 #[cfg(test)]
 mod tests {
-    use crate::analysis::{CheckOptions, Session, Setup};
-    use crate::vfs::testing::Tree;
+    use crate::{CheckOptions, Session, Setup};
+    use vfs::testing::Tree;
 
     /// Check a workspace of files (name and text; `robot` stands around texts of descriptions) and compare what is
     /// found of names, links and joints: `file severity rule`, in order.

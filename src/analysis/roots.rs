@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::workspace::config::Root;
+use workspace::config::Root;
 
 /// Why a file is expanded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -32,7 +32,7 @@ impl Job {
     /// The expansions of one file of a configured root; `args` go over all others.
     pub(super) fn of_root(root: &Root, file: &Path, args: &[(String, String)]) -> Vec<Self> {
         let variants = root.variants().into_iter();
-        let job = |variant: crate::workspace::config::Variant| Self {
+        let job = |variant: workspace::config::Variant| Self {
             file: file.to_path_buf(),
             reason: Reason::Root,
             args: variant.args.into_iter().chain(args.iter().cloned()).collect(),

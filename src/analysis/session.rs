@@ -6,12 +6,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::configs::{Configs, Overrides, Settings};
 use super::includes::Included;
-use crate::base::{FastMap, FastSet};
-use crate::model::Meshes;
-use crate::rules::{Manifests, Surroundings};
-use crate::vfs::{Environment, LoadError, Vfs};
-use crate::workspace::config::{self, Config, ConfigWarning};
-use crate::workspace::{Caller, Callers, PackageOptions, Packages};
+use base::{FastMap, FastSet};
+use model::Meshes;
+use rules::{Manifests, Surroundings};
+use vfs::{Environment, LoadError, Vfs};
+use workspace::config::{self, Config, ConfigWarning};
+use workspace::{Caller, Callers, PackageOptions, Packages};
 
 /// Files, packages, environment and configuration.
 pub struct Session {

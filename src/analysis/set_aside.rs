@@ -6,9 +6,9 @@ use super::job::Outcome;
 use super::roots::{Job, Reason};
 use super::session::Session;
 use super::walk;
-use crate::base::FastSet;
-use crate::rules::{Finding, Severity};
-use crate::vfs::SourceFile;
+use base::FastSet;
+use rules::{Finding, Severity};
+use vfs::SourceFile;
 
 /// Words in the name of a file or folder that say that it is kept and not used.
 const KEPT: [&str; 13] = [
@@ -131,9 +131,9 @@ fn generated_from(file: &SourceFile) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use crate::analysis::{CheckOptions, Session, Setup};
-    use crate::rules::Severity;
-    use crate::vfs::testing::Tree;
+    use crate::{CheckOptions, Session, Setup};
+    use rules::Severity;
+    use vfs::testing::Tree;
 
     /// The places of a rule in a workspace of these files.
     fn found(files: &[(&str, &str)], rule: &str) -> Vec<(String, Severity)> {
@@ -146,7 +146,7 @@ mod tests {
         let options = CheckOptions { paths: vec![tree.root().to_owned()], ..CheckOptions::default() };
         let report = session.check(&options);
         let of_rule = report.findings.iter().filter(|finding| finding.rule.name == rule);
-        let place = |finding: &crate::rules::Finding| {
+        let place = |finding: &rules::Finding| {
             let path = session.vfs.path(finding.span.file);
             (path.strip_prefix(tree.root()).unwrap().display().to_string(), finding.severity)
         };

@@ -9,12 +9,12 @@ use super::job::Outcome;
 use super::proof::enclosing;
 use super::roots::Reason;
 use super::session::Session;
-use crate::base::{FastSet, FileId, Span, TextRange};
-use crate::rules::{
+use base::{FastSet, FileId, Span, TextRange};
+use rules::{
     Check, Directive, Finding, Rule, Safety, Selector, Suppression, Suppressions, all, by_code,
     unused_suppression,
 };
-use crate::vfs::SourceFile;
+use vfs::SourceFile;
 
 /// A comment: file, number in the file, number of the rule it names.
 type Used = (FileId, usize, usize);

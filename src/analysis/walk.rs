@@ -6,9 +6,9 @@ use ignore::WalkBuilder;
 
 use super::report::{SkipReason, Skipped};
 use super::session::Session;
-use crate::base::limits::SCAN_FILES;
-use crate::vfs::{Environment, LoadError};
-use crate::workspace::is_built;
+use base::limits::SCAN_FILES;
+use vfs::{Environment, LoadError};
+use workspace::is_built;
 
 /// The descriptions below `folder`, sorted by path. Left out are hidden files, what git ignores, the folders
 /// of build tools and what the configuration excludes. With them, what could not be searched.

@@ -14,17 +14,17 @@ use super::first_look::Settled;
 use super::graph::Graph;
 use super::job::{self, Outcome};
 use super::placing;
-use super::proof::Effort;
+use super::proof::{Effort, Roots};
 use super::report::Report;
 use super::session::{Session, Setup};
 use super::walk::{self, Listing};
-use crate::base::limits::{GLOB_ENTRIES, SCAN_FILES};
-use crate::base::{CancelFlag, FastMap, TextRange};
-use crate::expand::Read;
-use crate::rules::check_recovered;
-use crate::vfs::{Environment, SourceFile, Vfs};
-use crate::workspace::BUILD_FILES;
-use crate::workspace::config::{self, Config};
+use base::limits::{GLOB_ENTRIES, SCAN_FILES};
+use base::{CancelFlag, FastMap, TextRange};
+use expand::Read;
+use rules::check_recovered;
+use vfs::{Environment, SourceFile, Vfs};
+use workspace::BUILD_FILES;
+use workspace::config::{self, Config};
 
 /// The state of a language server.
 pub struct World {
@@ -101,7 +101,7 @@ impl World {
     pub fn effort(&self, path: &Path, expansions: usize, cancel: &CancelFlag) -> Effort {
         let mut roots: Vec<PathBuf> = self.graph.roots_of(path).into_iter().map(|(root, _)| root).collect();
         roots.push(path.to_owned());
-        Effort { expansions, roots: Some(roots), cancel: cancel.clone() }
+        Effort { expansions, roots: Roots::Known(roots), cancel: cancel.clone() }
     }
 
     /// Files, packages and configuration.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// A file known to the [`vfs`](crate::vfs); stable for the life of the process.
+/// A file known to the `vfs`; stable for the life of the process.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct FileId(pub u32);
 

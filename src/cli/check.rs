@@ -13,9 +13,9 @@ use super::progress::watched;
 use super::render::{shown_path, visible};
 use super::watch::{Round, State, watch};
 use super::{json, sarif, services, text};
-use crate::analysis::{Baseline, CheckOptions, FixOptions, Fixed, Report, Session};
-use crate::rules::{Safety, Severity};
-use crate::vfs::{Environment, write_atomically};
+use analysis::{Baseline, CheckOptions, FixOptions, Fixed, Report, Session};
+use rules::{Safety, Severity};
+use vfs::{Environment, write_atomically};
 
 /// The arguments of `fix` as those of `check`.
 pub(super) fn fixing(args: CheckArgs) -> CheckArgs {

@@ -8,10 +8,10 @@ use super::args::{ConfigArgs, Plain};
 use super::check::warn_about_config;
 use super::io::Io;
 use super::render::{shown_path, visible};
-use crate::analysis::{Overrides, Session, Setup};
-use crate::rules::THRESHOLDS;
-use crate::vfs::Environment;
-use crate::workspace::config::{Config, Setting, schema};
+use analysis::{Overrides, Session, Setup};
+use rules::THRESHOLDS;
+use vfs::Environment;
+use workspace::config::{Config, Setting, schema};
 
 /// Print the settings that hold for a file or folder, or the schema of the configuration file.
 pub(super) fn run(args: &ConfigArgs, env: &Environment, io: &mut Io<'_>) -> u8 {

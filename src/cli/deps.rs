@@ -6,8 +6,8 @@ use super::args::{DepsArgs, Plain};
 use super::io::Io;
 use super::render::{shown_path, visible};
 use super::tree::expand_named;
-use crate::expand::{Expansion, Read};
-use crate::vfs::Environment;
+use expand::{Expansion, Read};
+use vfs::Environment;
 
 /// Print what an expansion depends on.
 pub(super) fn run(args: &DepsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
@@ -28,7 +28,7 @@ pub(super) fn run(args: &DepsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
         }
         Plain::Json => io.out(&format!("{:#}\n", everything(&expansion))),
     }
-    let errors = expansion.problems.iter().filter(|p| p.severity == crate::expand::Severity::Error).count();
+    let errors = expansion.problems.iter().filter(|p| p.severity == expand::Severity::Error).count();
     if errors > 0 {
         io.line(&format!("warning: {errors} errors, the list may be short: see `xacro-lint check`"));
     }

@@ -5,7 +5,7 @@ use std::path::Path;
 use similar::TextDiff;
 
 use super::render::{shown_path, visible};
-use crate::analysis::FixedFile;
+use analysis::FixedFile;
 
 /// The changes of one file, as `git apply` and `patch -p1` read them: with the very bytes of the file, but on a
 /// `terminal`, which these could steer.

@@ -11,16 +11,16 @@ use super::io::{Io, all_of};
 use super::options::{self, ExpandOptions, UsageError};
 use super::render::{Mark, Report, ShownFile, render, shown_path, visible, visible_name};
 use super::text::is_shown;
-use crate::base::Encoding;
-use crate::base::limits::DRAWN_PROBLEMS;
-use crate::expand::{
+use base::Encoding;
+use base::limits::DRAWN_PROBLEMS;
+use expand::{
     Expansion, FileUse, Limits, Place, Problem, Request, Severity, World, Written, expand, write,
     write_mapped,
 };
-use crate::ide::source_map;
-use crate::vfs::{Environment, LoadError, Vfs};
-use crate::workspace::config::Config;
-use crate::workspace::{PackageOptions, Packages, UNQUOTED};
+use ide::source_map;
+use vfs::{Environment, LoadError, Vfs};
+use workspace::config::Config;
+use workspace::{PackageOptions, Packages, UNQUOTED};
 
 const USAGE: &str = "usage: xacro-lint expand [options] <input> [name:=value ...]";
 const HELP: &str = "\
@@ -259,7 +259,7 @@ fn save_map(expansion: &Expansion, written: &Written, path: &Path) -> std::io::R
     let name = |file: &FileUse| file.source.path.display().to_string();
     let map = source_map(expansion, written, Encoding::Utf32, name);
     let text = serde_json::to_string(&map)?;
-    crate::vfs::write_atomically(path, text.as_bytes())
+    vfs::write_atomically(path, text.as_bytes())
 }
 
 /// What `--deps` prints: each name once, blanks between, no line feed.
@@ -279,7 +279,7 @@ fn deliver(text: &str, options: &ExpandOptions, env: &Environment, io: &mut Io<'
         return 0;
     };
     let path: PathBuf = env.cwd.join(output);
-    match crate::vfs::write_atomically(&path, text.as_bytes()) {
+    match vfs::write_atomically(&path, text.as_bytes()) {
         Ok(()) => 0,
         Err(error) => {
             io.line(&visible(&format!("error: Failed to open output: {error}: '{output}'")));

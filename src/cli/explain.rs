@@ -3,7 +3,7 @@
 use super::args::{Plain, RulesArgs};
 use super::io::Io;
 use super::render::visible;
-use crate::rules::{self, Activation, Rule};
+use rules::{self, Activation, Rule};
 
 /// Print the page of a rule; without one, or of several, a list.
 pub(super) fn explain(rule: Option<&str>, io: &mut Io<'_>) -> u8 {

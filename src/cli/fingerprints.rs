@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use super::render::shown_path;
-use crate::analysis::{Report, fingerprint};
-use crate::base::FastMap;
-use crate::rules::Finding;
+use analysis::{Report, fingerprint};
+use base::FastMap;
+use rules::Finding;
 
 /// Gives every finding of a report a name of its own.
 #[derive(Default)]

@@ -9,9 +9,9 @@ use super::diff::unified;
 use super::io::{Io, all_of};
 use super::render::{shown_path, visible};
 use super::text::counted;
-use crate::analysis::{CheckOptions, FixedFile, Session, Setup, apply};
-use crate::ide;
-use crate::vfs::Environment;
+use analysis::{CheckOptions, FixedFile, Session, Setup, apply};
+use ide;
+use vfs::Environment;
 
 /// What became of the files.
 #[derive(Default)]

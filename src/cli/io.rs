@@ -2,8 +2,8 @@
 
 use std::io::{Read, Write};
 
-use crate::base::limits::STDIN_BYTES;
-use crate::vfs::Environment;
+use base::limits::STDIN_BYTES;
+use vfs::Environment;
 
 /// The streams of a command.
 pub struct Io<'a> {
@@ -119,7 +119,7 @@ mod tests {
     use std::collections::BTreeMap;
 
     use super::has_colors;
-    use crate::vfs::Environment;
+    use vfs::Environment;
 
     #[test]
     fn colors_are_as_the_environment_wants_them() {

@@ -5,9 +5,9 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::render::shown_path;
-use crate::analysis::Report;
-use crate::base::Span;
-use crate::rules::{Finding, Fix};
+use analysis::Report;
+use base::Span;
+use rules::{Finding, Fix};
 
 #[derive(Serialize)]
 struct JsonFinding<'a> {

@@ -4,10 +4,10 @@ use indexmap::IndexMap;
 
 use super::args::{CheckArgs, FailLevel, Show};
 use super::text::counted;
-use crate::analysis::Report;
-use crate::base::limits::{DRAWN_IN_ALL, DRAWN_OF_A_RULE};
-use crate::base::{FastMap, FastSet, FileId};
-use crate::rules::{Finding, Rule, Severity};
+use analysis::Report;
+use base::limits::{DRAWN_IN_ALL, DRAWN_OF_A_RULE};
+use base::{FastMap, FastSet, FileId};
+use rules::{Finding, Rule, Severity};
 
 /// Up to so many findings, nobody needs to be told which rules they are of, and what to do next.
 const HANDFUL: usize = 5;

@@ -7,16 +7,16 @@ use super::io::Io;
 use super::render::visible;
 use super::svg;
 use super::tree::{expand_in, explain, fails, file_and_arguments, good_tree, open};
-use crate::analysis::Session;
-use crate::expand::Expansion;
-use crate::model::Robot;
-use crate::picture::{
+use analysis::Session;
+use expand::Expansion;
+use model::Robot;
+use picture::{
     Background, Content, LONGEST_SIDE, MOST_PIXELS, Positions, Scene, Shot, View, movable, picture_png,
     picture_svg,
 };
-use crate::preview::{Joint, Model, still};
-use crate::vfs::{Environment, write_atomically};
-use crate::workspace::nearest;
+use preview::{Joint, Model, still};
+use vfs::{Environment, write_atomically};
+use workspace::nearest;
 
 /// Forms of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,10 +8,10 @@ use super::args::{CheckArgs, Format};
 use super::io::all_of;
 use super::options::mappings;
 use super::watch::State;
-use crate::analysis::{Baseline, CheckOptions, Overrides, Session, Setup};
-use crate::rules;
-use crate::vfs::Environment;
-use crate::workspace::config::CONFIG_NAMES;
+use analysis::{Baseline, CheckOptions, Overrides, Session, Setup};
+use rules;
+use vfs::Environment;
+use workspace::config::CONFIG_NAMES;
 
 /// Everything a check needs.
 pub(super) struct Prepared {

@@ -11,11 +11,11 @@ use super::io::Io;
 use super::render::{shown_path, visible};
 use super::tree::file_and_arguments;
 use super::watch::State;
-use crate::analysis::{RootChoice, World};
-use crate::base::{CancelFlag, Encoding};
-use crate::preview::{FromViewer, Hub, Location, Names, Received, RootName, Views, file_uri};
-use crate::vfs::Environment;
-use crate::workspace::percent_decoded;
+use analysis::{RootChoice, World};
+use base::{CancelFlag, Encoding};
+use preview::{FromViewer, Hub, Location, Names, Received, RootName, Views, file_uri};
+use vfs::Environment;
+use workspace::percent_decoded;
 
 /// Between two looks at the files of the robot; looking takes no more than one part in `SHARE` of the time.
 const LOOK: Duration = Duration::from_millis(30);

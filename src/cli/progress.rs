@@ -4,7 +4,7 @@ use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::time::{Duration, Instant};
 
 use super::io::Io;
-use crate::analysis::Progress;
+use analysis::Progress;
 
 /// From then on the bar is shown.
 const PATIENCE: Duration = Duration::from_millis(500);
@@ -54,7 +54,7 @@ mod tests {
 
     use super::super::io::Io;
     use super::{bar, watched};
-    use crate::analysis::Progress;
+    use analysis::Progress;
 
     /// What is written to the terminal while work takes this many milliseconds.
     fn shown(terminal: bool, milliseconds: u64) -> String {

@@ -5,9 +5,9 @@ use std::path::Path;
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
-use crate::base::limits::DRAWN_LINE;
-use crate::base::{Encoding, TextRange};
-use crate::vfs::SourceFile;
+use base::limits::DRAWN_LINE;
+use base::{Encoding, TextRange};
+use vfs::SourceFile;
 
 /// A file as it is shown: its text, and its path relative to where the user is.
 pub struct ShownFile<'a> {
@@ -182,8 +182,8 @@ mod tests {
     use annotate_snippets::Level;
 
     use super::{Mark, Report, ShownFile, render};
-    use crate::base::TextRange;
-    use crate::vfs::testing::Tree;
+    use base::TextRange;
+    use vfs::testing::Tree;
 
     #[test]
     fn names_of_rules_link_to_their_pages() {

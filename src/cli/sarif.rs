@@ -7,9 +7,9 @@ use serde_json::{Value, json};
 
 use super::fingerprints::Fingerprints;
 use super::render::shown_path;
-use crate::analysis::Report;
-use crate::base::Span;
-use crate::rules::{Finding, Fix, Rule, Severity};
+use analysis::Report;
+use base::Span;
+use rules::{Finding, Fix, Rule, Severity};
 
 const SCHEMA: &str = "https://json.schemastore.org/sarif-2.1.0.json";
 

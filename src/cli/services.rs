@@ -7,8 +7,8 @@ use serde_json::{Value, json};
 
 use super::fingerprints::Fingerprints;
 use super::render::{shown_path, visible};
-use crate::analysis::{Position, Report};
-use crate::rules::{Finding, Severity};
+use analysis::{Position, Report};
+use rules::{Finding, Severity};
 
 /// The findings that people are shown.
 fn shown(report: &Report, hints: bool) -> impl Iterator<Item = &Finding> {

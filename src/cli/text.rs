@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use super::io::Io;
 use super::listing::{Listing, counts};
 use super::render::{Mark, Report as Drawing, ShownFile, render, shown_path, visible};
-use crate::analysis::{Position, Report};
-use crate::base::{FastMap, FastSet, FileId, Span};
-use crate::rules::{Finding, Severity};
-use crate::workspace::{Packages, Vicinity};
+use analysis::{Position, Report};
+use base::{FastMap, FastSet, FileId, Span};
+use rules::{Finding, Severity};
+use workspace::{Packages, Vicinity};
 use annotate_snippets::Level;
 
 /// With the source text.

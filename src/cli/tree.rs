@@ -10,11 +10,11 @@ use super::io::Io;
 use super::options::mappings;
 use super::render::{visible, visible_name};
 use super::{svg, text};
-use crate::analysis::{CheckOptions, Session, Setup};
-use crate::expand::{Expansion, Request, World, expand};
-use crate::model::{Joint, Kinematics, Robot};
-use crate::rules::{Category, Severity};
-use crate::vfs::Environment;
+use analysis::{CheckOptions, Session, Setup};
+use expand::{Expansion, Request, World, expand};
+use model::{Joint, Kinematics, Robot};
+use rules::{Category, Severity};
+use vfs::Environment;
 
 /// A robot whose links hang together as a tree.
 pub(super) struct Tree<'a> {
@@ -175,7 +175,7 @@ fn text_tree(tree: &Tree<'_>, joints: bool) -> String {
 
 /// Links and joints in document order, as lists: trees may be deeper than JSON readers bear.
 fn as_json(tree: &Tree<'_>) -> serde_json::Value {
-    let text = |text: &Option<crate::model::Text>| text.as_ref().map(|text| text.value.to_string());
+    let text = |text: &Option<model::Text>| text.as_ref().map(|text| text.value.to_string());
     let links: Vec<_> = (0..tree.robot.links.len()).map(|link| tree.link(link)).collect();
     let joints: Vec<_> = tree
         .robot

@@ -7,8 +7,8 @@ use super::origin::{FrameId, FrameKind, Origin};
 use super::resolve::BindingKind;
 use super::symbols::SourceRange;
 use super::tree::Piece;
-use crate::base::{FastSet, TextRange};
-use crate::expr::{self, Token, Value, is_identifier};
+use base::{FastSet, TextRange};
+use expr::{self, Token, Value, is_identifier};
 
 /// Calls that hand a value down, at most.
 const MOST_CALLS: usize = 64;

@@ -6,9 +6,9 @@ use super::element::Tag;
 use super::machine::{Cx, Expander};
 use super::origin::Origin;
 use super::scope::Place;
-use crate::base::TextRange;
-use crate::expr::{Value, display, literal};
-use crate::workspace::nearest;
+use base::TextRange;
+use expr::{Value, display, literal};
+use workspace::nearest;
 
 impl Expander<'_> {
     /// An attribute as it is written (entities decoded), and where.

@@ -9,8 +9,8 @@ use super::resolve::{BindingInfo, BindingKind};
 use super::scope::{Block, MacroDef, Open, Param, Place, State};
 use super::symbols::UseKind;
 use super::tree::{XId, XKind};
-use crate::expr::Value;
-use crate::workspace::nearest;
+use expr::Value;
+use workspace::nearest;
 
 /// A block that a call gives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -159,7 +159,7 @@ impl Expander<'_> {
         }
         let value = match self.value_of(cx.scope, name, at) {
             Some(value) => value,
-            None => match crate::expr::global_symbol(name) {
+            None => match expr::global_symbol(name) {
                 Some(value) => value,
                 None => return false,
             },

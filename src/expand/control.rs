@@ -10,9 +10,9 @@ use super::resolve::{BindingInfo, BindingKind};
 use super::scope::{Block, Place, State};
 use super::symbols::{SymbolKind, UseKind};
 use super::tree::{XAttr, XId, XKind};
-use crate::base::limits::BLOCK_DEPTH;
-use crate::expr::{Value, display};
-use crate::xml::Attr;
+use base::limits::BLOCK_DEPTH;
+use expr::{Value, display};
+use xml::Attr;
 
 impl Expander<'_> {
     /// `xacro:if` (`wanted` true) and `xacro:unless`.

@@ -11,10 +11,10 @@ use super::params::strip;
 use super::scope::Place;
 use super::stack::with_stack;
 use super::tree::{XAttr, XId, XKind};
-use crate::base::TextRange;
-use crate::base::limits::ELEMENT_DEPTH;
-use crate::expr::{Value, display, literal};
-use crate::xml::{Attr, Entities, Item, Node, NodeKind, printed_doctype};
+use base::TextRange;
+use base::limits::ELEMENT_DEPTH;
+use expr::{Value, display, literal};
+use xml::{Attr, Entities, Item, Node, NodeKind, printed_doctype};
 
 /// An element of the source as the pass sees it: `xacro:element` and `xacro:call` go on under another name.
 #[derive(Clone, Copy)]

@@ -5,9 +5,9 @@ use std::sync::OnceLock;
 use super::machine::Expander;
 use super::origin::{FrameId, Origin};
 use super::symbols::SourceRange;
-use crate::base::limits::EVALUATIONS;
-use crate::base::{FastMap, TextRange};
-use crate::expr::Value;
+use base::limits::EVALUATIONS;
+use base::{FastMap, TextRange};
+use expr::Value;
 
 /// A value that an expression gave.
 #[derive(Clone, Debug)]

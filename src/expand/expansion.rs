@@ -12,8 +12,8 @@ use super::record::Record;
 use super::resolve::BindingInfo;
 use super::symbols::Symbols;
 use super::tree::XTree;
-use crate::base::TextRange;
-use crate::vfs::{LoadError, SourceFile};
+use base::TextRange;
+use vfs::{LoadError, SourceFile};
 
 /// A file that took part.
 #[derive(Clone, Debug)]

@@ -9,8 +9,8 @@ use std::sync::Arc;
 
 use super::machine::Expander;
 use super::origin::SrcId;
-use crate::vfs::SourceFile;
-use crate::xml::{Document, Item, NodeKind};
+use vfs::SourceFile;
+use xml::{Document, Item, NodeKind};
 
 /// Some items of one file.
 #[derive(Clone, Debug, PartialEq, Eq)]

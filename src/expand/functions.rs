@@ -9,10 +9,10 @@ use super::record::Read;
 use super::symbols::UseKind;
 use super::text::CodeSite;
 use super::yaml_value::file_value;
-use crate::base::TextRange;
-use crate::expr::{ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display, literal};
-use crate::vfs::{LoadError, LoadErrorKind, YamlFile};
-use crate::yaml::{Kind, Node, YamlError};
+use base::TextRange;
+use expr::{ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display, literal};
+use vfs::{LoadError, LoadErrorKind, YamlFile};
+use yaml::{Kind, Node, YamlError};
 
 /// The host of one expression.
 pub(super) struct ExprHost<'m, 'w, 't> {

@@ -15,12 +15,12 @@ use super::resolve::{BindingInfo, BindingKind};
 use super::scope::State;
 use super::symbols::SymbolKind;
 use super::tree::XId;
-use crate::base::TextRange;
-use crate::base::limits::{GLOB_ENTRIES, GLOB_FILES};
-use crate::expr::{Value, display, literal};
-use crate::vfs::{LoadError, LoadErrorKind, SourceFile, TooMany};
-use crate::workspace::Built;
-use crate::xml::{NodeKind, SyntaxError, SyntaxErrorKind};
+use base::TextRange;
+use base::limits::{GLOB_ENTRIES, GLOB_FILES};
+use expr::{Value, display, literal};
+use vfs::{LoadError, LoadErrorKind, SourceFile, TooMany};
+use workspace::Built;
+use xml::{NodeKind, SyntaxError, SyntaxErrorKind};
 
 /// What every tag of an include knows.
 #[derive(Clone)]
@@ -360,7 +360,7 @@ impl Expander<'_> {
         if self.result.files.len() > 1 {
             self.include_missing = true;
         }
-        let position = document.line_col(first.expat_offset, crate::base::Encoding::Utf32);
+        let position = document.line_col(first.expat_offset, base::Encoding::Utf32);
         let at = Origin { src: base, range: first.range, frame: super::FrameId::ROOT };
         let mut problem = self.syntax_problem(first, at, file);
         if let Some(place) = self.result.place(include) {

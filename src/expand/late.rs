@@ -5,10 +5,10 @@ use ecow::EcoString;
 use super::machine::Expander;
 use super::origin::Origin;
 use super::problem::{Outside, Problem, Step};
-use crate::base::FastMap;
-use crate::base::limits::COMPARED_NAMES;
-use crate::expr::ScopeId;
-use crate::workspace::{misspelled, nearest};
+use base::FastMap;
+use base::limits::COMPARED_NAMES;
+use expr::ScopeId;
+use workspace::{misspelled, nearest};
 
 /// What a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -17,11 +17,11 @@ use super::scope::{MacroDef, Macros, MacrosId, Scopes};
 use super::stack::with_stack;
 use super::text::SplitText;
 use super::tree::{XAttr, XId, XKind};
-use crate::base::limits::{self, EVAL_DEPTH};
-use crate::base::{CancelFlag, FastMap, FastSet, TextRange};
-use crate::expr::{Budget, ScopeId, Value};
-use crate::vfs::{Environment, Vfs};
-use crate::workspace::{Packages, config};
+use base::limits::{self, EVAL_DEPTH};
+use base::{CancelFlag, FastMap, FastSet, TextRange};
+use expr::{Budget, ScopeId, Value};
+use vfs::{Environment, Vfs};
+use workspace::{Packages, config};
 
 /// Where an expansion reads from.
 #[derive(Clone, Copy)]

@@ -14,8 +14,8 @@ use super::scope::{MacroDef, MacrosId, Param, Params, Place, SrcRef};
 use super::symbols::{DefinitionId, SymbolKind, UseKind};
 use super::text::TextSite;
 use super::tree::{XId, XKind};
-use crate::base::TextRange;
-use crate::expr::{ScopeId, Value, display};
+use base::TextRange;
+use expr::{ScopeId, Value, display};
 
 /// A macro and the scopes its body sees.
 struct Resolved {

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use crate::base::TextRange;
-use crate::xml::Item;
+use base::TextRange;
+use xml::Item;
 
 /// A file that took part in an expansion: index of [`Expansion::files`](super::Expansion::files).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

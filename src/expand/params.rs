@@ -6,7 +6,7 @@
 use ecow::EcoString;
 
 use super::scope::Param;
-use crate::base::TextRange;
+use base::TextRange;
 
 /// Python's `str.isspace` for one character.
 pub(super) fn is_space(c: char) -> bool {

@@ -4,7 +4,7 @@ use ecow::EcoString;
 
 use super::origin::Origin;
 use super::{Expansion, Frame, FrameKind};
-use crate::base::{FastMap, TextRange};
+use base::{FastMap, TextRange};
 
 /// How bad a problem is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -11,8 +11,8 @@ use super::resolve::{BindingInfo, BindingKind};
 use super::scope::{Binding, Block, Place, Scopes, SrcRef, State};
 use super::symbols::SymbolKind;
 use super::tree::XId;
-use crate::base::TextRange;
-use crate::expr::{ScopeId, Value, display, is_global_symbol, is_identifier, literal, normalized};
+use base::TextRange;
+use expr::{ScopeId, Value, display, is_global_symbol, is_identifier, literal, normalized};
 
 type AttrText<'a> = Option<(Cow<'a, str>, Place)>;
 

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::base::FastSet;
+use base::FastSet;
 
 /// One thing that was read, or looked for and not found.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

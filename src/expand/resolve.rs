@@ -9,9 +9,9 @@ use super::problem::{Outside, Step};
 use super::scope::{Scopes, State};
 use super::stack::with_stack;
 use super::symbols::{DefinitionId, UseKind};
-use crate::base::TextRange;
-use crate::base::limits::LAZY_DEPTH;
-use crate::expr::{ScopeId, Value, literal};
+use base::TextRange;
+use base::limits::LAZY_DEPTH;
+use expr::{ScopeId, Value, literal};
 
 /// Where a value that an expression read was given.
 #[derive(Clone, Debug)]

@@ -10,9 +10,9 @@ use rustc_hash::FxBuildHasher;
 use super::origin::{Origin, SrcId};
 use super::symbols::DefinitionId;
 use super::tree::XId;
-use crate::base::{FastMap, TextRange};
-use crate::expr::{ScopeId, Value};
-use crate::xml::NodeId;
+use base::{FastMap, TextRange};
+use expr::{ScopeId, Value};
+use xml::NodeId;
 
 /// An element of the source.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

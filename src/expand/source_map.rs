@@ -3,7 +3,7 @@
 use super::origin::Origin;
 use super::tree::{XAttr, XId};
 use super::write::escape;
-use crate::base::TextRange;
+use base::TextRange;
 
 /// What an entry of the map is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

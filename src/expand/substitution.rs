@@ -9,12 +9,12 @@ use super::problem::Outside;
 use super::record::Read;
 use super::symbols::UseKind;
 use super::text::TextSite;
-use crate::base::TextRange;
-use crate::expr::{
+use base::TextRange;
+use expr::{
     self, ErrorKind, EvalError, Host, HostFn, Lookup, Module, ScopeId, Subst, SubstArg, SubstError, Value,
     display, literal,
 };
-use crate::workspace::RosVariable;
+use workspace::RosVariable;
 
 /// Why a substitution has no value.
 enum Failure {

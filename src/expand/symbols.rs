@@ -4,7 +4,7 @@ use ecow::EcoString;
 
 use super::machine::Expander;
 use super::origin::{Origin, SrcId};
-use crate::base::{FastMap, FastSet, TextRange};
+use base::{FastMap, FastSet, TextRange};
 
 /// A definition: index of [`Symbols::definitions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -11,12 +11,12 @@ use super::origin::Origin;
 use super::problem::Outside;
 use super::scope::Place;
 use super::tree::Piece;
-use crate::base::TextRange;
-use crate::expr::ast::ExprKind;
-use crate::expr::{
+use base::TextRange;
+use expr::ast::ExprKind;
+use expr::{
     self, Code, ErrorKind, EvalError, ExprErrorKind, Parsed, ScopeId, Template, Token, Value, display,
 };
-use crate::xml;
+use xml;
 
 /// A text, split and parsed.
 #[derive(Debug)]

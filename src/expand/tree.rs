@@ -10,7 +10,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::origin::Origin;
-use crate::base::{FastSet, TextRange};
+use base::{FastSet, TextRange};
 
 /// A node of the expanded document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

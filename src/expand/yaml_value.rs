@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::base::TextRange;
-use crate::expr::{
+use base::TextRange;
+use expr::{
     self, Budget, DateValue, ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Str, Value, literal,
 };
-use crate::yaml::{Kind, Node, Unit};
+use yaml::{Kind, Node, Unit};
 
 /// The value of a loaded file, with xacro's unit tags computed. Only the outermost list or mapping has
 /// dotted access; it hands it on to what is taken out of it.

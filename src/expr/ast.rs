@@ -7,7 +7,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 use num_bigint::BigInt;
 
-use crate::base::TextRange;
+use base::TextRange;
 
 /// A node of the expression tree and the text it came from.
 #[derive(Clone, Debug, PartialEq)]

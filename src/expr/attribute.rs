@@ -9,7 +9,7 @@ use super::methods;
 use super::numeric::Num;
 use super::stop::{Eval, Stop};
 use super::value::{Bound, Dict, Key, Type, Value};
-use crate::base::TextRange;
+use base::TextRange;
 
 impl Interp<'_> {
     /// `value.name`; `place` is where the name stands.

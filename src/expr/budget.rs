@@ -1,7 +1,7 @@
 //! What one evaluation may cost.
 
 use super::stop::{Eval, Stop};
-use crate::base::limits::{EVAL_VALUE_BYTES, INTEGER_BITS};
+use base::limits::{EVAL_VALUE_BYTES, INTEGER_BITS};
 
 /// What one element of a list, tuple, set or dict counts, in bytes.
 pub(crate) const ITEM_BYTES: u64 = 32;

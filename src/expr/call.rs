@@ -10,7 +10,7 @@ use super::lambda::bind_lambda;
 use super::stop::{Eval, Stop};
 use super::value::{Bound, Closure, Str, Type, Value};
 use super::{builtins::types, methods};
-use crate::base::TextRange;
+use base::TextRange;
 
 impl Interp<'_> {
     /// A call node at `range`.

@@ -8,7 +8,7 @@ use super::interp::Interp;
 use super::quote::{quote, quote_bytes};
 use super::stop::{Eval, Stop};
 use super::value::{Str, Type, Value, ViewKind, date_repr, date_text};
-use crate::base::limits::{EVAL_VALUE_BYTES, INTEGER_DIGITS, SHOWN_DEPTH};
+use base::limits::{EVAL_VALUE_BYTES, INTEGER_DIGITS, SHOWN_DEPTH};
 
 /// The address shown for objects, which in Python differs from run to run.
 const ADDRESS: &str = "0x7f0000000000";

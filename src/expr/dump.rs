@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::ast::*;
-use crate::base::TextRange;
+use base::TextRange;
 
 /// The tree of `expr`, and the ranges of its nodes in the same order.
 pub(super) fn dump(expr: &Expr) -> (String, Vec<TextRange>) {

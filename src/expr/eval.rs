@@ -11,7 +11,7 @@ use super::interp::Interp;
 use super::ops;
 use super::stop::{Eval, Stop};
 use super::value::{Closure, Dict, DictMap, Key, List, Set, SetMap, Slice, Tuple, Value};
-use crate::base::TextRange;
+use base::TextRange;
 
 impl Interp<'_> {
     /// The value of a node. A node with an unknown operand is unknown.

@@ -5,7 +5,7 @@ use std::fmt;
 use ecow::EcoString;
 
 use super::Value;
-use crate::base::TextRange;
+use base::TextRange;
 
 /// Opaque number of a property scope (`ns=` of an include); only the host knows what it stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

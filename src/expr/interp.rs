@@ -10,7 +10,7 @@ use super::host::{EvalError, Host, Lookup, ScopeId};
 use super::literal;
 use super::stop::{Eval, Stop};
 use super::value::{Closure, Frame, Str, Value};
-use crate::base::TextRange;
+use base::TextRange;
 
 /// Evaluate an expression.
 ///

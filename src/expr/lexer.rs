@@ -7,8 +7,8 @@ use super::number;
 use super::report::{Report, Stage, Unclosed};
 use super::syntax::{is_name_continue, is_name_start};
 use super::token::{Bracket, Tok, Token, is_string_prefix, keyword, operator};
-use crate::base::TextRange;
-use crate::base::limits::BRACKETS;
+use base::TextRange;
+use base::limits::BRACKETS;
 
 /// What to read.
 pub(super) struct Source<'t> {

@@ -95,8 +95,8 @@ pub fn truth(value: &Value) -> Option<bool> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expr::display::repr;
-    use crate::expr::format::ascii;
+    use crate::display::repr;
+    use crate::format::ascii;
 
     /// Texts as JSON with the literal and the boolean that the reference takes them for.
     #[test]

@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_traits::Num;
 
 use super::ast::Const;
-use crate::base::limits::INTEGER_DIGITS;
+use base::limits::INTEGER_DIGITS;
 
 /// A number literal at the start of some text.
 pub(super) struct Scanned {

@@ -23,8 +23,8 @@ use super::lexer::{Source, lex};
 use super::report::{Report, Stage};
 use super::syntax::{ExprErrorKind, Parsed, forbidden_names, is_python_space};
 use super::token::{Tok, Token};
-use crate::base::TextRange;
-use crate::base::limits::EXPRESSION_DEPTH;
+use base::TextRange;
+use base::limits::EXPRESSION_DEPTH;
 
 /// Binding powers, loosest first.
 mod power {

@@ -7,8 +7,8 @@
 //! comma, and conditions or operators where the target of a `for` belongs.
 
 use super::syntax::{ExprError, ExprErrorKind};
-use crate::base::TextRange;
-use crate::base::limits::EXPRESSION_ERRORS;
+use base::TextRange;
+use base::limits::EXPRESSION_ERRORS;
 
 /// When CPython notices an error; the earliest stage wins, whatever the place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -1,7 +1,7 @@
 //! Why an evaluation stops early: an exception, or an operand that is unknown.
 
 use super::{ErrorKind, EvalError};
-use crate::base::TextRange;
+use base::TextRange;
 
 /// What interrupts the evaluation of a node.
 #[derive(Clone, Debug)]

@@ -2,7 +2,7 @@
 
 use ecow::EcoString;
 
-use crate::base::TextRange;
+use base::TextRange;
 
 /// A substitution; ranges are offsets in the text between the parentheses.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -6,7 +6,7 @@ use unicode_normalization::{UnicodeNormalization, is_nfkc};
 
 use super::ast::{Expr, ExprKind};
 use super::{parser, visit};
-use crate::base::{FastSet, TextRange};
+use base::{FastSet, TextRange};
 
 /// A parsed expression: always a tree, and what is wrong with its text.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use memchr::memchr;
 
 use super::syntax::{Parsed, parse};
-use crate::base::TextRange;
+use base::TextRange;
 
 /// A text split into tokens. All ranges, also those of nested templates, are byte offsets in the
 /// text given to [`split`].

@@ -1,6 +1,6 @@
 //! The kinds of tokens, and the words and characters they are made of.
 
-use crate::base::TextRange;
+use base::TextRange;
 
 /// The three kinds of brackets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use super::lexer::{Source, lex};
 use super::report::Report;
 use super::token::Tok;
-use crate::base::TextRange;
+use base::TextRange;
 
 /// The kinds of words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,7 +6,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::{FactKind, facts_of};
-use crate::xml::{Document, Item, Node, NodeKind};
+use xml::{Document, Item, Node, NodeKind};
 
 /// The places of definitions in a document, found without a look at its items.
 #[derive(Debug, Default)]

@@ -4,8 +4,8 @@ use std::sync::{Arc, LazyLock};
 
 use super::mentions::site;
 use super::{Fact, FactKind, Facts, FactsOf, Site};
-use crate::base::TextRange;
-use crate::xml::{Attr, Entities, Item, Node, NodeKind};
+use base::TextRange;
+use xml::{Attr, Entities, Item, Node, NodeKind};
 
 /// xacro's own tags, which call no macro.
 const KEYWORDS: &[&str] = &[

@@ -2,9 +2,9 @@
 
 use ecow::EcoString;
 
-use crate::base::TextRange;
-use crate::expr::{self, Code, Subst, Template, Token};
-use crate::xml::{Entities, decode_text, source_offset};
+use base::TextRange;
+use expr::{self, Code, Subst, Template, Token};
+use xml::{Entities, decode_text, source_offset};
 
 /// A text that holds expressions.
 #[derive(Clone, Debug, PartialEq, Eq)]

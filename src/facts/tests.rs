@@ -1,7 +1,7 @@
 //! Facts of small documents, printed.
 
 use super::facts;
-use crate::xml::Document;
+use xml::Document;
 
 #[track_caller]
 fn check(text: &str, expected: &[&str]) {

@@ -2,8 +2,8 @@
 
 use super::context::Cx;
 use super::names::{Target, definition_of};
-use crate::base::{FileId, Span, TextRange};
-use crate::expand::{DefinitionId, SourceRange, SymbolKind, Use, UseKind};
+use base::{FileId, Span, TextRange};
+use expand::{DefinitionId, SourceRange, SymbolKind, Use, UseKind};
 
 /// Who calls or is called.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,9 +1,9 @@
 //! Colours of materials.
 
 use super::context::Cx;
-use crate::base::{FastMap, TextRange};
-use crate::expand::{SourceRange, XId};
-use crate::model::decimal;
+use base::{FastMap, TextRange};
+use expand::{SourceRange, XId};
+use model::decimal;
 
 /// A colour, and where it stands.
 #[derive(Clone, Copy, Debug, PartialEq)]

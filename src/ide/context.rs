@@ -1,9 +1,9 @@
 //! A file in the expansion of its active root.
 
-use crate::base::{FastMap, FileId, Span, TextRange};
-use crate::expand::{DefinitionId, Expansion, FileIdx, FrameId, Source, SourceRange, SrcId, Use};
-use crate::model::{Kinematics, Robot};
-use crate::vfs::SourceFile;
+use base::{FastMap, FileId, Span, TextRange};
+use expand::{DefinitionId, Expansion, FileIdx, FrameId, Source, SourceRange, SrcId, Use};
+use model::{Kinematics, Robot};
+use vfs::SourceFile;
 
 /// A file, and the expansion it is looked at in.
 #[derive(Clone, Copy)]
@@ -23,7 +23,7 @@ pub struct Cx<'a> {
 impl<'a> Cx<'a> {
     /// The file's number in the expansion; none when it takes no part.
     pub fn file(&self) -> Option<FileIdx> {
-        let own = |file: &crate::expand::FileUse| file.source.id == self.source.id;
+        let own = |file: &expand::FileUse| file.source.id == self.source.id;
         self.expansion.files.iter().position(own).map(|index| FileIdx(index as u32))
     }
 

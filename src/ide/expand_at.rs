@@ -6,10 +6,10 @@ use super::hover::call_label;
 use super::instances::{frames_of_macro, frames_of_tag, is_within, macro_of, numbered};
 use super::locate::{At, locate};
 use super::values::{self, UNKNOWN};
-use crate::base::TextRange;
-use crate::expand::{BindingInfo, Expansion, Frame, FrameId, FrameKind, MapEntry, Origin, Written, XKind};
-use crate::expr::{Value, display};
-use crate::xml::{Node, NodeKind};
+use base::TextRange;
+use expand::{BindingInfo, Expansion, Frame, FrameId, FrameKind, MapEntry, Origin, Written, XKind};
+use expr::{Value, display};
+use xml::{Node, NodeKind};
 
 /// A place and what it expands to.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -3,10 +3,10 @@
 use std::borrow::Cow;
 
 use super::locate::{At, Part};
-use crate::base::TextRange;
-use crate::expr::ast::{Expr, ExprKind};
-use crate::expr::{self, Code, Template, Token};
-use crate::xml::{Attr, Document, Entities, Node, decode_text, source_offset};
+use base::TextRange;
+use expr::ast::{Expr, ExprKind};
+use expr::{self, Code, Template, Token};
+use xml::{Attr, Document, Entities, Node, decode_text, source_offset};
 
 /// The value of an attribute or character data, decoded and split.
 pub struct ExprText<'a> {

@@ -1,7 +1,7 @@
 //! What can be folded: elements, comments, runs of properties and includes, regions.
 
-use crate::base::{Encoding, TextRange};
-use crate::xml::{Document, Node, NodeKind};
+use base::{Encoding, TextRange};
+use xml::{Document, Node, NodeKind};
 
 /// Lines that can be folded, the first stays visible.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,10 +3,10 @@
 use super::context::Cx;
 use super::expressions::{ExprText, parsed};
 use super::values::{cut, distinct, instances, short};
-use crate::base::{Encoding, FastMap, TextRange};
-use crate::expand::{DefinitionId, SourceRange, SymbolKind, UseKind};
-use crate::expr::{self, Code, Subst, Token, Value, parse_substitution};
-use crate::xml::{Document, Node, NodeKind};
+use base::{Encoding, FastMap, TextRange};
+use expand::{DefinitionId, SourceRange, SymbolKind, UseKind};
+use expr::{self, Code, Subst, Token, Value, parse_substitution};
+use xml::{Document, Node, NodeKind};
 
 /// Which hints are shown, and how long they may be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,9 +3,9 @@
 
 use ecow::EcoString;
 
-use crate::base::TextRange;
-use crate::expr::ast::Expr;
-use crate::expr::{self, Budget, ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value};
+use base::TextRange;
+use expr::ast::Expr;
+use expr::{self, Budget, ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value};
 
 /// Where names get their values from.
 pub(super) trait Names {

@@ -7,9 +7,9 @@ use ecow::EcoString;
 use super::calls::macro_at;
 use super::context::Cx;
 use super::locate::locate;
-use crate::base::TextRange;
-use crate::expand::{DefinitionId, Expansion, Frame, FrameId, FrameKind, Origin, SourceRange, SymbolKind};
-use crate::xml::{Node, NodeKind};
+use base::TextRange;
+use expand::{DefinitionId, Expansion, Frame, FrameId, FrameKind, Origin, SourceRange, SymbolKind};
+use xml::{Node, NodeKind};
 
 /// A call that was picked, in terms that hold after an edit.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -131,7 +131,7 @@ pub fn pinned(expansion: &Expansion, pin: &Pin) -> Option<FrameId> {
         (*file.source.path == *pin.file).then_some(())
     };
     let mut known = expansion.symbols.iter();
-    let is_it = |known: &crate::expand::Definition| {
+    let is_it = |known: &expand::Definition| {
         known.kind == SymbolKind::Macro && known.name == pin.name && own(known.place).is_some()
     };
     let (id, _) = known.find(|(_, known)| is_it(known))?;

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::base::TextRange;
-use crate::xml::{Attr, Document, Item, Node, NodeKind};
+use base::TextRange;
+use xml::{Attr, Document, Item, Node, NodeKind};
 
 /// What stands at an offset: the part of the document, its innermost node and what of it. All ranges of nodes
 /// and attributes count from `base`.

@@ -4,8 +4,8 @@ use std::path::{Component, Path, PathBuf};
 
 use super::context::Cx;
 use super::paths::{FileTarget, file_names};
-use crate::base::TextRange;
-use crate::rules::Surroundings;
+use base::TextRange;
+use rules::Surroundings;
 
 /// A file or folder that gets another path.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,9 +2,9 @@
 
 use super::context::Cx;
 use super::instances::is_within;
-use crate::base::{Span, TextRange};
-use crate::expand::{DefinitionId, Origin, SourceRange, SymbolKind, argument};
-use crate::model::Text;
+use base::{Span, TextRange};
+use expand::{DefinitionId, Origin, SourceRange, SymbolKind, argument};
+use model::Text;
 
 /// A place where a name stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -211,7 +211,7 @@ fn written(cx: &Cx<'_>, text: &Text) -> Option<Span> {
 /// The text at an origin, then the calls that led there.
 fn made_by(cx: &Cx<'_>, origin: Origin) -> Vec<Target> {
     let own = place(cx, origin).map(|name| Target { whole: name, name });
-    let calls = cx.expansion.frames_of(origin).filter(|frame| frame.kind == crate::expand::FrameKind::Macro);
+    let calls = cx.expansion.frames_of(origin).filter(|frame| frame.kind == expand::FrameKind::Macro);
     let calls = calls.filter_map(|frame| place(cx, frame.call)).map(|name| Target { whole: name, name });
     own.into_iter().chain(calls).collect()
 }

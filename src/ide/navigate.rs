@@ -9,12 +9,12 @@ use super::instances::{frames_of_macro, is_within};
 use super::locate::{At, locate};
 use super::names::{Target, definition_of};
 use super::paths::{FileKind, FileTarget, file_name_at, file_names};
-use crate::base::TextRange;
-use crate::expand::{DefinitionId, SymbolKind, Written};
-use crate::expr::Token;
-use crate::expr::ast::{Const, Expr, ExprKind};
-use crate::rules::Surroundings;
-use crate::yaml;
+use base::TextRange;
+use expand::{DefinitionId, SymbolKind, Written};
+use expr::Token;
+use expr::ast::{Const, Expr, ExprKind};
+use rules::Surroundings;
+use yaml;
 
 /// A place in a file that need not be a description.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -112,7 +112,7 @@ impl Loaded {
             names.filter(|name| name.kind == FileKind::Yaml && target.whole.range.contains_range(name.range));
         let document = &inner.source.document;
         let place = document.item_at(target.whole.range.start);
-        let is_it = |node: &crate::xml::Node<'_>| node.range().shift(place.start) == target.whole.range;
+        let is_it = |node: &xml::Node<'_>| node.range().shift(place.start) == target.whole.range;
         let node = place.item.all_nodes().find(is_it)?;
         let text = ExprText::of_attr(document, place.start, node.attr("value")?);
         let [token] = text.template.tokens.as_slice() else { return None };
@@ -172,7 +172,7 @@ pub fn implementations(cx: &Cx<'_>, written: &Written, offset: u32) -> Option<(T
         let mut end = 0;
         for entry in &written.map {
             let node = tree.get(entry.node);
-            let own = node.kind == crate::expand::XKind::Element
+            let own = node.kind == expand::XKind::Element
                 && is_within(cx.expansion, node.origin.frame, frame);
             if own && entry.out.start >= end {
                 end = entry.out.end;

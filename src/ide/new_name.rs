@@ -2,11 +2,11 @@
 
 use super::context::Cx;
 use super::names::definition_of;
-use crate::base::{Span, TextRange};
-use crate::expand::{Definition, DefinitionId, SymbolKind, UseKind, parse_params};
-use crate::expr::{is_global_symbol, is_identifier};
-use crate::facts::{MentionKind, facts, is_keyword};
-use crate::xml::{Document, Node, NodeKind};
+use base::{Span, TextRange};
+use expand::{Definition, DefinitionId, SymbolKind, UseKind, parse_params};
+use expr::{is_global_symbol, is_identifier};
+use facts::{MentionKind, facts, is_keyword};
+use xml::{Document, Node, NodeKind};
 
 /// Whether a definition may be called `new`, where its name stands at `places`.
 ///

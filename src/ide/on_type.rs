@@ -2,8 +2,8 @@
 
 use super::tag_reader::Reader;
 use super::typed::{Typed, Typing, is_name_char, typed};
-use crate::base::{Encoding, LineCol, TextRange};
-use crate::xml::Document;
+use base::{Encoding, LineCol, TextRange};
+use xml::Document;
 
 /// A text to put in the place of a range.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -89,7 +89,7 @@ fn line_end(document: &Document, start: u32) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::on_type;
-    use crate::xml::Document;
+    use xml::Document;
 
     /// The text after the edit; `|` is where the character was typed.
     fn edited(text: &str, character: char) -> String {

@@ -1,8 +1,8 @@
 //! The symbols of a file as a tree, from its text alone: broken files have an outline too.
 
-use crate::base::TextRange;
-use crate::base::limits::SYMBOL_DEPTH;
-use crate::xml::{Document, Entities, Node, NodeKind};
+use base::TextRange;
+use base::limits::SYMBOL_DEPTH;
+use xml::{Document, Entities, Node, NodeKind};
 
 /// What a symbol is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -137,7 +137,7 @@ fn is_call(name: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::outline;
-    use crate::xml::Document;
+    use xml::Document;
 
     #[test]
     fn every_symbol_has_a_name() {

@@ -6,11 +6,11 @@ use super::context::Cx;
 use super::expressions::ExprText;
 use super::locate::{At, Part};
 use super::values::{distinct, instances};
-use crate::base::TextRange;
-use crate::expr::{self, Subst, Token, Value, display, parse_substitution};
-use crate::rules::Surroundings;
-use crate::workspace::UriOutcome;
-use crate::xml::{Attr, Node, NodeKind};
+use base::TextRange;
+use expr::{self, Subst, Token, Value, display, parse_substitution};
+use rules::Surroundings;
+use workspace::UriOutcome;
+use xml::{Attr, Node, NodeKind};
 
 /// A name of a file, and where it leads.
 #[derive(Clone, Debug, PartialEq, Eq)]

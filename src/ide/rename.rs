@@ -3,10 +3,10 @@
 use super::context::Cx;
 use super::names::definition_of;
 use super::{new_name, rename_robot};
-use crate::base::limits::NAME_LETTERS;
-use crate::base::{Span, TextRange};
-use crate::expand::{DefinitionId, SourceRange, SymbolKind};
-use crate::facts::{MentionKind, facts};
+use base::limits::NAME_LETTERS;
+use base::{Span, TextRange};
+use expand::{DefinitionId, SourceRange, SymbolKind};
+use facts::{MentionKind, facts};
 
 /// What stands at an offset and can be renamed: its text and its name.
 pub fn renameable(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, String)> {
@@ -84,7 +84,7 @@ fn unread(cx: &Cx<'_>, id: DefinitionId) -> Vec<Span> {
         SymbolKind::Property => MentionKind::Name,
         _ => return Vec::new(),
     };
-    let known: crate::base::FastSet<Span> =
+    let known: base::FastSet<Span> =
         symbols.all_uses().filter_map(|used| cx.span(used.place)).collect();
     let mut found = Vec::new();
     for file in &cx.expansion.files {

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 
 use super::context::Cx;
 use super::names::{NameKind, RobotName, all_names};
-use crate::base::{Encoding, FastMap, FastSet, FileId, Span, TextRange};
-use crate::expand::{FrameKind, Origin, SourceRange, argument};
-use crate::model::Text;
-use crate::vfs::SourceFile;
+use base::{Encoding, FastMap, FastSet, FileId, Span, TextRange};
+use expand::{FrameKind, Origin, SourceRange, argument};
+use model::Text;
+use vfs::SourceFile;
 
 /// A part of a name and where it is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

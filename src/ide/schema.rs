@@ -1,7 +1,7 @@
 //! Which entry of the table of URDF an element of the source has.
 
-use crate::rules::schema::{AttributeSpec, ElementSpec, elements, robot};
-use crate::xml::Node;
+use rules::schema::{AttributeSpec, ElementSpec, elements, robot};
+use xml::Node;
 
 /// The entries of an element: several when the source does not say what stands around it.
 pub fn element(node: Node<'_>) -> Vec<&'static ElementSpec> {

@@ -1,8 +1,8 @@
 //! Finding named things of a file by a few letters.
 
-use crate::base::TextRange;
-use crate::facts::{Fact, FactKind, facts};
-use crate::xml::Document;
+use base::TextRange;
+use facts::{Fact, FactKind, facts};
+use xml::Document;
 
 /// Something with a name that fits.
 #[derive(Clone, Debug, PartialEq, Eq)]

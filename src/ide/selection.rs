@@ -1,10 +1,10 @@
 //! Growing selections: from a word to the file.
 
 use super::locate::{Part, locate};
-use crate::base::TextRange;
-use crate::base::limits::SELECTIONS;
-use crate::expr::{self, Token};
-use crate::xml::{Document, Node};
+use base::TextRange;
+use base::limits::SELECTIONS;
+use expr::{self, Token};
+use xml::{Document, Node};
 
 /// The ranges around an offset, the smallest first; each holds the one in front of it.
 pub fn selection(document: &Document, offset: u32) -> Vec<TextRange> {

@@ -5,9 +5,9 @@
 
 use serde::Serialize;
 
-use crate::base::{Encoding, FastMap, FastSet, TextRange};
-use crate::expand::{BindingKind, Expansion, FrameId, FrameKind, MapEntry, MapKind, Origin, Written, XId};
-use crate::xml::Document;
+use base::{Encoding, FastMap, FastSet, TextRange};
+use expand::{BindingKind, Expansion, FrameId, FrameKind, MapEntry, MapKind, Origin, Written, XId};
+use xml::Document;
 
 /// The map as it is written: `files` are named by the caller.
 #[derive(Clone, Debug, Serialize)]
@@ -29,7 +29,7 @@ pub fn source_map(
     expansion: &Expansion,
     written: &Written,
     encoding: Encoding,
-    name: impl Fn(&crate::expand::FileUse) -> String,
+    name: impl Fn(&expand::FileUse) -> String,
 ) -> SourceMap {
     let files: Vec<String> = expansion.files.iter().map(&name).collect();
     let places = Places { expansion, encoding };
@@ -86,7 +86,7 @@ fn whole_name(expansion: &Expansion, origin: Origin) -> bool {
     let Some(source) = expansion.sources.get(origin.src.0 as usize) else { return false };
     let text = origin.range.slice(source.item.text()).trim();
     let name = text.strip_prefix("${").and_then(|text| text.strip_suffix('}'));
-    name.is_some_and(|name| crate::expr::is_identifier(name.trim()))
+    name.is_some_and(|name| expr::is_identifier(name.trim()))
 }
 
 /// The innermost entry of the expanded text at an offset.
@@ -100,7 +100,7 @@ pub fn entry_at(written: &Written, offset: u32) -> Option<&MapEntry> {
 pub fn instances(
     expansion: &Expansion,
     written: &Written,
-    file: crate::expand::FileIdx,
+    file: expand::FileIdx,
     offset: u32,
 ) -> Vec<(TextRange, FrameId)> {
     // of two texts side by side the one that begins there counts
@@ -140,10 +140,10 @@ pub fn instances(
 fn made_by_calls(
     expansion: &Expansion,
     written: &Written,
-    file: crate::expand::FileIdx,
+    file: expand::FileIdx,
     offset: u32,
 ) -> Option<(u32, Vec<(TextRange, FrameId)>)> {
-    let holds = |frame: &crate::expand::Frame| {
+    let holds = |frame: &expand::Frame| {
         let place = expansion.place(frame.call)?;
         let here = place.file == file && place.range.start <= offset && offset <= place.range.end;
         (here && frame.kind != FrameKind::Root).then(|| place.range.len())

@@ -1,7 +1,7 @@
 //! Reading tags in text that may end anywhere.
 
 use super::typed::is_name_char;
-use crate::xml::Node;
+use xml::Node;
 
 /// An element whose start tag was read, as far as it was.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

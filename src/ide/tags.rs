@@ -1,8 +1,8 @@
 //! The two tags of an element.
 
 use super::locate::{Part, locate};
-use crate::base::TextRange;
-use crate::xml::Document;
+use base::TextRange;
+use xml::Document;
 
 /// The names in both tags of the element whose tag name stands at an offset, when they are the same: what can
 /// be typed in both at once.

@@ -4,8 +4,8 @@
 //! of. So the text from the start of the item to the offset is read once more, and whatever is open there counts.
 
 use super::tag_reader::{Open, Reader, State};
-use crate::base::TextRange;
-use crate::xml::{Document, Node, Part};
+use base::TextRange;
+use xml::{Document, Node, Part};
 
 /// What is being typed.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -3,10 +3,10 @@
 use super::context::Cx;
 use super::host::{self, Names};
 use super::instances::is_within;
-use crate::base::{FastSet, TextRange};
-use crate::expand::{BindingKind, Evaluation, FrameId};
-use crate::expr::ast::{Expr, ExprKind};
-use crate::expr::{self, Lookup, Value, display, is_global_symbol};
+use base::{FastSet, TextRange};
+use expand::{BindingKind, Evaluation, FrameId};
+use expr::ast::{Expr, ExprKind};
+use expr::{self, Lookup, Value, display, is_global_symbol};
 
 /// A value, and the way that led to it.
 #[derive(Clone, Debug)]

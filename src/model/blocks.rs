@@ -2,7 +2,7 @@
 
 use super::source::{child, children};
 use super::text::Text;
-use crate::expand::{XId, XTree};
+use expand::{XId, XTree};
 
 /// A `gazebo` element of the robot.
 #[derive(Clone, Debug)]

@@ -5,7 +5,7 @@ use ecow::EcoString;
 use super::pose::Pose;
 use super::source::child;
 use super::text::Text;
-use crate::expand::{XId, XTree};
+use expand::{XId, XTree};
 
 /// A `joint` of the robot.
 #[derive(Clone, Debug)]

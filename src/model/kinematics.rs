@@ -3,7 +3,7 @@
 use ecow::EcoString;
 
 use super::robot::Robot;
-use crate::base::{FastMap, FastSet};
+use base::{FastMap, FastSet};
 
 /// Links by name, and the joints between them.
 ///

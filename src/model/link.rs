@@ -3,7 +3,7 @@
 use super::pose::Pose;
 use super::source::child;
 use super::text::Text;
-use crate::expand::{XId, XTree};
+use expand::{XId, XTree};
 
 /// A `link` of the robot.
 #[derive(Clone, Debug)]

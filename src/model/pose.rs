@@ -3,7 +3,7 @@
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 
 use super::text::Text;
-use crate::expand::{XId, XTree};
+use expand::{XId, XTree};
 
 /// An `origin` element: metres and radians, fixed axes roll, pitch, yaw.
 #[derive(Clone, Debug)]

@@ -4,7 +4,7 @@ use super::blocks::{Gazebo, Ros2Control, Transmission};
 use super::joint::{Joint, JointType};
 use super::link::{Link, Material};
 use super::text::Text;
-use crate::expand::{Expansion, XId, XTree};
+use expand::{Expansion, XId, XTree};
 
 /// What an expanded document says about a robot; everything in document order.
 #[derive(Clone, Debug)]

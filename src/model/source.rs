@@ -1,8 +1,8 @@
 //! From expanded elements back to the words of the source.
 
-use crate::base::TextRange;
-use crate::expand::{Expansion, Origin, XId, XTree};
-use crate::xml::Node;
+use base::TextRange;
+use expand::{Expansion, Origin, XId, XTree};
+use xml::Node;
 
 /// The start of an element's tag: from `<` to the end of the name as the source spells it.
 pub fn tag_start(expansion: &Expansion, element: XId) -> Origin {

@@ -1,7 +1,7 @@
 use super::{Kinematics, Robot, tag_start};
-use crate::expand::{Expansion, Request, World, expand};
-use crate::vfs::testing::Tree;
-use crate::workspace::{PackageOptions, Packages};
+use expand::{Expansion, Request, World, expand};
+use vfs::testing::Tree;
+use workspace::{PackageOptions, Packages};
 
 fn expanded(text: &str) -> Expansion {
     let tree = Tree::new();

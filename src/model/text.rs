@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use crate::base::TextRange;
-use crate::expand::{Expansion, Origin, Piece, XAttr, XId, XKind, XTree};
+use base::TextRange;
+use expand::{Expansion, Origin, Piece, XAttr, XId, XKind, XTree};
 
 /// The value of an attribute, and where it stands in the source; shared with the expanded document.
 #[derive(Clone, Debug)]
@@ -124,7 +124,7 @@ impl Text {
     }
 
     /// What the expressions read that made the part `range` of the value: indices of
-    /// [`Expansion::bindings`](crate::expand::Expansion::bindings).
+    /// [`Expansion::bindings`](expand::Expansion::bindings).
     pub fn reads<'t>(
         &'t self,
         expansion: &'t Expansion,

@@ -3,7 +3,7 @@
 use nalgebra::{Point3, Vector3};
 
 use super::Shot;
-use crate::model::Bounds;
+use model::Bounds;
 
 /// Directions to look from; x points forward and z up, as REP-103 has it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -2,8 +2,8 @@
 
 use nalgebra::{Isometry3, Translation3, Unit, UnitQuaternion, Vector3};
 
-use crate::base::FastMap;
-use crate::preview::{Joint, Model, Pose};
+use base::FastMap;
+use preview::{Joint, Model, Pose};
 
 /// Joints that follow others, one after the other, at most.
 const LONGEST_CHAIN: usize = 64;

@@ -8,10 +8,10 @@ use super::MOST_TRIANGLES;
 use super::color::{self, AXES, BONE, MISSING, PLAIN, Rgba};
 use super::joints::{Placed, Positions, place, transform};
 use super::solids::Solid;
-use crate::base::FastMap;
-use crate::model::Meshes;
-use crate::preview::{Body, Files, Model, Shape};
-use crate::vfs::Vfs;
+use base::FastMap;
+use model::Meshes;
+use preview::{Body, Files, Model, Shape};
+use vfs::Vfs;
 
 /// What of a robot is drawn.
 #[derive(Clone, Debug, Default)]
@@ -155,8 +155,8 @@ impl Scene {
     pub(super) fn unit(&self) -> f64 {
         let frames = self.frames.iter().map(|frame| frame.at.translation.vector.into());
         let points = self.parts.iter().flat_map(|part| part.solid.points.iter().copied());
-        let bounds = crate::model::Bounds::around(frames.chain(points));
-        let size = bounds.map_or(0.0, crate::model::Bounds::diagonal);
+        let bounds = model::Bounds::around(frames.chain(points));
+        let size = bounds.map_or(0.0, model::Bounds::diagonal);
         if size > 1e-6 { size * 0.06 } else { 0.1 }
     }
 }

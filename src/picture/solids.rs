@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::{Isometry3, Point3};
 
 use super::color::Rgba;
-use crate::model::Triangles;
+use model::Triangles;
 
 /// Sides of a round shape.
 const SIDES: u32 = 64;

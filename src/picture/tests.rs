@@ -1,11 +1,11 @@
 //! Pictures of small robots.
 
 use super::{Background, Content, MOST_PIXELS, Scene, Shot, View, picture_png, picture_svg};
-use crate::analysis::{Session, Setup};
-use crate::expand::{Request, World, expand};
-use crate::model::Robot;
-use crate::preview::still;
-use crate::vfs::testing::Tree;
+use analysis::{Session, Setup};
+use expand::{Request, World, expand};
+use model::Robot;
+use preview::still;
+use vfs::testing::Tree;
 
 const WHITE: Background = Background::Solid([255; 3]);
 
@@ -156,7 +156,7 @@ fn a_mesh_that_is_missing_is_a_magenta_box() {
     assert!(scene.problems[0].starts_with("link `l0`: mesh `package://bot/gone.stl`: there is no "));
     let pixel = &drawn(&scene, &shot(View::Front))[20][30];
     assert!(pixel[0] > 150 && pixel[1] < 40 && pixel[2] > 150, "{pixel:?}");
-    let size = crate::model::Bounds::around(scene.points().copied()).unwrap().size();
+    let size = model::Bounds::around(scene.points().copied()).unwrap().size();
     assert!(size.iter().all(|side| (side - 0.1).abs() < 1e-12));
 }
 
@@ -174,7 +174,7 @@ fn meshes_are_drawn_scaled_and_placed() {
     );
     let scene = scene(&tree, &robot, &Content::default());
     assert_eq!(scene.problems, Vec::<String>::new());
-    let bounds = crate::model::Bounds::around(scene.points().copied()).unwrap();
+    let bounds = model::Bounds::around(scene.points().copied()).unwrap();
     assert_eq!((bounds.min, bounds.max), ([0.0, 0.0, -3.0], [2.0, 3.0, 1.0]));
 }
 
@@ -187,7 +187,7 @@ fn collisions_instead_of_visuals() {
     );
     let content = Content { collisions: true, ..Content::default() };
     let scene = scene(&Tree::new(), &chain(&[both], ""), &content);
-    let size = crate::model::Bounds::around(scene.points().copied()).unwrap().size();
+    let size = model::Bounds::around(scene.points().copied()).unwrap().size();
     assert_eq!((scene.parts.len(), size[2]), (1, 4.0));
 }
 

@@ -2,7 +2,7 @@
 
 use super::messages::RootName;
 use super::places::Names;
-use crate::analysis::{RootChoice, World};
+use analysis::{RootChoice, World};
 
 /// Choices that are offered at most.
 const MOST: usize = 200;

@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 
 use serde::Serialize;
 
-use crate::base::{FastMap, FastSet};
+use base::{FastMap, FastSet};
 
 /// A file of a mesh, or one that a mesh needs.
 #[derive(Clone, Debug, PartialEq, Serialize)]

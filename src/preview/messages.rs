@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::model::Model;
 use super::places::Location;
-use crate::analysis::RootChoice;
+use analysis::RootChoice;
 
 /// A root as messages name it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]

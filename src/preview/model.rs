@@ -7,8 +7,8 @@ use serde::Serialize;
 use super::files::MeshFile;
 use super::places::{Location, Places};
 use super::shapes::{Shape, Shapes};
-use crate::expand::XId;
-use crate::model::{self, Robot, tag_start};
+use expand::XId;
+use model::{self, Robot, tag_start};
 
 /// Metres, and radians about fixed axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use crate::base::{Encoding, LineCol, TextRange};
-use crate::expand::{Expansion, FrameKind, Origin, Place};
+use base::{Encoding, LineCol, TextRange};
+use expand::{Expansion, FrameKind, Origin, Place};
 
 /// A line and a column, both from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -82,7 +82,7 @@ impl Places<'_> {
     }
 
     /// The path and the text range that a location names in a file of the expansion.
-    pub fn range(&self, location: &Location) -> Option<(crate::expand::FileIdx, TextRange)> {
+    pub fn range(&self, location: &Location) -> Option<(expand::FileIdx, TextRange)> {
         let path = (self.names.path)(&location.uri)?;
         let index = self.expansion.files.iter().position(|file| *file.source.path == *path)?;
         let document = &self.expansion.files.get(index)?.source.document;
@@ -91,7 +91,7 @@ impl Places<'_> {
         };
         let (start, end) = (offset(location.range.start), offset(location.range.end));
         let range = TextRange::new(start.min(end), start.max(end));
-        Some((crate::expand::FileIdx(index as u32), range))
+        Some((expand::FileIdx(index as u32), range))
     }
 }
 

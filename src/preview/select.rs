@@ -2,9 +2,9 @@
 
 use super::messages::Selection;
 use super::places::{Location, Places};
-use crate::base::TextRange;
-use crate::expand::{FileIdx, Origin, XId};
-use crate::model::{Robot, element_range, tag_start};
+use base::TextRange;
+use expand::{FileIdx, Origin, XId};
+use model::{Robot, element_range, tag_start};
 
 /// The links and joints that the text at a place makes: those whose elements stand around it, else those that came
 /// through the call there.

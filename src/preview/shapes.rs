@@ -8,11 +8,11 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::Serialize;
 
 use super::files::{Files, MeshFile};
-use crate::analysis::Session;
-use crate::base::{FastMap, FastSet};
-use crate::expand::{Expansion, Origin};
-use crate::model::{self, Material, Robot, ShapeKind};
-use crate::workspace::UriOutcome;
+use analysis::Session;
+use base::{FastMap, FastSet};
+use expand::{Expansion, Origin};
+use model::{self, Material, Robot, ShapeKind};
+use workspace::UriOutcome;
 
 /// What a body looks like; lengths in metres.
 #[derive(Clone, Debug, PartialEq, Serialize)]

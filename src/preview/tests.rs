@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use super::messages::ModelMessage;
 use super::model::Model;
 use super::{Names, Views, file_uri};
-use crate::analysis::{RootChoice, World};
-use crate::base::{CancelFlag, Encoding};
-use crate::vfs::testing::Tree;
+use analysis::{RootChoice, World};
+use base::{CancelFlag, Encoding};
+use vfs::testing::Tree;
 
 fn with_names<T>(work: impl FnOnce(&Names<'_>) -> T) -> T {
     let uri = |path: &Path| Some(file_uri(path));

@@ -11,11 +11,11 @@ use super::model::{Model, model};
 use super::places::{Location, Names, Places};
 use super::select;
 use super::shapes::Shapes;
-use crate::analysis::{Analyzed, RootChoice, Session, World};
-use crate::base::limits::{SENT_BYTES, SENT_ERRORS};
-use crate::base::{CancelFlag, Encoding, FastSet};
-use crate::expand::{Expansion, Read, Severity};
-use crate::model::Robot;
+use analysis::{Analyzed, RootChoice, Session, World};
+use base::limits::{SENT_BYTES, SENT_ERRORS};
+use base::{CancelFlag, Encoding, FastSet};
+use expand::{Expansion, Read, Severity};
+use model::Robot;
 
 /// All views.
 #[derive(Default)]
@@ -301,7 +301,7 @@ fn errors(names: &Names<'_>, analyzed: &Analyzed, root: &RootChoice) -> Vec<Mode
     let places = Places { names, expansion };
     let problems = expansion.problems.iter().filter(|p| p.severity == Severity::Error && !p.probed);
     let listed = problems.filter_map(|problem| {
-        let code = crate::rules::by_code(problem.code).map_or(problem.code, |rule| rule.name);
+        let code = rules::by_code(problem.code).map_or(problem.code, |rule| rule.name);
         let location = places.place(problem.place)?;
         Some(ModelError { message: problem.message.clone(), code: code.to_owned(), location })
     });

@@ -1,7 +1,7 @@
 //! Serial arms: moving joints one behind the other.
 
-use crate::base::FastSet;
-use crate::model::{Kinematics, Robot};
+use base::FastSet;
+use model::{Kinematics, Robot};
 
 /// Of more chains than two, most are legs or fingers; an arm has at least so many joints.
 const JOINTS_OF_ARM: usize = 5;

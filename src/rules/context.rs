@@ -7,13 +7,13 @@ use super::geometry::Resources;
 use super::package::{Manifests, Mention};
 use super::xacro::Mentions;
 use super::xml::{Numeric, Seen};
-use crate::base::FastSet;
-use crate::expand::{Expansion, FileIdx, XId};
-use crate::model::{Joint, Kinematics, Link, Meshes, Robot};
-use crate::vfs::{SourceFile, Vfs};
-use crate::workspace::Packages;
-use crate::workspace::config::Config;
-use crate::xml::{Attr, Document, Node, NodeKind};
+use base::FastSet;
+use expand::{Expansion, FileIdx, XId};
+use model::{Joint, Kinematics, Link, Meshes, Robot};
+use vfs::{SourceFile, Vfs};
+use workspace::Packages;
+use workspace::config::Config;
+use xml::{Attr, Document, Node, NodeKind};
 
 /// What an expanded file is taken for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

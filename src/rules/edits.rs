@@ -2,9 +2,9 @@
 
 use super::registry::Safety;
 use super::sink::Reported;
-use crate::base::TextRange;
-use crate::expand::{Expansion, FileIdx, FrameKind, Origin, XId};
-use crate::model::{Text, attr_range, element_range};
+use base::TextRange;
+use expand::{Expansion, FileIdx, FrameKind, Origin, XId};
+use model::{Text, attr_range, element_range};
 
 /// The file and the absolute range of an origin, and the text there.
 pub(super) fn source_text(expansion: &Expansion, origin: Origin) -> Option<(FileIdx, TextRange, String)> {

@@ -4,8 +4,8 @@ use ecow::EcoString;
 
 use super::grouping::Group;
 use super::registry::{Rule, Safety, Severity};
-use crate::base::Span;
-use crate::expand::Outside;
+use base::Span;
+use expand::Outside;
 
 /// A defect at its place.
 #[derive(Clone, Debug)]
@@ -34,7 +34,7 @@ pub struct Finding {
     pub probed: bool,
     /// What it shares with other findings that are the same defect; none: what the rule says.
     pub group: Option<Group>,
-    /// The further places, once findings are [grouped](crate::analysis::Report::grouped).
+    /// The further places, once findings are grouped.
     pub places: Vec<Related>,
 }
 

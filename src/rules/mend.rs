@@ -4,12 +4,12 @@ use std::path::Path;
 
 use super::finding::{Edit, Fix};
 use super::registry::Safety;
-use crate::base::{Span, TextRange};
-use crate::expand::Problem;
-use crate::expr::is_identifier;
-use crate::vfs::Vfs;
-use crate::workspace::nearest;
-use crate::xml::{Document, Node};
+use base::{Span, TextRange};
+use expand::Problem;
+use expr::is_identifier;
+use vfs::Vfs;
+use workspace::nearest;
+use xml::{Document, Node};
 
 /// How to mend a problem in a file, if there is a way.
 pub(super) fn fix(problem: &Problem, document: &Document, span: Span, vfs: &Vfs) -> Option<Fix> {

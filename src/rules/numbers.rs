@@ -5,9 +5,9 @@ use std::ops::Range;
 use super::edits::{is_called, source_text, speaks_xacro};
 use super::registry::Safety;
 use super::sink::Reported;
-use crate::base::FastSet;
-use crate::expand::{BindingKind, Expansion};
-use crate::model::{Text, decimal};
+use base::FastSet;
+use expand::{BindingKind, Expansion};
+use model::{Text, decimal};
 
 /// From here on, a limit, an effort or a velocity means "unknown" or "unlimited", whatever its unit.
 pub(super) const UNLIMITED: f64 = 1e3;

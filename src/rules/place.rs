@@ -1,8 +1,8 @@
 //! From the places of the expander to those that the pages of the rules promise.
 
 use super::finding::Related;
-use crate::base::{FileId, Span, TextRange};
-use crate::xml::{Document, Node, SyntaxErrorKind};
+use base::{FileId, Span, TextRange};
+use xml::{Document, Node, SyntaxErrorKind};
 
 /// The range to report for a problem of `code` that the expander places at `range`.
 pub(super) fn fit(code: &str, document: &Document, range: TextRange) -> TextRange {

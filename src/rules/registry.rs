@@ -7,7 +7,7 @@ use super::sink::Sink;
 use super::{
     control, conventions, frames, geometry, inertia, joint, linter, package, structure, style, xacro, xml,
 };
-use crate::workspace::nearest;
+use workspace::nearest;
 
 /// A rule.
 #[derive(Debug)]
@@ -113,12 +113,7 @@ pub enum Check {
 }
 
 /// The page of a rule.
-macro_rules! page {
-    ($name:literal) => {
-        include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/rules/", $name, ".md"))
-    };
-}
-pub(super) use page;
+pub(super) use docs::rule as page;
 
 impl Rule {
     /// A rule that the expander finds.

@@ -15,12 +15,12 @@ use super::semantic::{holds_for_semantic, is_semantic};
 use super::sink::{Sink, limit_calls, span};
 use super::vocabulary::outside_free_zones;
 use super::xacro::{is_unprefixed, shadowing_is_news};
-use crate::base::{CancelFlag, FastMap, FastSet, FileId, Span, TextRange};
-use crate::expand::{Expansion, FileIdx, FileUse, Problem, Step};
-use crate::facts::is_keyword;
-use crate::model::{Kinematics, Robot};
-use crate::vfs::Vfs;
-use crate::xml::{Node, SyntaxError, SyntaxErrorKind};
+use base::{CancelFlag, FastMap, FastSet, FileId, Span, TextRange};
+use expand::{Expansion, FileIdx, FileUse, Problem, Step};
+use facts::is_keyword;
+use model::{Kinematics, Robot};
+use vfs::Vfs;
+use xml::{Node, SyntaxError, SyntaxErrorKind};
 
 /// Problems after which links and joints may be missing from the expansion.
 const LOSES_CONTENT: [&str; 8] =

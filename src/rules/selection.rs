@@ -2,7 +2,7 @@
 
 use super::finding::Finding;
 use super::registry::{Activation, Rule, Severity, all};
-use crate::base::{FastMap, FastSet};
+use base::{FastMap, FastSet};
 
 /// What was configured; lists hold codes, beginnings of codes, or names.
 #[derive(Clone, Debug, Default)]

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use super::registry::{Category, Check, Rule};
-use crate::expand::Expansion;
-use crate::xml::{Document, Node, NodeKind};
+use expand::Expansion;
+use xml::{Document, Node, NodeKind};
 
 /// Elements that only SRDF knows.
 const ELEMENTS: [&str; 10] = [

@@ -5,9 +5,9 @@ use std::hash::{Hash, Hasher};
 use super::finding::{Edit, Finding, Fix, Related, Way};
 use super::grouping::Group;
 use super::registry::{Rule, Safety, Severity};
-use crate::base::limits::FINDINGS_OF_A_RULE;
-use crate::base::{FastMap, FastSet, Span, TextRange};
-use crate::expand::{Expansion, FileIdx, Frame, FrameKind, Origin, Place, argument, is_partial};
+use base::limits::FINDINGS_OF_A_RULE;
+use base::{FastMap, FastSet, Span, TextRange};
+use expand::{Expansion, FileIdx, Frame, FrameKind, Origin, Place, argument, is_partial};
 
 /// Collects findings of one expansion. A place that several expansions of one source text lead to is
 /// reported once, with all the calls that lead there.
@@ -135,7 +135,7 @@ impl<'a> Sink<'a> {
     /// The start of the root file, for what has no place of its own.
     fn nowhere(&self) -> Span {
         let place = Place { file: FileIdx(0), range: TextRange::default() };
-        self.span(place).unwrap_or(Span { file: crate::base::FileId(0), range: TextRange::default() })
+        self.span(place).unwrap_or(Span { file: base::FileId(0), range: TextRange::default() })
     }
 
     fn span(&self, place: Place) -> Option<Span> {

@@ -1,6 +1,6 @@
 //! The numbers of rules that `thresholds.*` of the configuration can change.
 
-use crate::workspace::config::Config;
+use workspace::config::Config;
 
 /// A number of a rule.
 #[derive(Clone, Copy, Debug, PartialEq)]

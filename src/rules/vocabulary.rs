@@ -1,7 +1,7 @@
 //! The words of URDF and of xacro.
 
 use super::schema;
-use crate::xml::Node;
+use xml::Node;
 
 /// Whether URDF knows an element.
 pub(super) fn is_urdf_element(name: &str) -> bool {

@@ -21,15 +21,15 @@ use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
 use super::outbox::Question;
-use crate::analysis::{Report, apply};
-use crate::base::limits::{PROOF_EXPANSIONS, QUICK_PROOF_EXPANSIONS};
-use crate::base::{CancelFlag, Span, TextRange};
-use crate::facts::{FactKind, facts};
-use crate::ide::{self, Action, ActionKind, MacroFile};
-use crate::rules::{Edit, Finding};
-use crate::vfs::SourceFile;
-use crate::workspace::config::find_config;
-use crate::xml::Document;
+use analysis::{Report, apply};
+use base::limits::{PROOF_EXPANSIONS, QUICK_PROOF_EXPANSIONS};
+use base::{CancelFlag, Span, TextRange};
+use facts::{FactKind, facts};
+use ide::{self, Action, ActionKind, MacroFile};
+use rules::{Edit, Finding};
+use vfs::SourceFile;
+use workspace::config::find_config;
+use xml::Document;
 
 /// All safe fixes of a file at once.
 const FIX_ALL: CodeActionKind = CodeActionKind::new("source.fixAll.xacro");

@@ -9,8 +9,8 @@ use lsp_types::{
 use super::engine::Engine;
 use super::failure::Failure;
 use super::navigation::Asked;
-use crate::base::{CancelFlag, Span};
-use crate::ide::{self, Caller};
+use base::{CancelFlag, Span};
+use ide::{self, Caller};
 
 impl Engine {
     pub fn prepare_calls(

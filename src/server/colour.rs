@@ -8,8 +8,8 @@ use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
 use super::tokens::start_of;
-use crate::base::CancelFlag;
-use crate::ide;
+use base::CancelFlag;
+use ide;
 
 impl Engine {
     pub fn colours(

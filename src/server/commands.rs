@@ -6,7 +6,7 @@ use serde_json::Value;
 use super::client::ClientFacts;
 use super::engine::Engine;
 use super::failure::Failure;
-use crate::base::CancelFlag;
+use base::CancelFlag;
 
 /// Makes the edits of an action, for clients that take actions as commands only.
 pub(super) const APPLY: &str = "xacro.applyEdit";

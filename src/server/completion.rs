@@ -14,10 +14,10 @@ use serde::{Deserialize, Serialize};
 use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
-use crate::analysis::{Analyzed, RootChoice};
-use crate::base::{CancelFlag, TextRange};
-use crate::ide::{self, Completion, Completions, ItemKind, Scope, Signature, Sources, Topic};
-use crate::vfs::SourceFile;
+use analysis::{Analyzed, RootChoice};
+use base::{CancelFlag, TextRange};
+use ide::{self, Completion, Completions, ItemKind, Scope, Signature, Sources, Topic};
+use vfs::SourceFile;
 
 /// What comes back when an item is looked at.
 #[derive(Serialize, Deserialize)]

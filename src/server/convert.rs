@@ -6,9 +6,9 @@ use std::sync::Arc;
 use lsp_types::{Location, Position, Range, Url};
 
 use super::engine::Engine;
-use crate::base::{Encoding, FastMap, FileId, LineCol, Span, TextRange};
-use crate::vfs::SourceFile;
-use crate::xml::Document;
+use base::{Encoding, FastMap, FileId, LineCol, Span, TextRange};
+use vfs::SourceFile;
+use xml::Document;
 
 /// The path a document is kept under. What is no file keeps its whole name, below no folder.
 pub(super) fn path(uri: &Url) -> PathBuf {

@@ -17,10 +17,10 @@ use lsp_types::{
 use super::convert::Places;
 use super::engine::Engine;
 use super::failure::Failure;
-use crate::analysis::{Report, mark_groups};
-use crate::base::limits::{DIAGNOSTICS, RELATED};
-use crate::base::{CancelFlag, Span};
-use crate::rules::{Finding, Severity};
+use analysis::{Report, mark_groups};
+use base::limits::{DIAGNOSTICS, RELATED};
+use base::{CancelFlag, Span};
+use rules::{Finding, Severity};
 
 /// A diagnostic and the file it is shown in.
 type Shown = (PathBuf, Diagnostic);

@@ -14,9 +14,9 @@ use super::convert;
 use super::failure::Failure;
 use super::letterbox::{Job, Pressure};
 use super::outbox::Outbox;
-use crate::analysis::World;
-use crate::base::Encoding;
-use crate::vfs::{Environment, SourceFile};
+use analysis::World;
+use base::Encoding;
+use vfs::{Environment, SourceFile};
 
 /// An open document.
 #[derive(Clone, Debug)]
@@ -43,11 +43,11 @@ pub(super) struct Engine {
     /// The semantic tokens that were sent last, by path.
     pub sent_tokens: BTreeMap<PathBuf, super::tokens::Sent>,
     /// Macro calls that the user picked, by root.
-    pub pins: BTreeMap<PathBuf, crate::ide::Pin>,
+    pub pins: BTreeMap<PathBuf, ide::Pin>,
     /// Under which root the client was told that each open file is shown.
     pub told: BTreeMap<PathBuf, serde_json::Value>,
     /// Which hints are shown.
-    pub hint_settings: crate::ide::HintSettings,
+    pub hint_settings: ide::HintSettings,
     /// Files that were edited since diagnostics were made the last time, even in haste.
     pub touched: BTreeSet<PathBuf>,
     /// Open files with errors of closed files, shown at the calls.
@@ -101,7 +101,7 @@ impl Engine {
             sent_tokens: BTreeMap::new(),
             pins: BTreeMap::new(),
             told: BTreeMap::new(),
-            hint_settings: crate::ide::HintSettings::default(),
+            hint_settings: ide::HintSettings::default(),
             touched: BTreeSet::new(),
             with_calls: BTreeSet::new(),
             wants_check: true,
@@ -180,7 +180,7 @@ impl Engine {
     /// Fail as a fault of ours would.
     #[cfg(debug_assertions)]
     #[allow(clippy::panic, reason = "that is what it is for")]
-    pub fn fail(&mut self, (): (), _: &crate::base::CancelFlag) -> Result<serde_json::Value, Failure> {
+    pub fn fail(&mut self, (): (), _: &base::CancelFlag) -> Result<serde_json::Value, Failure> {
         panic!("this job was asked to fail")
     }
 

@@ -8,7 +8,7 @@ use std::time::Duration;
 use tower::Service;
 use tower_lsp::jsonrpc::Request;
 
-use crate::vfs::is_process_alive;
+use vfs::is_process_alive;
 
 /// Whether `shutdown` was asked for: the exit code hangs on it.
 #[derive(Clone, Debug, Default)]

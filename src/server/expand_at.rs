@@ -11,9 +11,9 @@ use super::engine::Engine;
 use super::expansion::Root;
 use super::failure::Failure;
 use super::navigation::Asked;
-use crate::analysis::RootChoice;
-use crate::base::CancelFlag;
-use crate::ide;
+use analysis::RootChoice;
+use base::CancelFlag;
+use ide;
 
 #[derive(Clone, Debug, Deserialize)]
 pub(super) struct ExpandAtParams {

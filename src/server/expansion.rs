@@ -8,10 +8,10 @@ use serde::{Deserialize, Serialize};
 
 use super::engine::Engine;
 use super::failure::Failure;
-use crate::analysis::{RootChoice, World};
-use crate::base::{CancelFlag, Span};
-use crate::expand::{Expansion, Place, Severity};
-use crate::ide::SourceMap;
+use analysis::{RootChoice, World};
+use base::{CancelFlag, Span};
+use expand::{Expansion, Place, Severity};
+use ide::SourceMap;
 
 /// A root as the protocol names it.
 #[derive(Clone, Debug, Serialize, Deserialize, PartialEq, Eq)]
@@ -122,7 +122,7 @@ impl Engine {
             let stack = problem.trace.iter().filter_map(|step| {
                 Some(StackEntry { name: step.message.clone(), location: place(step.place)? })
             });
-            let code = crate::rules::by_code(problem.code).map_or(problem.code, |rule| rule.name);
+            let code = rules::by_code(problem.code).map_or(problem.code, |rule| rule.name);
             Some(ExpandError {
                 message: problem.message.clone(),
                 code: code.to_owned(),

@@ -13,11 +13,11 @@ use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
 use super::tokens::start_of;
-use crate::base::CancelFlag;
-use crate::base::limits::REWRITTEN_MESH_BYTES;
-use crate::ide::{self, Move};
-use crate::model::plain_stl;
-use crate::vfs::write_atomically;
+use base::CancelFlag;
+use base::limits::REWRITTEN_MESH_BYTES;
+use ide::{self, Move};
+use model::plain_stl;
+use vfs::write_atomically;
 
 /// The files whose names stand in descriptions.
 const FILES: &str =

@@ -7,10 +7,10 @@ use lsp_types::{DocumentFormattingParams, DocumentRangeFormattingParams, Formatt
 use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
-use crate::base::{CancelFlag, TextRange};
-use crate::ide::{self, Indent};
-use crate::workspace::config::Format;
-use crate::xml::Document;
+use base::{CancelFlag, TextRange};
+use ide::{self, Indent};
+use workspace::config::Format;
+use xml::Document;
 
 impl Engine {
     pub fn format(

@@ -10,7 +10,7 @@ use serde::{Deserialize, Deserializer};
 use serde_json::{Value, json};
 use tower_lsp::jsonrpc::{Request, Response};
 
-use crate::base::limits::{HEADER_BYTES, MESSAGE_BYTES};
+use base::limits::{HEADER_BYTES, MESSAGE_BYTES};
 
 /// Our own notification about what was no message.
 pub(super) const BAD_MESSAGE: &str = "xacro/badMessage";

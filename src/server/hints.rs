@@ -11,8 +11,8 @@ use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
 use super::tokens::start_of;
-use crate::base::CancelFlag;
-use crate::ide::{self, HintKind, HintSettings};
+use base::CancelFlag;
+use ide::{self, HintKind, HintSettings};
 
 /// What is needed to say more about a hint.
 #[derive(Serialize, Deserialize)]

@@ -6,9 +6,9 @@ use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
 use super::navigation::Asked;
-use crate::base::CancelFlag;
-use crate::ide::{self, Cx, Hover};
-use crate::vfs::SourceFile;
+use base::CancelFlag;
+use ide::{self, Cx, Hover};
+use vfs::SourceFile;
 
 impl Engine {
     pub fn hover(

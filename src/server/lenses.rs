@@ -13,8 +13,8 @@ use super::engine::Engine;
 use super::failure::Failure;
 use super::navigation::Asked;
 use super::tokens::start_of;
-use crate::base::{CancelFlag, TextRange};
-use crate::ide;
+use base::{CancelFlag, TextRange};
+use ide;
 
 /// The macro whose calls a lens counts.
 #[derive(Clone, Debug, Serialize, Deserialize)]

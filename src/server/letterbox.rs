@@ -12,7 +12,7 @@ use tower_lsp::jsonrpc;
 
 use super::engine::Engine;
 use super::failure::Failure;
-use crate::base::CancelFlag;
+use base::CancelFlag;
 
 /// Work for the analysis thread.
 pub(super) type Job = Box<dyn FnOnce(&mut Engine) + Send>;

@@ -15,10 +15,10 @@ use super::engine::Engine;
 use super::exit::{Shutdown, watch_process};
 use super::failure::Failure;
 use super::outbox::Question;
-use crate::base::{CancelFlag, Encoding};
-use crate::ide::HintSettings;
-use crate::vfs::is_process_alive;
-use crate::workspace::config::unknown_settings;
+use base::{CancelFlag, Encoding};
+use ide::HintSettings;
+use vfs::is_process_alive;
+use workspace::config::unknown_settings;
 
 impl Engine {
     pub fn initialize(

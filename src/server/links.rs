@@ -6,8 +6,8 @@ use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
 use super::tokens::start_of;
-use crate::base::CancelFlag;
-use crate::ide::{self, FileName, FileTarget};
+use base::CancelFlag;
+use ide::{self, FileName, FileTarget};
 
 impl Engine {
     pub fn links(

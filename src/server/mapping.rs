@@ -8,10 +8,10 @@ use serde::{Deserialize, Serialize};
 use super::engine::Engine;
 use super::expansion::Root;
 use super::failure::Failure;
-use crate::analysis::{Analyzed, RootChoice};
-use crate::base::{CancelFlag, TextRange};
-use crate::expand::{FrameId, FrameKind, MapKind, Origin};
-use crate::ide::{self, Lines, SourceMap};
+use analysis::{Analyzed, RootChoice};
+use base::{CancelFlag, TextRange};
+use expand::{FrameId, FrameKind, MapKind, Origin};
+use ide::{self, Lines, SourceMap};
 
 #[derive(Clone, Debug, Deserialize)]
 pub(super) struct ToSourceParams {
@@ -81,7 +81,7 @@ impl Engine {
     fn mapped(&self, analyzed: &Analyzed, origin: Origin, role: &'static str) -> Option<SourceLocation> {
         let place = analyzed.expansion.place(origin)?;
         let file = analyzed.expansion.files.get(place.file.0 as usize)?.source.id;
-        let location = self.location(crate::base::Span { file, range: place.range })?;
+        let location = self.location(base::Span { file, range: place.range })?;
         Some(SourceLocation { location, role })
     }
 
@@ -96,7 +96,7 @@ impl Engine {
         let written = analyzed.written();
         let lines = Lines::of(&written.text, self.encoding);
         let file = analyzed.expansion.files.iter().position(|file| *file.source.path == *path);
-        let file = file.map(|index| crate::expand::FileIdx(index as u32));
+        let file = file.map(|index| expand::FileIdx(index as u32));
         let found =
             file.map(|file| ide::instances(&analyzed.expansion, written, file, offset)).unwrap_or_default();
         let instance = |(out, frame): (TextRange, FrameId)| Instance {
@@ -142,7 +142,7 @@ impl Engine {
 
     /// The source map of an expansion, its files named by URI.
     pub fn map_of(&self, analyzed: &Analyzed) -> SourceMap {
-        let name = |file: &crate::expand::FileUse| {
+        let name = |file: &expand::FileUse| {
             self.uri(&file.source.path).map_or_else(|| file.name.clone(), |uri| uri.to_string())
         };
         ide::source_map(&analyzed.expansion, analyzed.written(), self.encoding, name)

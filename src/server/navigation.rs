@@ -10,11 +10,11 @@ use lsp_types::{
 use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
-use crate::analysis::{Analyzed, RootChoice};
-use crate::base::{CancelFlag, Span, TextRange};
-use crate::expand::FrameId;
-use crate::ide::{self, Cx, FilePlace, Target};
-use crate::vfs::SourceFile;
+use analysis::{Analyzed, RootChoice};
+use base::{CancelFlag, Span, TextRange};
+use expand::FrameId;
+use ide::{self, Cx, FilePlace, Target};
+use vfs::SourceFile;
 
 /// A place in a file under its active root.
 pub(super) struct Asked {
@@ -137,7 +137,7 @@ impl Engine {
     pub fn about_files<T>(
         &self,
         asked: &Asked,
-        answer: impl Fn(&Cx<'_>, crate::rules::Surroundings<'_>, u32) -> Option<T>,
+        answer: impl Fn(&Cx<'_>, rules::Surroundings<'_>, u32) -> Option<T>,
     ) -> Option<T> {
         let session = self.world.session();
         let settings = session.settings(&asked.source.path);

@@ -17,10 +17,10 @@ use super::expansion::Root;
 use super::failure::Failure;
 #[cfg(feature = "preview")]
 use super::outbox::Question;
-use crate::analysis::RootChoice;
-use crate::base::limits::VIEWS;
-use crate::base::{CancelFlag, Encoding};
-use crate::preview::{Location, ModelMessage, Names, Selection, Views};
+use analysis::RootChoice;
+use base::limits::VIEWS;
+use base::{CancelFlag, Encoding};
+use preview::{Location, ModelMessage, Names, Selection, Views};
 
 /// The views of the client and of browsers.
 #[derive(Default)]
@@ -31,7 +31,7 @@ pub(super) struct Previews {
     /// The views that the client subscribed to.
     pub subscribed: BTreeSet<u32>,
     #[cfg(feature = "preview")]
-    pub hub: Option<std::sync::Arc<crate::preview::Hub>>,
+    pub hub: Option<std::sync::Arc<preview::Hub>>,
 }
 
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -272,8 +272,8 @@ mod pages {
 
     use super::super::outbox::Question;
     use super::{Engine, Failure, Location, Root, ShowParams, Url, convert};
-    use crate::base::CancelFlag;
-    use crate::preview::{FromViewer, Hub, Received, RootName};
+    use base::CancelFlag;
+    use preview::{FromViewer, Hub, Received, RootName};
 
     impl Engine {
         /// The server for browsers, started when it is needed first.
@@ -337,7 +337,7 @@ mod pages {
         }
     }
 
-    fn point(point: crate::preview::Point) -> lsp_types::Position {
+    fn point(point: preview::Point) -> lsp_types::Position {
         lsp_types::Position::new(point.line, point.character)
     }
 }

@@ -12,9 +12,9 @@ use super::convert::Places;
 use super::diagnostics::fingerprint;
 use super::engine::Engine;
 use super::outbox::notification;
-use crate::base::limits::{DIAGNOSTICS, RELATED};
-use crate::base::{FastMap, Span};
-use crate::rules::{Finding, Fix};
+use base::limits::{DIAGNOSTICS, RELATED};
+use base::{FastMap, Span};
+use rules::{Finding, Fix};
 
 /// What the client was told last.
 #[derive(Default)]

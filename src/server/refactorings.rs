@@ -17,12 +17,12 @@ use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
 use super::navigation::Asked;
-use crate::base::limits::QUICK_PROOF_EXPANSIONS;
-use crate::base::{CancelFlag, TextRange};
-use crate::facts::{MentionKind, facts};
-use crate::ide::{self, Action, ActionKind};
-use crate::vfs::SourceFile;
-use crate::xml::Document;
+use base::limits::QUICK_PROOF_EXPANSIONS;
+use base::{CancelFlag, TextRange};
+use facts::{MentionKind, facts};
+use ide::{self, Action, ActionKind};
+use vfs::SourceFile;
+use xml::Document;
 
 /// Robots of fewer nodes are expanded in a few milliseconds.
 const SMALL: usize = 5_000;
@@ -222,6 +222,6 @@ fn disabled(title: String, of: ActionKind, reason: String) -> CodeAction {
 
 /// Whether an expression of a document reads a name.
 fn mentions(document: &Document, name: &str) -> bool {
-    let reads = |mention: &crate::facts::Mention| mention.kind == MentionKind::Name && mention.name == name;
+    let reads = |mention: &facts::Mention| mention.kind == MentionKind::Name && mention.name == name;
     facts(document).any(|(_, facts)| facts.mentions().any(reads))
 }

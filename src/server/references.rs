@@ -7,13 +7,13 @@ use lsp_types::{Location, ReferenceParams};
 use super::engine::Engine;
 use super::failure::Failure;
 use super::navigation::Asked;
-use crate::analysis::Analyzed;
-use crate::base::limits::RENAME_ROBOTS;
-use crate::base::{CancelFlag, Span, TextRange};
-use crate::expand::Read;
-use crate::ide::{self, Cx, NameUse, RobotThing};
-use crate::vfs::SourceFile;
-use crate::yaml::{Kind, Node};
+use analysis::Analyzed;
+use base::limits::RENAME_ROBOTS;
+use base::{CancelFlag, Span, TextRange};
+use expand::Read;
+use ide::{self, Cx, NameUse, RobotThing};
+use vfs::SourceFile;
+use yaml::{Kind, Node};
 
 impl Engine {
     pub fn references(

@@ -13,12 +13,12 @@ use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
 use super::navigation::Asked;
-use crate::base::limits::{QUICK_PROOF_EXPANSIONS, RENAME_ROBOTS};
-use crate::base::{CancelFlag, Span, TextRange};
-use crate::expand::SymbolKind;
-use crate::ide::{self, Cx};
-use crate::workspace::config::{argument_places, files_named};
-use crate::workspace::is_built;
+use base::limits::{QUICK_PROOF_EXPANSIONS, RENAME_ROBOTS};
+use base::{CancelFlag, Span, TextRange};
+use expand::SymbolKind;
+use ide::{self, Cx};
+use workspace::config::{argument_places, files_named};
+use workspace::is_built;
 
 impl Engine {
     pub fn prepare_rename(

@@ -9,10 +9,10 @@ use serde_json::{Value, json};
 use super::engine::Engine;
 use super::expansion::{ExpandError, Root};
 use super::failure::Failure;
-use crate::analysis::{Analyzed, Context, RootChoice};
-use crate::base::CancelFlag;
-use crate::expand::Origin;
-use crate::ide;
+use analysis::{Analyzed, Context, RootChoice};
+use base::CancelFlag;
+use expand::Origin;
+use ide;
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
@@ -233,6 +233,6 @@ impl Engine {
     fn origin_location(&self, analyzed: &Analyzed, origin: Origin) -> Option<Location> {
         let place = analyzed.expansion.place(origin)?;
         let file = analyzed.expansion.files.get(place.file.0 as usize)?.source.id;
-        self.location(crate::base::Span { file, range: place.range })
+        self.location(base::Span { file, range: place.range })
     }
 }

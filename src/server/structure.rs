@@ -9,10 +9,10 @@ use lsp_types::{
 use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
-use crate::base::CancelFlag;
-use crate::base::limits::SYMBOLS;
-use crate::ide::{self, FoldKind, Outline, OutlineKind};
-use crate::xml::Document;
+use base::CancelFlag;
+use base::limits::SYMBOLS;
+use ide::{self, FoldKind, Outline, OutlineKind};
+use xml::Document;
 
 /// What may be typed in both tags at once.
 const NAME: &str = "[^\\s<>/=\"']+";

@@ -13,8 +13,8 @@ use lsp_types::{
 use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
-use crate::base::{CancelFlag, Encoding, TextRange};
-use crate::ide::{self, Token, TokenKind};
+use base::{CancelFlag, Encoding, TextRange};
+use ide::{self, Token, TokenKind};
 
 /// The kinds in the order of their numbers.
 const KINDS: &[(TokenKind, SemanticTokenType)] = &[
@@ -176,7 +176,7 @@ fn encoded(text: &str, tokens: &[Token], encoding: Encoding) -> Vec<SemanticToke
 /// The offset behind the end of the line that begins at `start`; none for the last line.
 fn line_end(text: &str, start: u32) -> Option<u32> {
     let rest = text.get(start as usize..)?;
-    let end = crate::base::line_end(rest);
+    let end = base::line_end(rest);
     let wide = rest.get(end..)?.starts_with("\r\n");
     (end < rest.len()).then_some(start + end as u32 + 1 + u32::from(wide))
 }

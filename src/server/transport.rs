@@ -22,7 +22,7 @@ use tower_lsp::jsonrpc::{Request, Response};
 
 use super::exit::Shutdown;
 use super::framing::{self, Incoming};
-use crate::vfs::unbuffered_stdout;
+use vfs::unbuffered_stdout;
 
 /// Handlers only wait, so there may be many of them: a slow answer never holds back an edit.
 const HANDLERS_AT_ONCE: usize = 1024;

@@ -5,10 +5,10 @@ use lsp_types::{Location, SymbolInformation, SymbolKind, WorkspaceSymbolParams};
 use super::convert;
 use super::engine::Engine;
 use super::failure::Failure;
-use crate::base::CancelFlag;
-use crate::base::limits::WORKSPACE_SYMBOLS;
-use crate::facts::FactKind;
-use crate::ide;
+use base::CancelFlag;
+use base::limits::WORKSPACE_SYMBOLS;
+use facts::FactKind;
+use ide;
 
 impl Engine {
     #[allow(deprecated)] // the protocol's struct has a deprecated field
@@ -52,7 +52,7 @@ impl Engine {
         let Some(first) = folders.first() else { return Vec::new() };
         let entries = self.world.session().packages.all(&first.join("package.xml")).into_iter();
         let own = entries.filter(|entry| folders.iter().any(|folder| entry.path.starts_with(folder)));
-        let symbol = |entry: crate::workspace::Entry| {
+        let symbol = |entry: workspace::Entry| {
             let cost = ide::fit(query, &entry.name)?;
             let uri = self.uri(&entry.path.join("package.xml"))?;
             let symbol = SymbolInformation {

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use super::read::{self, Identity};
 use super::{SourceFile, TextFile};
-use crate::base::{FileId, TextRange};
+use base::{FileId, TextRange};
 
 /// One state of an open buffer. Text and tree are made when first asked for, one from the other.
 pub(super) struct Buffer {

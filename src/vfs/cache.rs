@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::error::LoadError;
 use super::read::Stamp;
-use crate::base::{FastMap, FileId};
+use base::{FastMap, FileId};
 
 type Cell<T> = Arc<OnceLock<Result<Arc<T>, LoadError>>>;
 

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::{Vfs, entries};
-use crate::base::limits::GLOB_FILES;
+use base::limits::GLOB_FILES;
 
 /// Why nobody knows all files of a pattern.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

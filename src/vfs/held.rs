@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::error::LoadError;
 use super::read::{self, Stat};
 use super::{DirEntry, Vfs};
-use crate::base::{FastMap, FileId};
+use base::{FastMap, FileId};
 
 /// What was asked about files since somebody began to hold them.
 #[derive(Default)]

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, PoisonError, RwLock};
 
-use crate::base::{FastMap, FileId};
+use base::{FastMap, FileId};
 
 /// Numbers of paths, given out in order of first use and never taken back.
 #[derive(Default)]

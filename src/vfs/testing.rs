@@ -1,4 +1,6 @@
-//! Temporary folder trees for tests.
+//! Temporary folder trees, for tests of all crates.
+
+#![allow(clippy::unwrap_used, clippy::disallowed_methods, reason = "a test may fail loudly")]
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -9,14 +11,14 @@ use super::{Environment, Vfs};
 static NEXT: AtomicU32 = AtomicU32::new(0);
 
 /// A folder that goes away with the value.
-pub(crate) struct Tree {
+pub struct Tree {
     root: PathBuf,
     vfs: Arc<Vfs>,
 }
 
 impl Tree {
     /// An empty folder.
-    pub(crate) fn new() -> Self {
+    pub fn new() -> Self {
         let number = NEXT.fetch_add(1, Ordering::Relaxed);
         let name = format!("xacro-lsp-test-{}-{number}", std::process::id());
         let root = std::env::temp_dir().canonicalize().unwrap().join(name);
@@ -26,29 +28,29 @@ impl Tree {
     }
 
     /// The folder itself.
-    pub(crate) fn root(&self) -> &Path {
+    pub fn root(&self) -> &Path {
         &self.root
     }
 
     /// A place below it.
-    pub(crate) fn path(&self, relative: &str) -> PathBuf {
+    pub fn path(&self, relative: &str) -> PathBuf {
         self.root.join(relative)
     }
 
     /// Its file system; the working directory is the root.
-    pub(crate) fn vfs(&self) -> &Arc<Vfs> {
+    pub fn vfs(&self) -> &Arc<Vfs> {
         &self.vfs
     }
 
     /// Write a file and the folders above it.
-    pub(crate) fn write(&self, relative: &str, text: &str) {
+    pub fn write(&self, relative: &str, text: &str) {
         let path = self.path(relative);
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();
         std::fs::write(path, text).unwrap();
     }
 
     /// An environment with the root as working directory; `{root}` in values stands for it.
-    pub(crate) fn environment(&self, vars: &[(&str, &str)]) -> Environment {
+    pub fn environment(&self, vars: &[(&str, &str)]) -> Environment {
         let root = self.root.to_str().unwrap();
         let vars = vars.iter().map(|(name, value)| ((*name).to_owned(), value.replace("{root}", root)));
         Environment { vars: vars.collect(), cwd: self.root.clone() }

@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use super::testing::Tree;
 use super::{LoadErrorKind, Vfs};
-use crate::base::TextRange;
+use base::TextRange;
 
 #[test]
 fn ids_follow_the_spelling() {

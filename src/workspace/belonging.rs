@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::Packages;
-use crate::base::FastSet;
+use base::FastSet;
 
 /// What is said instead of a message about a file that belongs to no robot: the message may quote the file.
 pub const UNQUOTED: &str =
@@ -52,7 +52,7 @@ impl Vicinity<'_> {
 #[cfg(test)]
 mod tests {
     use super::super::{PackageOptions, Packages};
-    use crate::vfs::testing::Tree;
+    use vfs::testing::Tree;
 
     #[test]
     fn what_belongs() {

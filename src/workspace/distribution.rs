@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::Packages;
 use super::manifest::MANIFEST;
-use crate::base::limits::CALLER_BYTES;
+use base::limits::CALLER_BYTES;
 
 /// Distributions before Jazzy that have ros2_control.
 /// Without Iron, whose name is a word of workshops.
@@ -55,8 +55,8 @@ impl Packages {
 
 #[cfg(test)]
 mod tests {
-    use crate::vfs::testing::Tree;
-    use crate::workspace::{PackageOptions, Packages};
+    use vfs::testing::Tree;
+    use crate::{PackageOptions, Packages};
 
     #[test]
     fn distributions_that_are_named() {

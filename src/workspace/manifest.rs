@@ -4,8 +4,8 @@ use std::path::Path;
 
 use roxmltree::{Document, ParsingOptions};
 
-use crate::base::limits::MANIFEST_NODES;
-use crate::vfs::Vfs;
+use base::limits::MANIFEST_NODES;
+use vfs::Vfs;
 
 /// File that makes a folder a package.
 pub(super) const MANIFEST: &str = "package.xml";

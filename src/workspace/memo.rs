@@ -3,7 +3,7 @@
 use std::hash::Hash;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use crate::base::FastMap;
+use base::FastMap;
 
 /// Answers by question. Threads that ask the same at the same time share one search; the lock is not
 /// held while searching.

@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use super::packages::{Packages, without_parents};
 use super::root::is_built;
-use crate::base::limits::{NAMESAKE_DEPTH, NAMESAKE_FILES};
-use crate::base::{FastMap, FastSet};
-use crate::vfs::Vfs;
+use base::limits::{NAMESAKE_DEPTH, NAMESAKE_FILES};
+use base::{FastMap, FastSet};
+use vfs::Vfs;
 
 /// The files below a folder by name in small letters.
 #[derive(Debug, Default)]
@@ -75,8 +75,8 @@ fn common_tail(a: &Path, b: &Path) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use crate::vfs::testing::Tree;
-    use crate::workspace::{PackageOptions, Packages};
+    use vfs::testing::Tree;
+    use crate::{PackageOptions, Packages};
 
     #[test]
     fn the_likest_one_in_the_package_then_in_the_workspace() {

@@ -12,8 +12,8 @@ use super::root::workspace_root;
 use super::scan::{Rules, Tree, scan};
 use super::similar::{edit_distance, has_part, nearest};
 use super::steps::{Layout, Prefix, Step, distributions, overlays};
-use crate::base::FastSet;
-use crate::vfs::{Environment, Vfs};
+use base::FastSet;
+use vfs::{Environment, Vfs};
 
 /// Generation of ROS that files are written for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

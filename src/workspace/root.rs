@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use super::manifest::MANIFEST;
-use crate::vfs::Vfs;
+use vfs::Vfs;
 
 /// Folders that colcon and catkin make beside `src`; nothing in them is a source.
 const BUILT: [&str; 4] = ["install", "build", "devel", "log"];
@@ -47,7 +47,7 @@ fn is_workspace(vfs: &Vfs, folder: &Path, start: &Path) -> bool {
 #[cfg(test)]
 mod tests {
     use super::workspace_root;
-    use crate::vfs::testing::Tree;
+    use vfs::testing::Tree;
 
     #[test]
     fn roots() {

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use super::install::BUILD_FILES;
 use super::manifest::{self, MANIFEST};
 use super::root::is_built;
-use crate::base::limits::{SCAN_DEPTH, SCAN_FOLDERS};
-use crate::base::{FastMap, FastSet};
-use crate::vfs::{DirEntry, Vfs};
+use base::limits::{SCAN_DEPTH, SCAN_FOLDERS};
+use base::{FastMap, FastSet};
+use vfs::{DirEntry, Vfs};
 
 /// What a kind of tree takes in and leaves out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -106,7 +106,7 @@ pub(super) fn scan(vfs: &Vfs, top: &Path, rules: Rules) -> Tree {
 #[cfg(test)]
 mod tests {
     use super::{Rules, scan};
-    use crate::vfs::testing;
+    use vfs::testing;
 
     fn tree(files: &[&str]) -> testing::Tree {
         let tree = testing::Tree::new();

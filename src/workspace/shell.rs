@@ -44,8 +44,8 @@ impl Packages {
 
 #[cfg(test)]
 mod tests {
-    use crate::vfs::testing::Tree;
-    use crate::workspace::{PackageOptions, Packages, RosVariable};
+    use vfs::testing::Tree;
+    use crate::{PackageOptions, Packages, RosVariable};
 
     #[test]
     fn the_generation_follows_the_build_type() {

@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use super::manifest::MANIFEST;
-use crate::vfs::Vfs;
+use vfs::Vfs;
 
 const INDEX: &str = "share/ament_index/resource_index/packages";
 

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use super::{PackageOptions, Packages, Target};
-use crate::vfs::testing::Tree;
+use vfs::testing::Tree;
 
 const INDEX: &str = "share/ament_index/resource_index/packages";
 

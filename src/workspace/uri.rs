@@ -173,8 +173,8 @@ pub fn percent_decoded(text: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::{UriKind, UriOutcome};
-    use crate::vfs::testing::Tree;
-    use crate::workspace::{PackageOptions, Packages, Step};
+    use vfs::testing::Tree;
+    use crate::{PackageOptions, Packages, Step};
 
     #[test]
     fn forms() {

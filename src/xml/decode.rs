@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::chars::{is_legal, name_char, skip_name};
 use super::entities::{Entities, EntityFault};
-use crate::base::limits::VALUE_BYTES;
+use base::limits::VALUE_BYTES;
 
 /// A `&` and what follows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

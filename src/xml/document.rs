@@ -9,8 +9,8 @@ use super::item::Item;
 use super::line_table::LineTable;
 use super::node::{Node, Siblings};
 use super::parse::{Footer, Header, Parser, RootState, Step};
-use crate::base::limits::XML_BYTES;
-use crate::base::{FastMap, TextRange, last_line_start, line_end};
+use base::limits::XML_BYTES;
+use base::{FastMap, TextRange, last_line_start, line_end};
 
 /// A parsed file. Clones share their items; an edit re-parses the items it touches.
 #[derive(Clone)]

@@ -7,8 +7,8 @@ use super::document::{Context, Document, Part};
 use super::item::Item;
 use super::line_table::LineTable;
 use super::parse::{Footer, Header, Parser, RootState, Step};
-use crate::base::TextRange;
-use crate::base::limits::XML_BYTES;
+use base::TextRange;
+use base::limits::XML_BYTES;
 
 impl Document {
     /// Replace the bytes of `range`. A range that does not fit is cut to the text and widened to whole

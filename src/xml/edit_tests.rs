@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use proptest::test_runner::Config;
 
 use super::*;
-use crate::base::{Encoding, LineCol, TextRange};
+use base::{Encoding, LineCol, TextRange};
 
 /// Text that edits insert: whole elements, and what breaks them.
 const PIECES: &[&str] = &[

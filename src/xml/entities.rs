@@ -6,8 +6,8 @@ use std::borrow::Cow;
 use super::decode::{Piece, Place, Reference, pieces, references};
 use super::document::Document;
 use super::error::{SyntaxErrorKind, expat};
-use crate::base::FastMap;
-use crate::base::limits::{ENTITIES_BYTES, ENTITY_BYTES, ENTITY_DEPTH};
+use base::FastMap;
+use base::limits::{ENTITIES_BYTES, ENTITY_BYTES, ENTITY_DEPTH};
 
 /// The general entities a document declares, and the five it need not declare.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

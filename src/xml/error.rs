@@ -1,6 +1,6 @@
 //! What is wrong with a document, in our words and in expat's.
 
-use crate::base::TextRange;
+use base::TextRange;
 
 /// One violation of XML or of its namespaces.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -7,7 +7,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::error::{Condition, ItemError, SyntaxError, SyntaxErrorKind, expat};
 use super::node::{AttrData, Node, NodeData, NodeId, Siblings};
-use crate::base::TextRange;
+use base::TextRange;
 
 /// An immutable piece of a document: leading text and comments and one element, or the header, or the
 /// footer. All ranges in it count from its own start.

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use super::document::Document;
-use crate::base::{Encoding, LineCol};
+use base::{Encoding, LineCol};
 
 /// What a question costs besides the bytes that are looked at for it, as bytes.
 const QUESTION: u32 = 256;
@@ -118,8 +118,8 @@ impl Table {
 
 #[cfg(test)]
 mod tests {
-    use crate::base::Encoding;
-    use crate::xml::Document;
+    use base::Encoding;
+    use crate::Document;
 
     #[test]
     fn the_table_says_what_is_said_without_it() {

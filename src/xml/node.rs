@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use super::decode::decode;
 use super::entities::Entities;
 use super::item::Item;
-use crate::base::TextRange;
+use base::TextRange;
 
 /// What a node is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -2,7 +2,7 @@
 
 use super::document::{Document, Part};
 use super::item::Item;
-use crate::base::{Encoding, LineCol, TextRange, last_line_start, line_end, nth_line_start};
+use base::{Encoding, LineCol, TextRange, last_line_start, line_end, nth_line_start};
 use std::sync::Arc;
 
 impl Document {
@@ -29,7 +29,7 @@ impl Document {
         }
         let before = item.text().get(..inside).unwrap_or("");
         self.lines.spend(before.len() as u32);
-        let line = lines + crate::base::count_line_ends(before);
+        let line = lines + base::count_line_ends(before);
         let col = match last_line_start(before) {
             // Between CR and LF: still the line that ends here.
             Some(at)

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::*;
-use crate::base::TextRange;
+use base::TextRange;
 
 /// The tree on one line: `name[attributes](children)`; `/` self-closing, `…` without end tag, `?` junk.
 /// White space between the nodes is left out.

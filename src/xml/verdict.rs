@@ -4,10 +4,10 @@ use super::document::{Context, Document};
 use super::entities::EntityFault;
 use super::error::{Condition, ItemError, Namespace, SyntaxError, SyntaxErrorKind, expat};
 use super::item::Item;
-use crate::base::limits::{
+use base::limits::{
     ENTITIES_BYTES, ENTITY_BYTES, ENTITY_DEPTH, ENTITY_FACTOR, ENTITY_GROWTH, XML_ERRORS, XML_ERRORS_SEEN,
 };
-use crate::base::{FastSet, TextRange};
+use base::{FastSet, TextRange};
 
 impl Document {
     /// Everything a conforming, non-validating, namespace-aware parser rejects, in the order expat would

@@ -7,8 +7,8 @@ use super::reader::Mark;
 use super::resolve::{MAP, SEQ, STR, resolve};
 use super::scanner::Scanner;
 use super::token::{Directive, TokenKind};
-use crate::base::limits::YAML_DEPTH;
-use crate::base::{FastMap, TextRange};
+use base::limits::YAML_DEPTH;
+use base::{FastMap, TextRange};
 
 /// Number of a node in its [`Tree`].
 pub(super) type Id = usize;

@@ -10,8 +10,8 @@ use super::compose::{Content, Id, Raw, Tree};
 use super::error::{Failure, repr};
 use super::resolve::{BOOL, FLOAT, INT, MAP, MERGE, NULL, SEQ, STR, TIMESTAMP, VALUE, YAML};
 use super::{Kind, Node, Unit, numbers, timestamp};
-use crate::base::limits::{YAML_MERGES, YAML_NODES};
-use crate::base::{FastMap, TextRange};
+use base::limits::{YAML_MERGES, YAML_NODES};
+use base::{FastMap, TextRange};
 
 /// The value of the node `root`.
 ///

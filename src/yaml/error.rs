@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::reader::{Mark, is_break_or_end};
-use crate::base::TextRange;
+use base::TextRange;
 
 /// A text that cannot be loaded.
 #[derive(Clone, Debug, PartialEq, Eq)]

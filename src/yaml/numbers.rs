@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_traits::Num;
 
 use super::error::repr;
-use crate::base::limits::INTEGER_DIGITS;
+use base::limits::INTEGER_DIGITS;
 
 /// `int` of a scalar.
 ///

@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 use super::error::{Failure, repr};
 use super::reader::{END, Mark, Reader, is_blank_or_end, is_break_or_end};
 use super::token::{Token, TokenKind};
-use crate::base::TextRange;
+use base::TextRange;
 
 /// How far a key may lie before its `:`, in characters.
 const KEY_REACH: u32 = 1024;

@@ -4,7 +4,7 @@ use super::error::{Failure, repr};
 use super::reader::{END, Mark, is_blank_or_end, is_break, is_break_or_end};
 use super::scanner::Scanner;
 use super::token::{Token, TokenKind};
-use crate::base::TextRange;
+use base::TextRange;
 
 /// A character as messages show it: Python reads every line end as `\n`.
 pub(super) fn shown(c: char) -> String {

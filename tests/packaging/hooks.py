@@ -73,7 +73,8 @@ def sources():
     for name in filter(None, listed.split("\0")):
         path = ROOT / name
         # what a build needs, and the hooks
-        if name.split("/")[0] in ("src", "docs", "Cargo.toml", "Cargo.lock", "build.rs", ".pre-commit-hooks.yaml", "README.md"):
+        top = name.split("/")[0]
+        if top in ("src", "docs", "Cargo.toml", "Cargo.lock", ".pre-commit-hooks.yaml") or name.startswith("editors/viewer/"):
             if path.is_file():
                 (folder / name).parent.mkdir(parents=True, exist_ok=True)
                 shutil.copyfile(path, folder / name)

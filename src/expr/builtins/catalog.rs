@@ -1,7 +1,7 @@
 //! What an editor shows of the global symbols.
 
 use super::{DEPRECATED, math, python, types, xacro};
-use crate::expr::value::Module;
+use crate::value::Module;
 
 /// What a global symbol is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,7 +91,7 @@ fn all_of(module: Module) -> impl Iterator<Item = GlobalSymbol> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expr::builtins::{attribute, global};
+    use crate::builtins::{attribute, global};
 
     #[test]
     fn every_symbol_resolves_and_is_documented() {

@@ -1,9 +1,9 @@
 //! `complex()`
 
-use crate::expr::args::Args;
-use crate::expr::numeric::{Num, is_space, parse_float};
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::Value;
+use crate::args::Args;
+use crate::numeric::{Num, is_space, parse_float};
+use crate::stop::{Eval, Stop};
+use crate::value::Value;
 
 /// `complex(real, imag)`
 pub(super) fn construct(args: &Args) -> Eval {

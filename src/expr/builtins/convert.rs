@@ -1,12 +1,12 @@
 //! Conversions to int, float, str and dict.
 
 use super::python::{argument_type, integer};
-use crate::expr::args::{Args, bind_named, check_count};
-use crate::expr::display;
-use crate::expr::interp::Interp;
-use crate::expr::numeric::{Num, ParsedInt, float_to_int, parse_float, parse_int};
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::{DictMap, Key, Value};
+use crate::args::{Args, bind_named, check_count};
+use crate::display;
+use crate::interp::Interp;
+use crate::numeric::{Num, ParsedInt, float_to_int, parse_float, parse_int};
+use crate::stop::{Eval, Stop};
+use crate::value::{DictMap, Key, Value};
 
 pub(super) fn bind_int(args: Args) -> Eval<Args> {
     let given = args.len() + args.named.len();
@@ -102,7 +102,7 @@ pub(super) fn text(interp: &mut Interp, args: Args) -> Eval {
         return interp.text(value).map(Value::Str);
     }
     match value {
-        Value::Bytes(bytes) => crate::expr::methods::decode(bytes, args.get(1), args.get(2)),
+        Value::Bytes(bytes) => crate::methods::decode(bytes, args.get(1), args.get(2)),
         Value::Str(_) => Err(Stop::typ("decoding str is not supported")),
         other => {
             let kind = other.type_name();

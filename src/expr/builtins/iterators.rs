@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use super::python::integer;
-use crate::expr::args::Args;
-use crate::expr::ast::UnaryOp;
-use crate::expr::interp::Interp;
-use crate::expr::iter::{Cursor, Iter, IterKind};
-use crate::expr::ops;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::{Range, Slice, Value};
+use crate::args::Args;
+use crate::ast::UnaryOp;
+use crate::interp::Interp;
+use crate::iter::{Cursor, Iter, IterKind};
+use crate::ops;
+use crate::stop::{Eval, Stop};
+use crate::value::{Range, Slice, Value};
 
 pub(super) fn range(args: &Args) -> Eval {
     let number = |place: usize| -> Eval<i128> {

@@ -7,12 +7,12 @@ use num_traits::Signed;
 
 use super::python::integer;
 use super::{Function, math_exact as exact, math_float as float};
-use crate::expr::args::{Args, Arity};
-use crate::expr::interp::Interp;
-use crate::expr::numeric::{Num, float_to_int};
-use crate::expr::ops::int::scale_by;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::Value;
+use crate::args::{Args, Arity};
+use crate::interp::Interp;
+use crate::numeric::{Num, float_to_int};
+use crate::ops::int::scale_by;
+use crate::stop::{Eval, Stop};
+use crate::value::Value;
 
 /// All names in the order in which the reference lists them.
 pub(super) static NAMES: &[&str] = &[

@@ -5,12 +5,12 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::math::{real, whole};
 use super::python::integer;
-use crate::expr::args::{Args, bind_named};
-use crate::expr::ast::BinOp;
-use crate::expr::interp::Interp;
-use crate::expr::ops;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::Value;
+use crate::args::{Args, bind_named};
+use crate::ast::BinOp;
+use crate::interp::Interp;
+use crate::ops;
+use crate::stop::{Eval, Stop};
+use crate::value::Value;
 
 /// Product of `first..=last`, charged for its size before it is computed.
 fn product(interp: &mut Interp, first: u64, last: u64) -> Eval<BigInt> {

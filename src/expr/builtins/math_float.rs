@@ -1,12 +1,12 @@
 //! Functions of floats.
 
 use super::math::real;
-use crate::expr::args::{Args, check_count};
-use crate::expr::interp::Interp;
-use crate::expr::ops::as_index;
-use crate::expr::ops::int::scale_by;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::Value;
+use crate::args::{Args, check_count};
+use crate::interp::Interp;
+use crate::ops::as_index;
+use crate::ops::int::scale_by;
+use crate::stop::{Eval, Stop};
+use crate::value::Value;
 
 fn domain() -> Stop {
     Stop::value("math domain error")
@@ -137,7 +137,7 @@ pub(super) fn ldexp(_: &mut Interp, _: &Value, args: &Args) -> Eval {
     if x == 0.0 || !x.is_finite() {
         return Ok(Value::Float(x));
     }
-    let (mantissa, low, negative) = crate::expr::numeric::decode(x);
+    let (mantissa, low, negative) = crate::numeric::decode(x);
     let exponent = i64::try_from(exponent.clamp(-100_000, 100_000)).unwrap_or(0);
     let magnitude = scale_by(mantissa, exponent + i64::from(low));
     if magnitude.is_infinite() {
@@ -157,7 +157,7 @@ pub(super) fn split(x: f64) -> (f64, i32) {
     if x == 0.0 || !x.is_finite() {
         return (x, 0);
     }
-    let (mantissa, low, negative) = crate::expr::numeric::decode(x);
+    let (mantissa, low, negative) = crate::numeric::decode(x);
     let bits = i32::try_from(64 - mantissa.leading_zeros()).unwrap_or(0);
     let fraction = scale_by(mantissa, i64::from(-bits));
     (if negative { -fraction } else { fraction }, low + bits)
@@ -194,7 +194,7 @@ pub(super) fn ulp(x: f64) -> f64 {
 pub(super) fn isclose(_: &mut Interp, _: &Value, args: &Args) -> Eval {
     let names = ["a", "b", "rel_tol", "abs_tol"];
     let args = Args { pos: args.pos.clone(), named: args.named.clone() };
-    let args = crate::expr::args::bind_named("isclose", &names, 2, 2, args)?;
+    let args = crate::args::bind_named("isclose", &names, 2, 2, args)?;
     let (a, b) = (real(args.at(0))?, real(args.at(1))?);
     let relative = args.get(2).map_or(Ok(1e-9), real)?;
     let absolute = args.get(3).map_or(Ok(0.0), real)?;

@@ -3,8 +3,8 @@
 
 use std::f64::consts::PI;
 
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::Value;
+use crate::stop::{Eval, Stop};
+use crate::value::Value;
 
 const G: f64 = 6.024_680_040_776_73;
 const G_MINUS_HALF: f64 = 5.524_680_040_776_73;

@@ -1,14 +1,14 @@
 //! The functions of the `python` namespace that are no types.
 
 use super::{Function, sorting};
-use crate::expr::args::{Args, Arity};
-use crate::expr::ast::BinOp;
-use crate::expr::host::ErrorKind;
-use crate::expr::interp::Interp;
-use crate::expr::numeric::Num;
-use crate::expr::ops;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::{Dict, DictMap, Key, List, Type, Value, hash_value};
+use crate::args::{Args, Arity};
+use crate::ast::BinOp;
+use crate::host::ErrorKind;
+use crate::interp::Interp;
+use crate::numeric::Num;
+use crate::ops;
+use crate::stop::{Eval, Stop};
+use crate::value::{Dict, DictMap, Key, List, Type, Value, hash_value};
 
 const fn function(
     name: &'static str,

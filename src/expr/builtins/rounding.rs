@@ -5,13 +5,13 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 
 use super::python::integer;
-use crate::expr::args::Args;
-use crate::expr::float_repr;
-use crate::expr::interp::Interp;
-use crate::expr::numeric::{Num, decode, float_to_int};
-use crate::expr::ops;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::Value;
+use crate::args::Args;
+use crate::float_repr;
+use crate::interp::Interp;
+use crate::numeric::{Num, decode, float_to_int};
+use crate::ops;
+use crate::stop::{Eval, Stop};
+use crate::value::Value;
 
 /// `round(number, ndigits)`
 pub(super) fn round(interp: &mut Interp, _: &Value, args: &Args) -> Eval {

@@ -1,11 +1,11 @@
 //! `sorted`, `min`, `max` and `list.sort`.
 
 use super::python::{empty_sequence, list_of};
-use crate::expr::args::{Args, bind_named, check_count};
-use crate::expr::interp::Interp;
-use crate::expr::ops::sort_before;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::Value;
+use crate::args::{Args, bind_named, check_count};
+use crate::interp::Interp;
+use crate::ops::sort_before;
+use crate::stop::{Eval, Stop};
+use crate::value::Value;
 
 /// `sorted(iterable, key=None, reverse=False)`
 pub(super) fn sorted(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
@@ -145,5 +145,5 @@ pub(super) fn extreme(interp: &mut Interp, args: &Args, largest: bool) -> Eval {
 
 /// `a > b`, whose message names that operator.
 fn sort_after(interp: &mut Interp, a: &Value, b: &Value) -> Eval<bool> {
-    crate::expr::ops::compare(interp, crate::expr::ast::CmpOp::Gt, a, b)
+    crate::ops::compare(interp, crate::ast::CmpOp::Gt, a, b)
 }

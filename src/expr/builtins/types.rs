@@ -5,10 +5,10 @@ use ecow::EcoVec;
 use super::Function;
 use super::convert::{bind_int, entries, float, int, text};
 use super::iterators::{enumerate, filter, map, range, reversed, slice, zip};
-use crate::expr::args::{Args, Arity, bind_named, check_count};
-use crate::expr::interp::Interp;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::{Dict, Key, List, Set, SetMap, Tuple, Type, Value};
+use crate::args::{Args, Arity, bind_named, check_count};
+use crate::interp::Interp;
+use crate::stop::{Eval, Stop};
+use crate::value::{Dict, Key, List, Set, SetMap, Tuple, Type, Value};
 
 /// Types that have a name in expressions: name, type, parameters, description.
 pub(super) static NAMED: &[(&str, Type, &str, &str)] = &[

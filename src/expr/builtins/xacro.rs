@@ -3,13 +3,13 @@
 use std::str::Chars;
 
 use super::Function;
-use crate::expr::args::{Args, Arity, bind_named};
-use crate::expr::display;
-use crate::expr::host::HostFn;
-use crate::expr::interp::Interp;
-use crate::expr::numeric::{decimal_digit, is_space};
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::Value;
+use crate::args::{Args, Arity, bind_named};
+use crate::display;
+use crate::host::HostFn;
+use crate::interp::Interp;
+use crate::numeric::{decimal_digit, is_space};
+use crate::stop::{Eval, Stop};
+use crate::value::Value;
 
 macro_rules! hosted {
     ($name:literal, $params:literal, $which:ident, $doc:literal) => {

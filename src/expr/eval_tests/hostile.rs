@@ -1,7 +1,7 @@
 //! Expressions that ask for too much.
 
 use super::behaviour::blame;
-use crate::expr::Budget;
+use crate::Budget;
 
 /// Everything here must end soon, with an error or a value, without using up the stack or the memory.
 #[test]

@@ -4,7 +4,7 @@ mod behaviour;
 mod hostile;
 
 use super::*;
-use crate::base::TextRange;
+use base::TextRange;
 
 /// A host with a few properties that records what is reported to it.
 #[derive(Default)]

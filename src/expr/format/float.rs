@@ -2,9 +2,9 @@
 
 use super::int::{Parts, lay_out};
 use super::spec::{Spec, unknown_code};
-use crate::expr::float_repr;
-use crate::expr::interp::Interp;
-use crate::expr::stop::{Eval, Stop};
+use crate::float_repr;
+use crate::interp::Interp;
+use crate::stop::{Eval, Stop};
 
 /// A float as the specification asks.
 pub(super) fn format(interp: &mut Interp, number: f64, spec: &Spec, type_name: &str) -> Eval<String> {

@@ -4,9 +4,9 @@ use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive};
 
 use super::spec::Spec;
-use crate::expr::display::big_text;
-use crate::expr::interp::Interp;
-use crate::expr::stop::{Eval, Stop};
+use crate::display::big_text;
+use crate::interp::Interp;
+use crate::stop::{Eval, Stop};
 
 /// A number ready for layout.
 #[derive(Debug, Default)]

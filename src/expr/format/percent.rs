@@ -2,13 +2,13 @@
 
 use super::float::{self, Style};
 use super::template::ascii;
-use crate::expr::builtins::integer;
-use crate::expr::display;
-use crate::expr::interp::Interp;
-use crate::expr::numeric::{Num, float_to_int};
-use crate::expr::ops;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::Value;
+use crate::builtins::integer;
+use crate::display;
+use crate::interp::Interp;
+use crate::numeric::{Num, float_to_int};
+use crate::ops;
+use crate::stop::{Eval, Stop};
+use crate::value::Value;
 
 /// `format % values`
 pub(crate) fn percent(interp: &mut Interp, format: &Value, values: &Value) -> Eval {

@@ -1,7 +1,7 @@
 //! The format specification `[[fill]align][sign][z][#][0][width][grouping][.precision][type]`.
 
-use crate::expr::numeric::decimal_digit;
-use crate::expr::stop::{Eval, Stop};
+use crate::numeric::decimal_digit;
+use crate::stop::{Eval, Stop};
 
 /// A parsed format specification.
 #[derive(Clone, Debug)]

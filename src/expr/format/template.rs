@@ -1,14 +1,14 @@
 //! `str.format`, `str.format_map` and f-strings.
 
 use super::value::format;
-use crate::expr::args::Args;
-use crate::expr::ast::FPart;
-use crate::expr::host::ErrorKind;
-use crate::expr::interp::Interp;
-use crate::expr::ops;
-use crate::expr::quote;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::{Str, Value};
+use crate::args::Args;
+use crate::ast::FPart;
+use crate::host::ErrorKind;
+use crate::interp::Interp;
+use crate::ops;
+use crate::quote;
+use crate::stop::{Eval, Stop};
+use crate::value::{Str, Value};
 
 /// An f-string.
 pub(crate) fn fstring(interp: &mut Interp, parts: &[FPart]) -> Eval<Str> {

@@ -2,10 +2,10 @@
 
 use super::spec::{Spec, parse, unknown_code};
 use super::{float, int};
-use crate::expr::interp::Interp;
-use crate::expr::numeric::Num;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::{Str, Value};
+use crate::interp::Interp;
+use crate::numeric::Num;
+use crate::stop::{Eval, Stop};
+use crate::value::{Str, Value};
 
 /// `format(value, spec)`
 pub(super) fn format(interp: &mut Interp, value: &Value, spec: &str) -> Eval<Str> {

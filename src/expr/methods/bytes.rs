@@ -1,12 +1,12 @@
 //! Methods of bytes, and encodings.
 
 use super::{methods, optional, up_to};
-use crate::expr::args::Args;
-use crate::expr::args::Arity::{One, Zero};
-use crate::expr::builtins::{Function, argument_type};
-use crate::expr::interp::Interp;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::Value;
+use crate::args::Args;
+use crate::args::Arity::{One, Zero};
+use crate::builtins::{Function, argument_type};
+use crate::interp::Interp;
+use crate::stop::{Eval, Stop};
+use crate::value::Value;
 
 /// Sorted by name.
 pub(super) static METHODS: &[Function] = methods! { "bytes":
@@ -112,7 +112,7 @@ fn encoding(name: Option<&Value>) -> Eval<Encoding> {
         "utf8" | "u8" | "cp65001" => Ok(Encoding::Utf8),
         "ascii" | "usascii" | "646" => Ok(Encoding::Ascii),
         "latin1" | "iso88591" | "latin" | "l1" | "88591" | "cp819" => Ok(Encoding::Latin1),
-        _ => Err(Stop::new(crate::expr::host::ErrorKind::Value, format!("unknown encoding: {name}"))),
+        _ => Err(Stop::new(crate::host::ErrorKind::Value, format!("unknown encoding: {name}"))),
     }
 }
 
@@ -146,7 +146,7 @@ pub(super) fn encode(interp: &mut Interp, text: &Value, args: &Args) -> Eval {
 }
 
 fn display_escape(out: &mut String, c: char) {
-    crate::expr::quote::push_escape(out, c);
+    crate::quote::push_escape(out, c);
 }
 
 /// `bytes.decode(encoding, errors)`

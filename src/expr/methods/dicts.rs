@@ -3,14 +3,14 @@
 use std::sync::Arc;
 
 use super::{methods, up_to};
-use crate::expr::args::Arity::{Any, One, Zero};
-use crate::expr::args::{Args, check_count};
-use crate::expr::builtins::{Function, add_entries};
-use crate::expr::host::ErrorKind;
-use crate::expr::interp::Interp;
-use crate::expr::ops::{key_error, sets::elements};
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::{Dict, DictMap, Key, Type, Value, View, ViewKind};
+use crate::args::Arity::{Any, One, Zero};
+use crate::args::{Args, check_count};
+use crate::builtins::{Function, add_entries};
+use crate::host::ErrorKind;
+use crate::interp::Interp;
+use crate::ops::{key_error, sets::elements};
+use crate::stop::{Eval, Stop};
+use crate::value::{Dict, DictMap, Key, Type, Value, View, ViewKind};
 
 /// Sorted by name.
 pub(super) static METHODS: &[Function] = methods! { "dict":

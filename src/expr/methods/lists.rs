@@ -1,14 +1,14 @@
 //! Methods of lists, tuples, ranges and slices.
 
 use super::{methods, up_to};
-use crate::expr::args::Arity::{Any, One, Zero};
-use crate::expr::args::{Args, check_count};
-use crate::expr::builtins::{Function, index_sized, integer, sort};
-use crate::expr::display;
-use crate::expr::interp::Interp;
-use crate::expr::ops::{as_index, clamp_index, identical_or_equal, slice_bounds};
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::{List, Value};
+use crate::args::Arity::{Any, One, Zero};
+use crate::args::{Args, check_count};
+use crate::builtins::{Function, index_sized, integer, sort};
+use crate::display;
+use crate::interp::Interp;
+use crate::ops::{as_index, clamp_index, identical_or_equal, slice_bounds};
+use crate::stop::{Eval, Stop};
+use crate::value::{List, Value};
 
 /// Sorted by name.
 pub(super) static LIST: &[Function] = methods! { "list":
@@ -36,7 +36,7 @@ pub(super) static TUPLE: &[Function] = methods! { "tuple":
 
 /// Sorted by name.
 pub(super) static RANGE: &[Function] = methods! { "range":
-    "count" One => |i, s, a| Ok(Value::Int(i64::from(crate::expr::ops::contains(i, s, a.at(0))?))),
+    "count" One => |i, s, a| Ok(Value::Int(i64::from(crate::ops::contains(i, s, a.at(0))?))),
     "index" One => range_index,
 };
 

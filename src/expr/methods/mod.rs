@@ -21,7 +21,7 @@ use super::value::{Type, Value};
 /// Methods with names, arities and code, in the order of names.
 macro_rules! methods {
     ($owner:literal: $($name:literal $arity:expr => $run:expr,)*) => {
-        &[$(crate::expr::builtins::Function::method($owner, $name, $arity, $run),)*]
+        &[$(crate::builtins::Function::method($owner, $name, $arity, $run),)*]
     };
 }
 use methods;

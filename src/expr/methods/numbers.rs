@@ -4,15 +4,15 @@ use num_bigint::{BigInt, BigUint, Sign};
 use num_traits::{One as _, Signed, Zero as _};
 
 use super::{methods, up_to};
-use crate::expr::args::Arity::{Any, One, Zero};
-use crate::expr::args::{Args, bind_named};
-use crate::expr::builtins::{Function, argument_type, index_sized, integer};
-use crate::expr::display;
-use crate::expr::interp::Interp;
-use crate::expr::numeric::{Num, decode};
-use crate::expr::ops::int::scale_by;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::{Value, date_text};
+use crate::args::Arity::{Any, One, Zero};
+use crate::args::{Args, bind_named};
+use crate::builtins::{Function, argument_type, index_sized, integer};
+use crate::display;
+use crate::interp::Interp;
+use crate::numeric::{Num, decode};
+use crate::ops::int::scale_by;
+use crate::stop::{Eval, Stop};
+use crate::value::{Value, date_text};
 
 /// Sorted by name.
 pub(super) static INT: &[Function] = methods! { "int":

@@ -1,15 +1,15 @@
 //! Methods of sets.
 
 use super::methods;
-use crate::expr::args::Args;
-use crate::expr::args::Arity::{One, Positional, Zero};
-use crate::expr::ast::BinOp;
-use crate::expr::builtins::Function;
-use crate::expr::host::ErrorKind;
-use crate::expr::interp::Interp;
-use crate::expr::ops::{key_error, sets::combine};
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::{Key, Set, SetMap, Value};
+use crate::args::Args;
+use crate::args::Arity::{One, Positional, Zero};
+use crate::ast::BinOp;
+use crate::builtins::Function;
+use crate::host::ErrorKind;
+use crate::interp::Interp;
+use crate::ops::{key_error, sets::combine};
+use crate::stop::{Eval, Stop};
+use crate::value::{Key, Set, SetMap, Value};
 
 /// Sorted by name.
 pub(super) static SET: &[Function] = methods! { "set":

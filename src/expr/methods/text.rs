@@ -4,10 +4,10 @@ use super::{
     methods, optional, text_case as case, text_layout as layout, text_search as search, text_split as split,
     up_to,
 };
-use crate::expr::args::Arity::{Any, One, Zero};
-use crate::expr::builtins::Function;
-use crate::expr::format;
-use crate::expr::value::Value;
+use crate::args::Arity::{Any, One, Zero};
+use crate::builtins::Function;
+use crate::format;
+use crate::value::Value;
 
 /// Sorted by name.
 pub(super) static METHODS: &[Function] = methods! { "str":
@@ -25,13 +25,13 @@ pub(super) static METHODS: &[Function] = methods! { "str":
     "isalnum" Zero => |_, s, _| case::all(s, |c| case::is_alpha(c) || c.is_numeric()),
     "isalpha" Zero => |_, s, _| case::all(s, case::is_alpha),
     "isascii" Zero => |_, s, _| Ok(Value::Bool(s.as_str().is_some_and(str::is_ascii))),
-    "isdecimal" Zero => |_, s, _| case::all(s, |c| crate::expr::numeric::decimal_digit(c).is_some()),
+    "isdecimal" Zero => |_, s, _| case::all(s, |c| crate::numeric::decimal_digit(c).is_some()),
     "isdigit" Zero => |_, s, _| case::all(s, case::is_digit),
     "isidentifier" Zero => |_, s, _| Ok(Value::Bool(s.as_str().is_some_and(case::is_identifier))),
     "islower" Zero => |_, s, _| case::uniform(s, char::is_lowercase, |c| c.is_uppercase() || case::is_title(c)),
     "isnumeric" Zero => |_, s, _| case::all(s, case::is_numeric),
     "isprintable" Zero => |_, s, _| Ok(Value::Bool(s.as_str().is_some_and(case::is_printable))),
-    "isspace" Zero => |_, s, _| case::all(s, crate::expr::numeric::is_space),
+    "isspace" Zero => |_, s, _| case::all(s, crate::numeric::is_space),
     "istitle" Zero => |_, s, _| Ok(Value::Bool(s.as_str().is_some_and(case::is_titlecased))),
     "isupper" Zero => |_, s, _| case::uniform(s, char::is_uppercase, |c| c.is_lowercase() || case::is_title(c)),
     "join" One => split::join,

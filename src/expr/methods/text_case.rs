@@ -1,11 +1,11 @@
 //! Upper and lower case, and the classes of characters.
 
-use crate::expr::interp::Interp;
-use crate::expr::numeric::decimal_digit;
-use crate::expr::quote;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::syntax::{is_name_continue, is_name_start};
-use crate::expr::value::Value;
+use crate::interp::Interp;
+use crate::numeric::decimal_digit;
+use crate::quote;
+use crate::stop::{Eval, Stop};
+use crate::syntax::{is_name_continue, is_name_start};
+use crate::value::Value;
 
 /// Apply a mapping that may at most triple the text.
 pub(super) fn mapped(interp: &mut Interp, text: &Value, map: fn(&str) -> String) -> Eval {

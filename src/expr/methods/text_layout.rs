@@ -1,13 +1,13 @@
 //! Padding, stripping and translating of strings.
 
 use super::string;
-use crate::expr::args::Args;
-use crate::expr::builtins::{index_sized, integer};
-use crate::expr::interp::Interp;
-use crate::expr::numeric::is_space;
-use crate::expr::ops;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::{Dict, DictMap, Key, Str, Value};
+use crate::args::Args;
+use crate::builtins::{index_sized, integer};
+use crate::interp::Interp;
+use crate::numeric::is_space;
+use crate::ops;
+use crate::stop::{Eval, Stop};
+use crate::value::{Dict, DictMap, Key, Str, Value};
 
 /// Where padding goes.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -184,6 +184,6 @@ pub(super) fn translate(interp: &mut Interp, text: &Value, args: &Args) -> Eval 
 }
 
 fn is_lookup(stop: &Stop) -> bool {
-    use crate::expr::host::ErrorKind::{Index, Key};
+    use crate::host::ErrorKind::{Index, Key};
     stop.is(&Key) || stop.is(&Index)
 }

@@ -1,12 +1,12 @@
 //! Searching and replacing in strings.
 
 use super::string;
-use crate::expr::args::Args;
-use crate::expr::builtins::index_sized;
-use crate::expr::interp::Interp;
-use crate::expr::ops::clamp_index;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::{Str, Value};
+use crate::args::Args;
+use crate::builtins::index_sized;
+use crate::interp::Interp;
+use crate::ops::clamp_index;
+use crate::stop::{Eval, Stop};
+use crate::value::{Str, Value};
 
 /// The part of a text between two optional character indices, and the index at which it starts.
 struct Window<'a> {

@@ -1,12 +1,12 @@
 //! Taking strings apart and putting them together.
 
 use super::string;
-use crate::expr::args::Args;
-use crate::expr::builtins::{index_sized, integer};
-use crate::expr::interp::Interp;
-use crate::expr::numeric::is_space;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::{Str, Value};
+use crate::args::Args;
+use crate::builtins::{index_sized, integer};
+use crate::interp::Interp;
+use crate::numeric::is_space;
+use crate::stop::{Eval, Stop};
+use crate::value::{Str, Value};
 
 /// `split`, `rsplit`
 pub(super) fn split(interp: &mut Interp, text: &Value, args: &Args, from_right: bool) -> Eval {

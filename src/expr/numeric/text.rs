@@ -4,8 +4,8 @@ use std::borrow::Cow;
 
 use num_bigint::BigInt;
 
-use crate::base::limits::INTEGER_DIGITS;
-use crate::expr::Value;
+use base::limits::INTEGER_DIGITS;
+use crate::Value;
 
 /// The value of a decimal digit of any script.
 ///
@@ -88,7 +88,7 @@ const ZEROS: &[u32] = &[
     0x1fbf0,
 ];
 
-pub(crate) use crate::expr::syntax::is_python_space as is_space;
+pub(crate) use crate::syntax::is_python_space as is_space;
 
 /// Decimal digits in ASCII, blanks at the ends cut off; `None` if a character can be in no number.
 fn ascii_number(text: &str) -> Option<Cow<'_, str>> {

@@ -3,11 +3,11 @@
 use std::cmp::Ordering;
 
 use super::sets::elements;
-use crate::expr::ast::CmpOp;
-use crate::expr::interp::Interp;
-use crate::expr::numeric::Num;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::{Key, Value};
+use crate::ast::CmpOp;
+use crate::interp::Interp;
+use crate::numeric::Num;
+use crate::stop::{Eval, Stop};
+use crate::value::{Key, Value};
 
 /// `a op b`
 pub(crate) fn compare(interp: &mut Interp, op: CmpOp, a: &Value, b: &Value) -> Eval<bool> {
@@ -55,7 +55,7 @@ pub(crate) fn equal(interp: &mut Interp, a: &Value, b: &Value) -> Eval<bool> {
             equal(interp, &Value::Dict(x), &Value::Dict(y))
         }
         (Value::Slice(x), Value::Slice(y)) => {
-            let parts = |s: &crate::expr::value::Slice| [s.start.clone(), s.stop.clone(), s.step.clone()];
+            let parts = |s: &crate::value::Slice| [s.start.clone(), s.stop.clone(), s.step.clone()];
             equal_items(interp, &parts(x), &parts(y))
         }
         _ => match (Num::of(a), Num::of(b)) {
@@ -166,8 +166,8 @@ fn reflected(op: CmpOp) -> CmpOp {
 
 fn ordered_dates(
     op: CmpOp,
-    x: &crate::expr::value::DateValue,
-    y: &crate::expr::value::DateValue,
+    x: &crate::value::DateValue,
+    y: &crate::value::DateValue,
 ) -> Eval<bool> {
     if x.time.is_some() != y.time.is_some() {
         return Err(Stop::typ("can't compare datetime.datetime to datetime.date"));
@@ -194,7 +194,7 @@ fn ordered_items(interp: &mut Interp, op: CmpOp, x: &[Value], y: &[Value]) -> Ev
 /// Order of sets is inclusion.
 fn subset(op: CmpOp, a: &Value, b: &Value) -> Option<Eval<bool>> {
     let (x, y) = (elements(a)?, elements(b)?);
-    let decide = |x: &crate::expr::value::SetMap, y: &crate::expr::value::SetMap| match op {
+    let decide = |x: &crate::value::SetMap, y: &crate::value::SetMap| match op {
         CmpOp::Lt => x.len() < y.len() && x.is_subset(y),
         CmpOp::Le => x.is_subset(y),
         CmpOp::Gt => x.len() > y.len() && x.is_superset(y),
@@ -232,7 +232,7 @@ pub(crate) fn contains(interp: &mut Interp, container: &Value, item: &Value) -> 
             let number = super::as_index(item).unwrap_or(0);
             Ok(range.position(number).is_some())
         }
-        Value::View(view) if view.kind == crate::expr::value::ViewKind::Keys => {
+        Value::View(view) if view.kind == crate::value::ViewKind::Keys => {
             Ok(view.dict.get(&Key::new(item.clone())?).is_some())
         }
         _ => contains_item(interp, container, item),
@@ -244,7 +244,7 @@ fn contains_item(interp: &mut Interp, container: &Value, item: &Value) -> Eval<b
     let mut cursor = match container {
         Value::List(plain) => {
             list = plain.snapshot();
-            crate::expr::iter::Cursor::Items(list, 0)
+            crate::iter::Cursor::Items(list, 0)
         }
         other => interp.iter(other).map_err(|stop| match stop {
             Stop::Unknown => Stop::Unknown,

@@ -1,8 +1,8 @@
 //! Complex arithmetic.
 
-use crate::expr::Value;
-use crate::expr::ast::BinOp;
-use crate::expr::stop::{Eval, Stop};
+use crate::Value;
+use crate::ast::BinOp;
+use crate::stop::{Eval, Stop};
 
 type Complex = (f64, f64);
 

@@ -1,9 +1,9 @@
 //! Float arithmetic.
 
 use super::complex;
-use crate::expr::Value;
-use crate::expr::ast::BinOp;
-use crate::expr::stop::{Eval, Stop};
+use crate::Value;
+use crate::ast::BinOp;
+use crate::stop::{Eval, Stop};
 
 /// `a op b`
 pub(super) fn binary(op: BinOp, a: f64, b: f64) -> Eval {

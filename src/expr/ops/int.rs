@@ -4,11 +4,11 @@ use num_bigint::{BigInt, Sign};
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::float;
-use crate::expr::Value;
-use crate::expr::ast::BinOp;
-use crate::expr::interp::Interp;
-use crate::expr::numeric::big_to_f64;
-use crate::expr::stop::{Eval, Stop};
+use crate::Value;
+use crate::ast::BinOp;
+use crate::interp::Interp;
+use crate::numeric::big_to_f64;
+use crate::stop::{Eval, Stop};
 
 /// The common operators on small operands with a small result.
 #[inline]

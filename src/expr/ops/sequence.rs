@@ -3,10 +3,10 @@
 use ecow::EcoVec;
 
 use super::{as_index, unsupported};
-use crate::expr::ast::BinOp;
-use crate::expr::interp::Interp;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::{List, Str, Tuple, Value};
+use crate::ast::BinOp;
+use crate::interp::Interp;
+use crate::stop::{Eval, Stop};
+use crate::value::{List, Str, Tuple, Value};
 
 /// `a + b`
 pub(super) fn concat(interp: &mut Interp, a: &Value, b: &Value) -> Eval {

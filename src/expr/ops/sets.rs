@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use crate::expr::ast::BinOp;
-use crate::expr::interp::Interp;
-use crate::expr::stop::Eval;
-use crate::expr::value::{Key, Set, SetMap, Value, ViewKind};
+use crate::ast::BinOp;
+use crate::interp::Interp;
+use crate::stop::Eval;
+use crate::value::{Key, Set, SetMap, Value, ViewKind};
 
 /// The elements of a set or set-like view; `None` for anything else, an error for unhashable ones.
 pub(crate) fn elements(value: &Value) -> Option<Eval<Arc<SetMap>>> {

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use ecow::EcoVec;
 use num_traits::ToPrimitive;
 
-use crate::expr::display;
-use crate::expr::host::ErrorKind;
-use crate::expr::interp::Interp;
-use crate::expr::stop::{Eval, Stop};
-use crate::expr::value::{Dict, Key, List, Range, Slice, Str, Tuple, Type, Value};
+use crate::display;
+use crate::host::ErrorKind;
+use crate::interp::Interp;
+use crate::stop::{Eval, Stop};
+use crate::value::{Dict, Key, List, Range, Slice, Str, Tuple, Type, Value};
 
 /// An integer used as an index or count; values beyond an `i128` are cut to its limits.
 pub(crate) fn as_index(value: &Value) -> Option<i128> {

@@ -1,11 +1,11 @@
 //! Names, literals, displays and what may be appended to them.
 
 use super::Parser;
-use crate::base::TextRange;
-use crate::expr::ast::{Const, Expr, ExprKind};
-use crate::expr::number;
-use crate::expr::report::Stage;
-use crate::expr::token::{Bracket, Tok};
+use base::TextRange;
+use crate::ast::{Const, Expr, ExprKind};
+use crate::number;
+use crate::report::Stage;
+use crate::token::{Bracket, Tok};
 
 impl Parser<'_> {
     /// An atom with its calls, indices and attributes.

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::{Parser, power};
-use crate::expr::ast::{CompFor, CompKind, Comprehension, Expr, ExprKind};
-use crate::expr::token::{Bracket, Tok};
+use crate::ast::{CompFor, CompKind, Comprehension, Expr, ExprKind};
+use crate::token::{Bracket, Tok};
 
 /// What was read between braces so far; there are either pairs or items.
 #[derive(Default)]

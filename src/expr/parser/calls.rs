@@ -1,11 +1,11 @@
 //! Attributes, calls and indices.
 
 use super::Parser;
-use crate::base::{FastSet, TextRange};
-use crate::expr::ast::{Expr, ExprKind, Keyword};
-use crate::expr::report::Stage;
-use crate::expr::syntax::normalized;
-use crate::expr::token::{Bracket, Tok};
+use base::{FastSet, TextRange};
+use crate::ast::{Expr, ExprKind, Keyword};
+use crate::report::Stage;
+use crate::syntax::normalized;
+use crate::token::{Bracket, Tok};
 
 /// The arguments of a call, while they are read.
 #[derive(Default)]

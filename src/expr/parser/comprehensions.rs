@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use super::{Parser, power};
-use crate::base::TextRange;
-use crate::expr::ast::{CompFor, CompKind, Comprehension, Expr, ExprKind};
-use crate::expr::report::Stage;
-use crate::expr::token::{Bracket, Tok};
+use base::TextRange;
+use crate::ast::{CompFor, CompKind, Comprehension, Expr, ExprKind};
+use crate::report::Stage;
+use crate::token::{Bracket, Tok};
 
 impl Parser<'_> {
     /// All `for` clauses that follow.

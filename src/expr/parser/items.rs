@@ -1,9 +1,9 @@
 //! What stands between brackets, separated by commas.
 
 use super::Parser;
-use crate::expr::ast::{CmpOp, Expr, ExprKind};
-use crate::expr::parser::power;
-use crate::expr::token::{Bracket, Tok};
+use crate::ast::{CmpOp, Expr, ExprKind};
+use crate::parser::power;
+use crate::token::{Bracket, Tok};
 
 impl Parser<'_> {
     /// `star_named_expression`: `*x`, or [`Parser::named`].

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use super::Parser;
-use crate::base::{FastSet, TextRange};
-use crate::expr::ast::{Expr, ExprKind, Lambda, Param, ParamKind};
-use crate::expr::report::Stage;
-use crate::expr::token::{Bracket, Tok};
+use base::{FastSet, TextRange};
+use crate::ast::{Expr, ExprKind, Lambda, Param, ParamKind};
+use crate::report::Stage;
+use crate::token::{Bracket, Tok};
 
 /// How far the parameter list has got.
 #[derive(Default)]

@@ -1,8 +1,8 @@
 //! Going on behind text that does not belong, with the words CPython has for it.
 
 use super::Parser;
-use crate::expr::ast::{Expr, ExprKind};
-use crate::expr::token::Tok;
+use crate::ast::{Expr, ExprKind};
+use crate::token::Tok;
 
 /// A place where a comma is missing.
 struct Gap {
@@ -66,7 +66,7 @@ impl Parser<'_> {
         if let Some(before) = before.filter(|before| before.plain && !plain) {
             self.reword(before.error, first.range.start, &reference);
         }
-        let (error, brace) = (self.report.len(), self.at(Tok::Open(crate::expr::token::Bracket::Curly)));
+        let (error, brace) = (self.report.len(), self.at(Tok::Open(crate::token::Bracket::Curly)));
         let from = if plain { self.start() } else { first.range.start };
         self.error_from(from, self.gap(), "a comma or an operator is missing here", &reference);
         let followed = !plain || (alone && self.operand_start.is_some());

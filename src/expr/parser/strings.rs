@@ -5,11 +5,11 @@ use std::borrow::Cow;
 use ecow::EcoString;
 
 use super::Parser;
-use crate::base::TextRange;
-use crate::expr::ast::{Const, Expr, ExprKind, FPart};
-use crate::expr::escape;
-use crate::expr::report::Stage;
-use crate::expr::token::Tok;
+use base::TextRange;
+use crate::ast::{Const, Expr, ExprKind, FPart};
+use crate::escape;
+use crate::report::Stage;
+use crate::token::Tok;
 
 /// A string token taken apart.
 #[derive(Clone, Copy)]

@@ -1,8 +1,8 @@
 //! What may be assigned to, and how CPython calls what may not.
 
 use super::Parser;
-use crate::expr::ast::{CompKind, Const, Expr, ExprKind};
-use crate::expr::report::Stage;
+use crate::ast::{CompKind, Const, Expr, ExprKind};
+use crate::report::Stage;
 
 impl Expr {
     /// CPython's noun for the expression in messages such as "cannot assign to …".
@@ -46,7 +46,7 @@ impl Expr {
                 | ExprKind::Or(_)
                 | ExprKind::IfElse { .. }
                 | ExprKind::Lambda(_)
-                | ExprKind::Unary(crate::expr::ast::UnaryOp::Not, _)
+                | ExprKind::Unary(crate::ast::UnaryOp::Not, _)
         )
     }
 

@@ -1,11 +1,11 @@
 use proptest::prelude::*;
 
-use crate::base::TextRange;
-use crate::base::limits::EXPRESSION_DEPTH;
-use crate::expr::ast::{Expr, ExprKind};
-use crate::expr::dump::dump;
-use crate::expr::visit::children;
-use crate::expr::{ExprErrorKind, parse};
+use base::TextRange;
+use base::limits::EXPRESSION_DEPTH;
+use crate::ast::{Expr, ExprKind};
+use crate::dump::dump;
+use crate::visit::children;
+use crate::{ExprErrorKind, parse};
 
 /// Nested far beyond any limit: an error, no overflow, and quick.
 #[test]

@@ -1,6 +1,6 @@
 //! Dates and times of YAML files.
 
-use crate::expr::display::push;
+use crate::display::push;
 
 /// A date, or date and time.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

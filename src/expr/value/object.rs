@@ -4,9 +4,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::bury::{bury, is_nested};
 use super::{Dict, Str, Value};
-use crate::expr::ast;
-use crate::expr::builtins::Function;
-use crate::expr::host::ScopeId;
+use crate::ast;
+use crate::builtins::Function;
+use crate::host::ScopeId;
 
 /// `range(start, stop, step)`
 #[derive(Clone, Copy, Debug)]

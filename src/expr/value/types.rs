@@ -1,7 +1,7 @@
 //! The types of values.
 
 use super::{Value, ViewKind};
-use crate::expr::iter::IterKind;
+use crate::iter::IterKind;
 
 /// A Python type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -2,14 +2,14 @@
 
 use super::place::element_at;
 use super::{Action, ActionKind, edit};
-use crate::base::TextRange;
-use crate::ide::moved::slashed;
-use crate::ide::paths::{FileKind, FileTarget, file_name_at};
-use crate::ide::{At, Cx, Part, locate, schema};
-use crate::rules::Surroundings;
-use crate::vfs::SourceFile;
+use base::TextRange;
+use crate::moved::slashed;
+use crate::paths::{FileKind, FileTarget, file_name_at};
+use crate::{At, Cx, Part, locate, schema};
+use rules::Surroundings;
+use vfs::SourceFile;
 
-fn rewrite(title: impl Into<String>, edits: Vec<crate::rules::Edit>) -> Action {
+fn rewrite(title: impl Into<String>, edits: Vec<rules::Edit>) -> Action {
     Action { title: title.into(), kind: ActionKind::Rewrite, edits }
 }
 
@@ -102,8 +102,8 @@ fn words(raw: &str) -> Vec<(usize, &str)> {
 }
 
 /// Whether an attribute holds angles in radians.
-fn is_angle(node: crate::xml::Node<'_>, name: &str) -> bool {
-    let joint = |node: crate::xml::Node<'_>| {
+fn is_angle(node: xml::Node<'_>, name: &str) -> bool {
+    let joint = |node: xml::Node<'_>| {
         let kind = node.parent().and_then(|joint| joint.attr("type")).map(|kind| kind.raw().to_owned());
         !matches!(kind.as_deref(), Some("prismatic" | "fixed" | "floating"))
     };

@@ -2,11 +2,11 @@
 
 use super::place::{before, element_at, enclosing, first_child, last_child, top_level};
 use super::{Action, edit, fix};
-use crate::base::TextRange;
-use crate::expr::is_identifier;
-use crate::ide::schema;
-use crate::vfs::SourceFile;
-use crate::xml::{Document, Node};
+use base::TextRange;
+use expr::is_identifier;
+use crate::schema;
+use vfs::SourceFile;
+use xml::{Document, Node};
 
 /// What is missing according to a finding.
 pub(super) fn missing(source: &SourceFile, rule: &str, range: TextRange) -> Vec<Action> {

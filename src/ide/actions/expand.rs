@@ -2,12 +2,12 @@
 
 use super::place::{element_at, indented, line_end};
 use super::{Action, ActionKind, edit};
-use crate::base::TextRange;
-use crate::expand::{FrameId, FrameKind, Origin, write_mapped};
-use crate::ide::Cx;
-use crate::ide::expand_at::made_in;
-use crate::ide::instances::{frames_of_tag, is_within, numbered};
-use crate::xml::{Document, Node, NodeKind};
+use base::TextRange;
+use expand::{FrameId, FrameKind, Origin, write_mapped};
+use crate::Cx;
+use crate::expand_at::made_in;
+use crate::instances::{frames_of_tag, is_within, numbered};
+use xml::{Document, Node, NodeKind};
 
 /// Write what the call at an offset makes in its place, fully evaluated. Only for a call that is made once, whose
 /// macro leaves nothing behind but elements.

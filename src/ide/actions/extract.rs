@@ -2,12 +2,12 @@
 
 use super::place::{before, top_level};
 use super::{Action, ActionKind, edit};
-use crate::base::TextRange;
-use crate::expr::is_identifier;
-use crate::facts::{FactKind, facts};
-use crate::ide::{At, Cx, Part, locate};
-use crate::vfs::SourceFile;
-use crate::xml::Attr;
+use base::TextRange;
+use expr::is_identifier;
+use facts::{FactKind, facts};
+use crate::{At, Cx, Part, locate};
+use vfs::SourceFile;
+use xml::Attr;
 
 /// A number or text that can be given a name.
 struct Value<'a> {

@@ -3,13 +3,13 @@
 use super::place::{before, indented, line_end, margin, top_level};
 use super::wrap::elements;
 use super::{Action, ActionKind, edit};
-use crate::base::TextRange;
-use crate::expand::SymbolKind;
-use crate::expr::is_global_symbol;
-use crate::facts::{FactKind, MentionKind, facts};
-use crate::ide::{Cx, indentation};
-use crate::vfs::SourceFile;
-use crate::xml::{Document, Node, NodeKind};
+use base::TextRange;
+use expand::SymbolKind;
+use expr::is_global_symbol;
+use facts::{FactKind, MentionKind, facts};
+use crate::{Cx, indentation};
+use vfs::SourceFile;
+use xml::{Document, Node, NodeKind};
 
 /// A file to be made, and the text it gets.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,12 +2,12 @@
 
 use super::place::{enclosing, last_child, margin};
 use super::{Action, ActionKind, edit};
-use crate::base::{Span, TextRange};
-use crate::expand::{SourceRange, XId};
-use crate::ide::Cx;
-use crate::model::{Body, Inertial, Link, ShapeKind, Text, element_range};
-use crate::rules::Edit;
-use crate::xml::Node;
+use base::{Span, TextRange};
+use expand::{SourceRange, XId};
+use crate::Cx;
+use model::{Body, Inertial, Link, ShapeKind, Text, element_range};
+use rules::Edit;
+use xml::Node;
 
 /// Write the inertia that follows from the geometry of the link at an offset: a box, a cylinder or a sphere with
 /// the mass that is given. The centre of mass is the centre of the shape. Nothing is offered where the numbers

@@ -2,11 +2,11 @@
 
 use super::place::element_at;
 use super::{Action, ActionKind};
-use crate::base::{Span, TextRange};
-use crate::expand::{DefinitionId, SymbolKind};
-use crate::ide::{Cx, definition_of, places};
-use crate::rules::Edit;
-use crate::xml::Document;
+use base::{Span, TextRange};
+use expand::{DefinitionId, SymbolKind};
+use crate::{Cx, definition_of, places};
+use rules::Edit;
+use xml::Document;
 
 /// The property that is given or read at an offset, with its name: one that is given once, at no condition.
 pub fn inlinable(cx: &Cx<'_>, offset: u32) -> Option<(DefinitionId, String)> {
@@ -67,7 +67,7 @@ fn inlined(document: &Document, span: Span, name: &str, value: &str) -> Option<E
 
 /// An element with its line, when it stands there alone.
 fn line(document: &Document, span: Span, element: TextRange) -> Span {
-    let start = document.line_col(element.start, crate::base::Encoding::Utf8).col;
+    let start = document.line_col(element.start, base::Encoding::Utf8).col;
     let line_start = element.start - start;
     let alone = document.slice(TextRange::new(line_start, element.start)).trim().is_empty();
     let behind = document.slice(TextRange::new(element.end, element.end.saturating_add(200)));

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use super::expand::{only_frame, source_node};
 use super::place::{element_at, indented};
 use super::{Action, ActionKind, edit};
-use crate::base::{FastMap, TextRange};
-use crate::expand::parse_params;
-use crate::facts::{MentionKind, facts_of};
-use crate::ide::Cx;
-use crate::xml::{Item, Node};
+use base::{FastMap, TextRange};
+use expand::parse_params;
+use facts::{MentionKind, facts_of};
+use crate::Cx;
+use xml::{Item, Node};
 
 /// Put the body of the macro in the place of the call at an offset, with what the call passes for the parameters.
 /// Whether the robot stays the same has to be tried out.
@@ -149,7 +149,7 @@ fn term(value: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::{around, term};
-    use crate::base::TextRange;
+    use base::TextRange;
 
     #[test]
     fn names_that_are_alone_give_way_with_their_brackets() {

@@ -2,10 +2,10 @@
 
 use super::place::{enclosing, last_child, line_end, margin};
 use super::{Action, ActionKind, edit};
-use crate::base::TextRange;
-use crate::ide::indentation;
-use crate::vfs::SourceFile;
-use crate::xml::Node;
+use base::TextRange;
+use crate::indentation;
+use vfs::SourceFile;
+use xml::Node;
 
 /// Elements that the joint at an offset can have and does not.
 pub(super) fn additions(source: &SourceFile, offset: u32) -> Vec<Action> {

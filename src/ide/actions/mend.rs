@@ -1,10 +1,10 @@
 //! Mistakes of syntax that have an obvious remedy.
 
 use super::{Action, edit, fix};
-use crate::base::TextRange;
-use crate::rules::Edit;
-use crate::vfs::SourceFile;
-use crate::xml::{Document, NodeKind, SyntaxError, SyntaxErrorKind};
+use base::TextRange;
+use rules::Edit;
+use vfs::SourceFile;
+use xml::{Document, NodeKind, SyntaxError, SyntaxErrorKind};
 
 /// The remedies of the mistake at a range.
 pub fn mend_syntax(source: &SourceFile, range: TextRange) -> Vec<Action> {

@@ -2,12 +2,12 @@
 
 use super::place::{before, element_at, line_end, margin, top_level};
 use super::{Action, edit, fix};
-use crate::base::TextRange;
-use crate::expr::is_identifier;
-use crate::ide::{Cx, rename};
-use crate::rules::Edit;
-use crate::vfs::SourceFile;
-use crate::xml::Part;
+use base::TextRange;
+use expr::is_identifier;
+use crate::{Cx, rename};
+use rules::Edit;
+use vfs::SourceFile;
+use xml::Part;
 
 /// Another name for a property or parameter that hides something of Python, everywhere it is used.
 pub fn other_name(cx: &Cx<'_>, range: TextRange) -> Option<Action> {

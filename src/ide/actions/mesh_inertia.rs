@@ -7,11 +7,11 @@ use nalgebra::{Matrix3, Point3, Vector3};
 use super::inertia::{body, child, is_at, place_of_links, shown};
 use super::place::{enclosing, indented, last_child, line_end};
 use super::{Action, ActionKind, edit};
-use crate::base::TextRange;
-use crate::ide::Cx;
-use crate::model::{Inertial, Link, Mesh, Meshes, Pose, ShapeKind, Surface, Triangles, UpAxis, transform};
-use crate::rules::{Edit, FileTarget, Surroundings, factors, resolve_file};
-use crate::xml::Node;
+use base::TextRange;
+use crate::Cx;
+use model::{Inertial, Link, Mesh, Meshes, Pose, ShapeKind, Surface, Triangles, UpAxis, transform};
+use rules::{Edit, FileTarget, Surroundings, factors, resolve_file};
+use xml::Node;
 
 /// Substances offered where no mass is given, and what they weigh, kg/m³.
 const SUBSTANCES: [(&str, f64); 3] = [("plastic", 1000.0), ("aluminium", 2700.0), ("steel", 7850.0)];
@@ -225,7 +225,7 @@ fn small(length: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::integrate;
-    use crate::model::Triangles;
+    use model::Triangles;
 
     /// A box of 1, 2 and 3 m whose corner is the origin.
     fn cuboid() -> Triangles {

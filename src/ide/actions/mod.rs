@@ -29,9 +29,9 @@ pub use mesh_inertia::{Refused, of_mesh};
 pub use suppress::ignored_in_config;
 
 use super::context::Cx;
-use crate::base::{Span, TextRange};
-use crate::rules::{Edit, Surroundings};
-use crate::vfs::SourceFile;
+use base::{Span, TextRange};
+use rules::{Edit, Surroundings};
+use vfs::SourceFile;
 
 /// Something that can be done.
 #[derive(Clone, Debug, PartialEq, Eq)]

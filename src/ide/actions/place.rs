@@ -1,10 +1,10 @@
 //! Where new elements go, and how they are indented.
 
-use crate::base::TextRange;
-use crate::ide::{At, format_range, indentation, locate};
-use crate::vfs::SourceFile;
-use crate::workspace::config::Format;
-use crate::xml::{Document, Node, NodeKind, Part};
+use base::TextRange;
+use crate::{At, format_range, indentation, locate};
+use vfs::SourceFile;
+use workspace::config::Format;
+use xml::{Document, Node, NodeKind, Part};
 
 /// The line end of a document.
 pub(super) fn line_end(document: &Document) -> &'static str {
@@ -13,7 +13,7 @@ pub(super) fn line_end(document: &Document) -> &'static str {
 
 /// The white space that begins the line of an offset.
 pub(super) fn margin(document: &Document, offset: u32) -> String {
-    let line = document.line_col(offset, crate::base::Encoding::Utf8).line;
+    let line = document.line_col(offset, base::Encoding::Utf8).line;
     let text = document.line_text(line);
     text.chars().take_while(|c| matches!(c, ' ' | '\t')).collect()
 }

@@ -4,10 +4,10 @@ use super::extract_macro::nodes_in;
 use super::place::enclosing;
 use super::wrap::elements;
 use super::{Action, ActionKind, edit};
-use crate::base::TextRange;
-use crate::rules::Edit;
-use crate::vfs::SourceFile;
-use crate::xml::{Attr, Node};
+use base::TextRange;
+use rules::Edit;
+use vfs::SourceFile;
+use xml::{Attr, Node};
 
 const PREFIX: &str = "${prefix}";
 

@@ -2,10 +2,10 @@
 
 use super::place::{enclosing, line_end, margin};
 use super::{Action, ActionKind, edit};
-use crate::base::TextRange;
-use crate::ide::names::all_names;
-use crate::ide::{Cx, indentation};
-use crate::xml::{Node, NodeKind};
+use base::TextRange;
+use crate::names::all_names;
+use crate::{Cx, indentation};
+use xml::{Node, NodeKind};
 
 /// Move the collisions of the link at an offset to a link of their own, which a fixed joint holds in the same place.
 pub(super) fn collision(cx: &Cx<'_>, offset: u32) -> Option<Action> {

@@ -2,10 +2,10 @@
 
 use super::place::{element_at, line_end, margin};
 use super::{Action, edit, fix};
-use crate::base::TextRange;
-use crate::rules;
-use crate::vfs::SourceFile;
-use crate::xml::NodeKind;
+use base::TextRange;
+use rules;
+use vfs::SourceFile;
+use xml::NodeKind;
 
 /// Hide a finding of a rule where it stands, or in the whole file.
 pub(super) fn suppress(source: &SourceFile, rule: &str, range: TextRange) -> Vec<Action> {

@@ -2,9 +2,9 @@
 
 use super::place::{element_at, indented, line_end, margin};
 use super::{Action, ActionKind, edit};
-use crate::base::TextRange;
-use crate::vfs::SourceFile;
-use crate::xml::Document;
+use base::TextRange;
+use vfs::SourceFile;
+use xml::Document;
 
 /// Put the selected elements, or the one whose start tag the cursor is in, under a condition.
 pub(super) fn in_condition(source: &SourceFile, selection: TextRange) -> Option<Action> {

@@ -4,9 +4,9 @@ use super::directives::directive;
 use super::item::{Completion, Completions, ItemKind, Topic, escaped};
 use super::scope::Scope;
 use super::tags::{is_required, spec_of};
-use crate::ide::tag_reader::Open;
-use crate::ide::typed::{Typed, is_name_char};
-use crate::rules::schema::{AttributeKind, AttributeSpec, ElementSpec};
+use crate::tag_reader::Open;
+use crate::typed::{Typed, is_name_char};
+use rules::schema::{AttributeKind, AttributeSpec, ElementSpec};
 
 /// The name that xacro's tags belong to.
 const NAMESPACE: &str = "http://www.ros.org/wiki/xacro";

@@ -9,9 +9,9 @@ use super::paths;
 use super::scope::Scope;
 use super::substitutions;
 use super::tags::is_directive;
-use crate::ide::tag_reader::Open;
-use crate::ide::typed::Typed;
-use crate::rules::schema::{AttributeKind, ElementSpec};
+use crate::tag_reader::Open;
+use crate::typed::Typed;
+use rules::schema::{AttributeKind, ElementSpec};
 
 /// What the types of joints do.
 const JOINT_TYPES: &[(&str, &str)] = &[

@@ -5,10 +5,10 @@ use super::evaluate::Evaluator;
 use super::item::Topic;
 use super::names::file_name;
 use super::scope::{MacroInfo, Scope};
-use crate::expand::Param;
-use crate::expr::global_symbols;
-use crate::rules;
-use crate::rules::schema::{AttributeSpec, ElementSpec, elements};
+use expand::Param;
+use expr::global_symbols;
+use rules;
+use rules::schema::{AttributeSpec, ElementSpec, elements};
 
 /// More about a topic, as Markdown; none when there is no such thing.
 pub fn documentation(scope: &Scope<'_>, topic: &Topic) -> Option<String> {
@@ -32,8 +32,8 @@ pub fn documentation(scope: &Scope<'_>, topic: &Topic) -> Option<String> {
         }
         Topic::Property { name } => property(scope, name),
         Topic::Symbol { module, name } => {
-            let is_it = |symbol: &crate::expr::GlobalSymbol| {
-                symbol.name == name && symbol.namespace.map_or("", crate::expr::Module::name) == module
+            let is_it = |symbol: &expr::GlobalSymbol| {
+                symbol.name == name && symbol.namespace.map_or("", expr::Module::name) == module
             };
             let symbol = global_symbols().find(is_it)?;
             let call = if symbol.params.is_empty() { String::new() } else { format!("({})", symbol.params) };

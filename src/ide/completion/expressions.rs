@@ -5,11 +5,11 @@ use super::item::{Completion, Completions, ItemKind, Topic, fits};
 use super::paths;
 use super::scope::{PropertyInfo, Scope};
 use super::substitutions;
-use crate::base::limits::COMPLETIONS;
-use crate::expand::parse_params;
-use crate::expr::{SymbolKind, Value, display, global_symbols};
-use crate::ide::code::{Cursor, Hole, chain_before, cursor, hole};
-use crate::ide::typed::Typed;
+use base::limits::COMPLETIONS;
+use expand::parse_params;
+use expr::{SymbolKind, Value, display, global_symbols};
+use crate::code::{Cursor, Hole, chain_before, cursor, hole};
+use crate::typed::Typed;
 
 /// What fits into the expression that the text in front of the cursor ends in; none when it ends in none.
 pub(super) fn expression(scope: &Scope<'_>, typed: &Typed) -> Option<Completions> {
@@ -119,7 +119,7 @@ fn members(scope: &Scope<'_>, typed: &Typed, object: &str) -> Vec<Completion> {
     if dotted {
         let keys = keys(&value).into_iter();
         items.extend(keys.filter_map(|(key, shown)| match key {
-            Value::Str(name) if crate::expr::is_identifier(&name) => {
+            Value::Str(name) if expr::is_identifier(&name) => {
                 Some(Completion::new(ItemKind::Key, name).note(shown.unwrap_or_default()).rank(1))
             }
             _ => None,
@@ -163,7 +163,7 @@ fn parameters(typed: &Typed) -> Vec<Completion> {
 fn properties(scope: &Scope<'_>, found: &[PropertyInfo]) -> Vec<Completion> {
     let own = &scope.sources.source.path;
     let mut items: Vec<Completion> = Vec::new();
-    let mut seen = crate::base::FastSet::default();
+    let mut seen = base::FastSet::default();
     let named = |property: &&PropertyInfo| !property.name.is_empty() && !property.name.contains('$');
     for property in found.iter().filter(|property| !property.is_block).filter(named) {
         if !seen.insert(property.name.clone()) {
@@ -196,8 +196,8 @@ pub(super) fn show_values(scope: &Scope<'_>, offset: u32, items: &mut [Completio
     }
 }
 
-fn global(symbol: &crate::expr::GlobalSymbol) -> Completion {
-    let module = symbol.namespace.map_or("", crate::expr::Module::name).to_owned();
+fn global(symbol: &expr::GlobalSymbol) -> Completion {
+    let module = symbol.namespace.map_or("", expr::Module::name).to_owned();
     let (kind, rank) = match symbol.kind {
         SymbolKind::Constant => (ItemKind::Constant, 4),
         SymbolKind::Function | SymbolKind::Type => (ItemKind::Function, 4),
@@ -212,7 +212,7 @@ fn global(symbol: &crate::expr::GlobalSymbol) -> Completion {
             item.note(format!("({})", symbol.params)).snippet(format!("{}($1)$0", symbol.name))
         }
         SymbolKind::Constant => {
-            let value = crate::expr::global_symbol(symbol.name);
+            let value = expr::global_symbol(symbol.name);
             item.note(value.as_ref().and_then(super::evaluate::shown).unwrap_or_default())
         }
         SymbolKind::Namespace => item,

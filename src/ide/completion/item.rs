@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::base::TextRange;
-use crate::base::limits::COMPLETIONS;
+use base::TextRange;
+use base::limits::COMPLETIONS;
 
 /// What an item stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -168,7 +168,7 @@ impl Completions {
     /// Each label once, the best first, and not too many: only what fits to `typed` counts then.
     pub(super) fn bounded(mut self, typed: &str) -> Self {
         // the first of a label is the nearest
-        let mut seen = crate::base::FastSet::default();
+        let mut seen = base::FastSet::default();
         self.items.sort_by_key(|item| item.rank);
         self.items.retain(|item| seen.insert(item.label.clone()));
         if self.more || self.items.len() > COMPLETIONS {

@@ -5,13 +5,13 @@ use std::path::Path;
 use super::item::{Completion, ItemKind};
 use super::scope::{MacroInfo, Scope};
 use super::tags::spec_of;
-use crate::base::FastSet;
-use crate::expand::{Expansion, parse_params};
-use crate::facts::FactKind;
-use crate::ide::typed::Typed;
-use crate::model::Text;
-use crate::rules::schema::AttributeKind;
-use crate::xml::{Node, NodeKind};
+use base::FastSet;
+use expand::{Expansion, parse_params};
+use facts::FactKind;
+use crate::typed::Typed;
+use model::Text;
+use rules::schema::AttributeKind;
+use xml::{Node, NodeKind};
 
 /// Which names are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -120,7 +120,7 @@ fn flow(scope: &Scope<'_>, info: &MacroInfo, param: &str, depth: u32) -> Option<
     None
 }
 
-fn spec(node: Node<'_>) -> Option<&'static crate::rules::schema::ElementSpec> {
+fn spec(node: Node<'_>) -> Option<&'static rules::schema::ElementSpec> {
     let mut names: Vec<&str> =
         std::iter::successors(Some(node), |node| node.parent()).map(Node::name).collect();
     names.push("robot");

@@ -6,7 +6,7 @@ use super::evaluate::Evaluator;
 use super::item::{Completion, Completions, ItemKind, escaped};
 use super::scope::{Scope, tidy};
 use super::substitutions;
-use crate::ide::typed::Typed;
+use crate::typed::Typed;
 
 /// Which files are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

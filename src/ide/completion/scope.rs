@@ -7,13 +7,13 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use crate::base::FastSet;
-use crate::expand::{Expansion, Param, parse_params};
-use crate::facts::{Fact, FactKind, facts_of};
-use crate::model::Robot;
-use crate::vfs::{SourceFile, Vfs};
-use crate::workspace::Packages;
-use crate::xml::{Attr, Entities, Item, Node, NodeKind};
+use base::FastSet;
+use expand::{Expansion, Param, parse_params};
+use facts::{Fact, FactKind, facts_of};
+use model::Robot;
+use vfs::{SourceFile, Vfs};
+use workspace::Packages;
+use xml::{Attr, Entities, Item, Node, NodeKind};
 
 /// What the answer may be taken from.
 #[derive(Clone, Copy)]
@@ -58,7 +58,7 @@ pub(super) struct MacroInfo {
     pub file: Arc<Path>,
     /// Its element.
     pub item: Arc<Item>,
-    pub node: crate::xml::NodeId,
+    pub node: xml::NodeId,
 }
 
 /// A property that can be read, or a block that can be inserted. What there is to say about it is read off its
@@ -73,7 +73,7 @@ pub(super) struct PropertyInfo {
     /// Whether it belongs to the macro that is edited.
     pub local: bool,
     item: Arc<Item>,
-    node: crate::xml::NodeId,
+    node: xml::NodeId,
 }
 
 impl PropertyInfo {

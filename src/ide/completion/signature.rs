@@ -3,11 +3,11 @@
 use super::docs::{parameter, signature};
 use super::scope::{MacroInfo, Scope};
 use super::tags::is_required;
-use crate::base::TextRange;
-use crate::expr::{Module, global_symbols};
-use crate::ide::code::{Hole, hole, open_call};
-use crate::ide::tag_reader::Open;
-use crate::ide::typed::{Typed, Typing, is_name_char, typed};
+use base::TextRange;
+use expr::{Module, global_symbols};
+use crate::code::{Hole, hole, open_call};
+use crate::tag_reader::Open;
+use crate::typed::{Typed, Typing, is_name_char, typed};
 
 /// What a macro or function takes.
 #[derive(Clone, Debug, PartialEq, Eq)]

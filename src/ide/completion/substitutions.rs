@@ -2,8 +2,8 @@
 
 use super::item::{Completion, Completions, ItemKind};
 use super::scope::Scope;
-use crate::ide::typed::Typed;
-use crate::workspace::Step;
+use crate::typed::Typed;
+use workspace::Step;
 
 /// The commands, what each needs, and what it gives.
 const COMMANDS: &[(&str, &str, &str)] = &[

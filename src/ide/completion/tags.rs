@@ -3,9 +3,9 @@
 use super::directives::{DIRECTIVES, directive};
 use super::item::{Completion, Completions, ItemKind, Topic, escaped};
 use super::scope::{MacroInfo, Scope};
-use crate::expand::Param;
-use crate::ide::typed::{Typed, is_name_char};
-use crate::rules::schema::{AttributeKind, AttributeSpec, Content, ElementSpec, elements, robot};
+use expand::Param;
+use crate::typed::{Typed, is_name_char};
+use rules::schema::{AttributeKind, AttributeSpec, Content, ElementSpec, elements, robot};
 
 /// The element that a chain of open elements ends in, as URDF sees it: tags of xacro are transparent. None where
 /// anything may stand: in the blocks of macro calls, below unknown elements.

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::pieces::{Kind, pieces};
-use crate::base::TextRange;
-use crate::xml::Document;
+use base::TextRange;
+use xml::Document;
 
 /// One step of indentation.
 #[derive(Clone, Debug, PartialEq, Eq)]

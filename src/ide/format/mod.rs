@@ -9,9 +9,9 @@ mod indent;
 mod pieces;
 mod tag;
 
-use crate::base::TextRange;
-use crate::workspace::config;
-use crate::xml::Document;
+use base::TextRange;
+use workspace::config;
+use xml::Document;
 use indent::width;
 pub use indent::{Indent, indentation};
 use pieces::{Kind, Piece, pieces};

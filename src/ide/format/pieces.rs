@@ -1,8 +1,8 @@
 //! A document as a row of tags and what stands between them.
 
 use super::is_blank;
-use crate::base::TextRange;
-use crate::xml::{Document, Node, NodeKind};
+use base::TextRange;
+use xml::{Document, Node, NodeKind};
 
 /// A piece of a document that is no white space between elements.
 pub(super) struct Piece<'a> {

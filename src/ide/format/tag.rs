@@ -3,9 +3,9 @@
 use super::Writer;
 use super::indent::width;
 use super::pieces::Piece;
-use crate::base::TextRange;
-use crate::workspace::config::AttributeLayout;
-use crate::xml::{Attr, Node};
+use base::TextRange;
+use workspace::config::AttributeLayout;
+use xml::{Attr, Node};
 
 /// How the attributes of a tag stand below each other.
 struct Layout {

@@ -6,10 +6,10 @@ use super::super::locate::{At, Part};
 use super::super::schema;
 use super::super::values::{distinct, instances};
 use super::page::{Page, code};
-use crate::base::TextRange;
-use crate::expr::{Token, Value, literal};
-use crate::rules::schema::{AttributeKind, AttributeSpec, ElementSpec};
-use crate::xml::{Attr, Node};
+use base::TextRange;
+use expr::{Token, Value, literal};
+use rules::schema::{AttributeKind, AttributeSpec, ElementSpec};
+use xml::{Attr, Node};
 
 /// What the specification is called.
 const SPECIFICATION: &str = "https://wiki.ros.org/urdf/XML";

@@ -6,11 +6,11 @@ use super::super::locate::At;
 use super::super::values::{Instance, UNKNOWN, distinct, instances, part_values, short};
 use super::page::{Page, code, count};
 use super::{files, numbers, symbols};
-use crate::base::TextRange;
-use crate::expand::{FrameId, FrameKind, Origin};
-use crate::expr::ast::{Expr, ExprKind};
-use crate::expr::{Token, Value, display, global_symbols};
-use crate::rules::Surroundings;
+use base::TextRange;
+use expand::{FrameId, FrameKind, Origin};
+use expr::ast::{Expr, ExprKind};
+use expr::{Token, Value, display, global_symbols};
+use rules::Surroundings;
 
 /// Most characters of a value.
 const MOST_VALUE: usize = 200;
@@ -172,7 +172,7 @@ pub fn call_label(cx: &Cx<'_>, frame: FrameId) -> Option<String> {
 pub(super) fn place_name(cx: &Cx<'_>, origin: Origin) -> Option<String> {
     let place = cx.expansion.place(origin)?;
     let source = &cx.expansion.files.get(place.file.0 as usize)?.source;
-    let line = source.document.line_col(place.range.start, crate::base::Encoding::Utf8).line + 1;
+    let line = source.document.line_col(place.range.start, base::Encoding::Utf8).line + 1;
     Some(format!("{}:{line}", source.path.file_name()?.to_string_lossy()))
 }
 
@@ -197,7 +197,7 @@ pub(super) fn function(path: &[&Expr]) -> Option<Page> {
         .find(|symbol| symbol.name == name && symbol.namespace.map(|module| module.name()) == namespace)?;
     if symbol.params.is_empty()
         && symbol.namespace.is_none()
-        && symbol.kind == crate::expr::SymbolKind::Constant
+        && symbol.kind == expr::SymbolKind::Constant
     {
         return None;
     }

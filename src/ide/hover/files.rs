@@ -6,9 +6,9 @@ use super::super::locate::{At, Part};
 use super::super::paths::{FileKind, FileName, FileTarget, file_name_at};
 use super::super::values::number_text;
 use super::page::{Page, code, count};
-use crate::base::TextRange;
-use crate::model::{Mesh, Text};
-use crate::rules::Surroundings;
+use base::TextRange;
+use model::{Mesh, Text};
+use rules::Surroundings;
 
 /// Most places that are listed.
 const MOST_PLACES: usize = 8;
@@ -58,10 +58,10 @@ fn factors(cx: &Cx<'_>, at: &At<'_>) -> Option<[f64; 3]> {
     }
     let place = cx.source_range(attr.value_range().shift(at.base))?;
     let tree = &cx.expansion.tree;
-    let is_named = |id: &crate::expand::XId| {
-        tree.attr(*id, "filename").is_some_and(|file| crate::expand::SourceRange::from(file.origin) == place)
+    let is_named = |id: &expand::XId| {
+        tree.attr(*id, "filename").is_some_and(|file| expand::SourceRange::from(file.origin) == place)
     };
-    let mesh = tree.below(crate::expand::XId::DOCUMENT).find(is_named)?;
+    let mesh = tree.below(expand::XId::DOCUMENT).find(is_named)?;
     Text::attr(tree, mesh, "scale")?.numbers()
 }
 

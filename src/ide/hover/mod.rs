@@ -16,8 +16,8 @@ pub use symbols::declared_argument;
 
 use super::context::Cx;
 use super::locate::{Part, locate};
-use crate::base::TextRange;
-use crate::rules::Surroundings;
+use base::TextRange;
+use rules::Surroundings;
 
 /// A text about a piece of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -5,9 +5,9 @@ use super::super::schema;
 use super::super::values::number_text;
 use super::elements;
 use super::page::Page;
-use crate::base::TextRange;
-use crate::model::decimal;
-use crate::xml::Node;
+use base::TextRange;
+use model::decimal;
+use xml::Node;
 
 /// The number at a place.
 pub(super) fn about(cx: &super::Cx<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {

@@ -7,11 +7,11 @@ use super::expression::call_label;
 use super::files::{lengths, three_digits};
 use super::numbers::{degrees, rounded};
 use super::page::{Page, code};
-use crate::base::{FastSet, TextRange};
-use crate::expand::BindingKind;
-use crate::expr::Value;
-use crate::model::{Joint, JointType, Kinematics, Link, Pose, Robot, Text};
-use crate::rules::{Surroundings, link_bounds};
+use base::{FastSet, TextRange};
+use expand::BindingKind;
+use expr::Value;
+use model::{Joint, JointType, Kinematics, Link, Pose, Robot, Text};
+use rules::{Surroundings, link_bounds};
 
 /// Most links or joints that are shown for one text.
 const MOST: usize = 3;
@@ -115,7 +115,7 @@ fn link_page(
     made_by(cx, cx.expansion.tree.get(link.element).origin.frame, page);
 }
 
-fn made_by(cx: &Cx<'_>, frame: crate::expand::FrameId, page: &mut Page) {
+fn made_by(cx: &Cx<'_>, frame: expand::FrameId, page: &mut Page) {
     page.add(call_label(cx, frame).map(|label| format!("made by {label}")).unwrap_or_default());
 }
 

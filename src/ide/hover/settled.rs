@@ -11,13 +11,13 @@ use super::Hover;
 use super::expression::{function, shown};
 use super::page::{Page, code, count};
 use super::symbols::comment_above;
-use crate::base::{Encoding, FastSet};
-use crate::expand::{DefinitionId, SrcId, SymbolKind, UseKind, parse_params};
-use crate::expr::ast::ExprKind;
-use crate::expr::{Value, names};
-use crate::facts::{FactKind, FactsOf, MentionKind, facts_of};
-use crate::vfs::SourceFile;
-use crate::xml::Item;
+use base::{Encoding, FastSet};
+use expand::{DefinitionId, SrcId, SymbolKind, UseKind, parse_params};
+use expr::ast::ExprKind;
+use expr::{Value, names};
+use facts::{FactKind, FactsOf, MentionKind, facts_of};
+use vfs::SourceFile;
+use xml::Item;
 
 /// Bindings that a value may rest on.
 const MOST_BINDINGS: usize = 64;
@@ -64,7 +64,7 @@ fn is_of_the_file(cx: &Cx<'_>, at: &At<'_>, name: &str) -> bool {
             "xacro:macro" => {
                 let params =
                     node.attr("params").map_or(Some(Vec::new()), |params| parse_params(params.raw()));
-                let own = |params: Vec<crate::expand::Param>| params.iter().all(|param| param.name != name);
+                let own = |params: Vec<expand::Param>| params.iter().all(|param| param.name != name);
                 params.is_some_and(own) && node.attr("name").is_some_and(|name| is_called(cx, name.raw()))
             }
             _ => true,

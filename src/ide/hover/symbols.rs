@@ -6,10 +6,10 @@ use super::super::locate::At;
 use super::super::values::{Instance, distinct, part_values};
 use super::expression::{place_name, root_name, shown, value_lines};
 use super::page::{Page, code, count, plain};
-use crate::base::{FastSet, TextRange};
-use crate::expand::{Definition, DefinitionId, Expansion, FrameKind, SymbolKind, Use, UseKind};
-use crate::expr::Value;
-use crate::xml::{Node, NodeKind};
+use base::{FastSet, TextRange};
+use expand::{Definition, DefinitionId, Expansion, FrameKind, SymbolKind, Use, UseKind};
+use expr::Value;
+use xml::{Node, NodeKind};
 
 /// The name of xacro at a place.
 pub(super) fn about(cx: &Cx<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
@@ -107,7 +107,7 @@ fn is_idle(cx: &Cx<'_>, definition: &Definition, values: &[&Value]) -> bool {
 fn bound(cx: &Cx<'_>, id: DefinitionId) -> Vec<Instance> {
     let bindings = cx.expansion.bindings.iter().filter(|info| info.definition == Some(id));
     let values = bindings.filter_map(|info| {
-        let frame = info.origin.map_or(crate::expand::FrameId::ROOT, |origin| origin.frame);
+        let frame = info.origin.map_or(expand::FrameId::ROOT, |origin| origin.frame);
         Some(Instance { frame, value: info.value.clone()? })
     });
     values.collect()
@@ -116,10 +116,10 @@ fn bound(cx: &Cx<'_>, id: DefinitionId) -> Vec<Instance> {
 fn origin_line(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> String {
     let uses = cx.expansion.symbols.all_uses().filter(|used| used.definition == id);
     let uses = uses.filter(|used| used.kind != UseKind::Given).count();
-    let at = crate::expand::Origin {
+    let at = expand::Origin {
         src: definition.place.src,
         range: definition.place.range,
-        frame: crate::expand::FrameId::ROOT,
+        frame: expand::FrameId::ROOT,
     };
     let place = place_name(cx, at).unwrap_or_default();
     let of = definition.of.and_then(|of| cx.expansion.symbols.get(of));
@@ -145,7 +145,7 @@ pub fn declared_argument(expansion: &Expansion, name: &str) -> Option<(Option<St
     let (id, _) = expansion.symbols.iter().find(|(_, given)| own(given))?;
     let element = element(expansion, id)?;
     let default = element.attr("default").map(|default| default.raw().to_owned());
-    let comment = crate::ide::completion::comment_above(element);
+    let comment = crate::completion::comment_above(element);
     Some((default, Some(comment).filter(|comment| !comment.is_empty())))
 }
 
@@ -222,9 +222,9 @@ fn macro_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Page {
 /// What one call of a macro makes: `1 link, 1 joint`.
 fn made_line(cx: &Cx<'_>, definition: &Definition) -> String {
     let Some(robot) = cx.robot else { return String::new() };
-    let of_macro = |frame: &crate::expand::Frame| {
+    let of_macro = |frame: &expand::Frame| {
         frame.kind == FrameKind::Macro
-            && frame.definition.is_some_and(|at| crate::expand::SourceRange::from(at) == definition.place)
+            && frame.definition.is_some_and(|at| expand::SourceRange::from(at) == definition.place)
     };
     let calls: FastSet<u32> =
         (0..).zip(&cx.expansion.frames).filter(|(_, f)| of_macro(f)).map(|(i, _)| i).collect();
@@ -232,7 +232,7 @@ fn made_line(cx: &Cx<'_>, definition: &Definition) -> String {
         return "nothing calls it".to_owned();
     }
     let tree = &cx.expansion.tree;
-    let made = |element: crate::expand::XId| {
+    let made = |element: expand::XId| {
         cx.expansion.frames_of(tree.get(element).origin).filter(|frame| of_macro(frame)).count().min(1)
     };
     let links: usize = robot.links.iter().map(|link| made(link.element)).sum();

@@ -2,9 +2,9 @@
 
 use super::super::expressions::ExprText;
 use super::{Collector, Modifiers, TokenKind};
-use crate::base::TextRange;
-use crate::expr::{Code, Subst, Template, Token, WordKind, parse_substitution, words};
-use crate::xml::Node;
+use base::TextRange;
+use expr::{Code, Subst, Template, Token, WordKind, parse_substitution, words};
+use xml::Node;
 
 const PLAIN: Modifiers = Modifiers(0);
 

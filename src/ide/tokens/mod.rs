@@ -6,8 +6,8 @@ mod tags;
 
 use super::context::Cx;
 use super::hover::condition;
-use crate::base::TextRange;
-use crate::xml::{Node, NodeKind};
+use base::TextRange;
+use xml::{Node, NodeKind};
 use names::Names;
 
 /// What a piece of text is.

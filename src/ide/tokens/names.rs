@@ -2,10 +2,10 @@
 
 use super::super::context::Cx;
 use super::{Modifiers, TokenKind};
-use crate::base::{FastMap, FastSet, TextRange};
-use crate::expand::{SourceRange, SymbolKind};
-use crate::expr::{SymbolKind as GlobalKind, global_symbols};
-use crate::xml::Node;
+use base::{FastMap, FastSet, TextRange};
+use expand::{SourceRange, SymbolKind};
+use expr::{SymbolKind as GlobalKind, global_symbols};
+use xml::Node;
 
 /// The names of a file that expansion came by, and those that all expressions know.
 pub(super) struct Names {
@@ -63,7 +63,7 @@ impl Names {
 
     /// What `module.name` is.
     pub fn member(&self, module: &str, name: &str) -> Option<TokenKind> {
-        let of = |symbol: &crate::expr::GlobalSymbol| {
+        let of = |symbol: &expr::GlobalSymbol| {
             symbol.name == name && symbol.namespace.is_some_and(|found| found.name() == module)
         };
         global_symbols().find(of).map(|symbol| kind(symbol.kind))

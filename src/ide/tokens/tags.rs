@@ -2,9 +2,9 @@
 
 use super::super::expressions::ExprText;
 use super::{Collector, Modifiers, TokenKind};
-use crate::base::TextRange;
-use crate::facts::is_keyword;
-use crate::xml::{Attr, Node};
+use base::TextRange;
+use facts::is_keyword;
+use xml::{Attr, Node};
 
 const PLAIN: Modifiers = Modifiers(0);
 const GIVEN: Modifiers = Modifiers::DECLARATION;

@@ -7,8 +7,8 @@ use super::dae_geometry::{Arrays, Surfaced, numbers, triangles};
 use super::defect::{Defect, DefectKind};
 use super::draft::{Dependency, Draft, UpAxis};
 use super::placed::Placed;
-use crate::base::FastMap;
-use crate::base::limits::{MESH_NODES, MESH_VISITS};
+use base::FastMap;
+use base::limits::{MESH_NODES, MESH_VISITS};
 
 /// Materials of an instance that are looked at.
 const MOST_BOUND: usize = 256;

@@ -8,7 +8,7 @@ use roxmltree::{Node, NodeId};
 use super::dae::{child, children, fragment};
 use super::defect::Defect;
 use super::soup::Point;
-use crate::base::FastMap;
+use base::FastMap;
 
 /// Corners of triangles in the frame of a geometry.
 pub(super) type Triangles = Vec<[Point; 3]>;

@@ -2,7 +2,7 @@
 
 use super::defect::Defect;
 use super::soup::Soup;
-use crate::base::limits::MESH_FILES;
+use base::limits::MESH_FILES;
 
 /// The formats of meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

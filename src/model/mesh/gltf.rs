@@ -9,8 +9,8 @@ use super::draft::{Dependency, Draft, UpAxis};
 use super::gltf_json::{Buffer, Gltf, Node};
 use super::gltf_mesh::{Data, triangles};
 use super::placed::Placed;
-use crate::base::FastSet;
-use crate::base::limits::{MESH_ELEMENTS, MESH_VISITS};
+use base::FastSet;
+use base::limits::{MESH_ELEMENTS, MESH_VISITS};
 
 /// Reads a file beside the mesh; none when it is not there.
 pub(super) type Beside<'a> = &'a dyn Fn(&str) -> Option<Vec<u8>>;

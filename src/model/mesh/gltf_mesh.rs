@@ -6,7 +6,7 @@ use super::dae_geometry::{Surfaced, fan, strip};
 use super::defect::Defect;
 use super::gltf_json::{Accessor, Gltf, Primitive};
 use super::soup::Point;
-use crate::base::limits::MESH_ELEMENTS;
+use base::limits::MESH_ELEMENTS;
 
 const BYTE: u32 = 5121;
 const SHORT: u32 = 5123;

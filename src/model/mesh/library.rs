@@ -7,10 +7,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::defect::Defect;
 use super::draft::{Dependency, MeshFormat};
 use super::{Mesh, Triangles, obj};
-use crate::base::FastSet;
-use crate::base::limits::{MATERIAL_BYTES, MESH_BYTES};
-use crate::vfs::{FileCache, LoadError, LoadErrorKind, Vfs};
-use crate::workspace::percent_decoded;
+use base::FastSet;
+use base::limits::{MATERIAL_BYTES, MESH_BYTES};
+use vfs::{FileCache, LoadError, LoadErrorKind, Vfs};
+use workspace::percent_decoded;
 
 /// Meshes by path; each is read once, and again when it has changed.
 #[derive(Default)]

@@ -98,7 +98,7 @@ fn draft(ending: &str, bytes: &[u8], beside: Beside<'_>, tinted: bool) -> (Draft
         _ if is_lfs_pointer(bytes) => Err(lfs_pointer()),
         MeshFormat::StlAscii | MeshFormat::StlBinary { .. } => stl::read(bytes, &mut draft),
         MeshFormat::Obj => obj::read(bytes, beside, &mut draft),
-        MeshFormat::Dae => dae::read(&crate::vfs::text_of(bytes.to_vec()), &mut draft),
+        MeshFormat::Dae => dae::read(&vfs::text_of(bytes.to_vec()), &mut draft),
         MeshFormat::Gltf => gltf::read(bytes, beside, &mut draft),
         MeshFormat::Other => Err(Defect::unread("its format is not read")),
     };

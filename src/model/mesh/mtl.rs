@@ -2,7 +2,7 @@
 
 use super::gltf::Beside;
 use super::obj::logical_lines;
-use crate::base::FastMap;
+use base::FastMap;
 
 /// Libraries that are read for one mesh.
 const MOST_LIBRARIES: usize = 16;

@@ -7,7 +7,7 @@ use super::draft::{Dependency, Draft};
 use super::gltf::Beside;
 use super::mtl::Colors;
 use super::soup::Point;
-use crate::base::limits::MESH_FILES;
+use base::limits::MESH_FILES;
 
 /// Read an OBJ file.
 pub(super) fn read(bytes: &[u8], beside: Beside<'_>, draft: &mut Draft) -> Result<(), Defect> {

@@ -1,8 +1,8 @@
 //! Triangles as a reader finds them.
 
 use super::defect::Defect;
-use crate::base::FastMap;
-use crate::base::limits::MESH_TRIANGLES;
+use base::FastMap;
+use base::limits::MESH_TRIANGLES;
 
 /// A point, metres.
 pub(super) type Point = [f64; 3];

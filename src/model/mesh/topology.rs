@@ -2,7 +2,7 @@
 
 use super::bounds::Bounds;
 use super::soup::{Point, Soup};
-use crate::base::FastMap;
+use base::FastMap;
 
 /// Points nearer than this part of the greatest length are one.
 const WELDING: f64 = 1e-6;

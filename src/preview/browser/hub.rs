@@ -9,10 +9,10 @@ use tokio::sync::watch;
 
 use super::crowd::Crowd;
 use super::serve;
-use crate::base::limits::{CONNECTIONS, PAGES, STRANGERS};
-use crate::preview::Files;
-use crate::preview::messages::{FromViewer, ModelMessage, Selection, Side};
-use crate::vfs::Vfs;
+use base::limits::{CONNECTIONS, PAGES, STRANGERS};
+use crate::Files;
+use crate::messages::{FromViewer, ModelMessage, Selection, Side};
+use vfs::Vfs;
 
 /// A message of a page about its view.
 #[derive(Clone, Debug)]

@@ -14,4 +14,3 @@ mod socket;
 mod tests;
 
 pub use hub::{Hub, Received};
-pub use page::VIEWER;

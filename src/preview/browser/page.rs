@@ -3,9 +3,6 @@
 use axum::http::header::CONTENT_TYPE;
 use axum::response::{Html, IntoResponse, Response};
 
-/// The viewer's script; none in a build from source without it.
-pub const VIEWER: Option<&[u8]> = include!(concat!(env!("OUT_DIR"), "/viewer.rs"));
-
 const PAGE: &str = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\
     <meta name=\"viewport\" content=\"width=device-width\"><title>xacro preview</title></head>\
     <body><script src=\"/viewer.js\"></script></body></html>\n";
@@ -18,12 +15,12 @@ const HINT: &str = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf
 
 /// `/`
 pub(super) async fn page() -> Html<&'static str> {
-    Html(if VIEWER.is_some() { PAGE } else { HINT })
+    Html(if viewer::SCRIPT.is_some() { PAGE } else { HINT })
 }
 
 /// `/viewer.js`
 pub(super) async fn script() -> Response {
-    match VIEWER {
+    match viewer::SCRIPT {
         Some(script) => ([(CONTENT_TYPE, "text/javascript; charset=utf-8")], script).into_response(),
         None => axum::http::StatusCode::NOT_FOUND.into_response(),
     }

@@ -18,7 +18,7 @@ use tokio::runtime::Builder;
 use super::crowd::Pass;
 use super::hub::Hub;
 use super::{guard, page, socket};
-use crate::base::limits::{REQUEST_HEAD, SENT_BYTES};
+use base::limits::{REQUEST_HEAD, SENT_BYTES};
 
 /// A request has this long to arrive.
 const REQUEST_TIME: Duration = Duration::from_secs(5);

@@ -15,8 +15,8 @@ use tokio::sync::watch::Receiver;
 
 use super::guard;
 use super::hub::{Hub, News, Received};
-use crate::base::limits::SOCKET_MESSAGE;
-use crate::preview::messages::FromViewer;
+use base::limits::SOCKET_MESSAGE;
+use crate::messages::FromViewer;
 
 /// A socket has this long to name the token.
 const HELLO_TIME: Duration = Duration::from_secs(5);

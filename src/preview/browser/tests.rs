@@ -8,10 +8,10 @@ use std::sync::mpsc::{self, Receiver};
 use std::time::{Duration, Instant};
 
 use super::crowd::Crowd;
-use super::{Hub, Received, VIEWER};
-use crate::preview::Files;
-use crate::preview::messages::{FromViewer, Selection};
-use crate::vfs::testing::Tree;
+use super::{Hub, Received};
+use crate::Files;
+use crate::messages::{FromViewer, Selection};
+use vfs::testing::Tree;
 
 struct Rig {
     hub: Arc<Hub>,
@@ -156,7 +156,7 @@ fn the_page_says_what_it_may_do() {
         assert!(lower.contains(line), "{line} in {page}");
     }
     assert!(!lower.contains("access-control-") && !page.contains(rig.hub.token()));
-    let wanted = if VIEWER.is_some() { "/viewer.js" } else { "npm run build" };
+    let wanted = if viewer::SCRIPT.is_some() { "/viewer.js" } else { "npm run build" };
     assert!(page.contains(wanted), "{page}");
 }
 
@@ -262,7 +262,7 @@ fn files_need_the_token_and_an_id_of_a_model() {
         let answer = rig.get(path, &[&rig.token()]);
         assert!(answer.starts_with("HTTP/1.1 4") && !answer.ends_with("secret"), "{path}: {answer}");
     }
-    rig.files.keep(&crate::base::FastSet::default());
+    rig.files.keep(&base::FastSet::default());
     assert!(rig.get(&path, &[&rig.token()]).starts_with("HTTP/1.1 404"), "no model names it any more");
 }
 

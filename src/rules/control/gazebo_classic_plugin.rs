@@ -4,8 +4,8 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::plugins::plugins;
-use crate::model::Text;
-use crate::workspace::Target;
+use model::Text;
+use workspace::Target;
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL018",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Off,
     since: "0.1",
     fix: None,
-    docs: page!("gazebo-classic-plugin"),
+    docs: page("gazebo-classic-plugin"),
     check: Check::Document(check),
 };
 

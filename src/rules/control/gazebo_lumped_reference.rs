@@ -4,9 +4,9 @@ use super::super::context::RobotCx;
 use super::super::edits::{indent, is_called, source_text};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::{Reported, Sink};
-use crate::base::TextRange;
-use crate::expand::{XId, XTree};
-use crate::model::{Gazebo, Joint, JointType, Text, element_range};
+use base::TextRange;
+use expand::{XId, XTree};
+use model::{Gazebo, Joint, JointType, Text, element_range};
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL015",
@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("gazebo-lumped-reference"),
+    docs: page("gazebo-lumped-reference"),
     check: Check::Robot(check),
 };
 

@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::plugins::plugins;
-use crate::model::tag_start;
+use model::tag_start;
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL016",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("gazebo-plugin-missing-filename"),
+    docs: page("gazebo-plugin-missing-filename"),
     check: Check::Document(check),
 };
 

@@ -5,9 +5,9 @@ use super::super::edits::rename;
 use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use crate::base::FastSet;
-use crate::model::Gazebo;
-use crate::workspace::nearest;
+use base::FastSet;
+use model::Gazebo;
+use workspace::nearest;
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL014",
@@ -17,7 +17,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("gazebo-unknown-reference"),
+    docs: page("gazebo-unknown-reference"),
     check: Check::Whole(check),
 };
 

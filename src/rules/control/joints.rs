@@ -4,11 +4,11 @@ use super::super::context::{DocumentCx, RobotCx};
 use super::super::edits::{rename, source_text};
 use super::super::registry::Severity;
 use super::super::sink::Sink;
-use crate::base::{FastMap, FastSet, TextRange};
-use crate::expand::{Expansion, Origin};
-use crate::model::JointType::{Prismatic, Revolute};
-use crate::model::{ControlJoint, Joint, Text};
-use crate::workspace::nearest;
+use base::{FastMap, FastSet, TextRange};
+use expand::{Expansion, Origin};
+use model::JointType::{Prismatic, Revolute};
+use model::{ControlJoint, Joint, Text};
+use workspace::nearest;
 
 /// The joints that ros2_control lists, each with that of the robot.
 pub(super) fn controlled<'a>(cx: &DocumentCx<'a>) -> Vec<(&'a ControlJoint, &'a Joint)> {

@@ -1,7 +1,7 @@
 //! Plugins of Gazebo.
 
 use super::super::context::DocumentCx;
-use crate::expand::XId;
+use expand::XId;
 
 /// The `plugin` elements inside of `gazebo` elements, without those inside of other plugins: what stands there
 /// is the plugin's own business.

@@ -4,8 +4,8 @@ use super::super::context::DocumentCx;
 use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::base::FastMap;
-use crate::model::{ControlJoint, Interface};
+use base::FastMap;
+use model::{ControlJoint, Interface};
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL007",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("ros2-control-duplicate-joint"),
+    docs: page("ros2-control-duplicate-joint"),
     check: Check::Document(check),
 };
 

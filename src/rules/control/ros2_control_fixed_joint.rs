@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joints::{controlled, is_before_jazzy};
-use crate::model::JointType;
+use model::JointType;
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL004",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("ros2-control-fixed-joint"),
+    docs: page("ros2-control-fixed-joint"),
     check: Check::Document(check),
 };
 

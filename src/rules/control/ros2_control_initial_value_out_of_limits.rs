@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("ros2-control-initial-value-out-of-limits"),
+    docs: page("ros2-control-initial-value-out-of-limits"),
     check: Check::Document(check),
 };
 

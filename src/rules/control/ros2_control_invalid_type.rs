@@ -3,8 +3,8 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::model::tag_start;
-use crate::workspace::nearest;
+use model::tag_start;
+use workspace::nearest;
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL005",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("ros2-control-invalid-type"),
+    docs: page("ros2-control-invalid-type"),
     check: Check::Document(check),
 };
 

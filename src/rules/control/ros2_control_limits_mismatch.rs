@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("ros2-control-limits-mismatch"),
+    docs: page("ros2-control-limits-mismatch"),
     check: Check::Document(check),
 };
 

@@ -5,7 +5,7 @@ use super::super::edits::delete_element;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::joints::{controlled, is_before_jazzy};
-use crate::model::tag_start;
+use model::tag_start;
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL008",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("ros2-control-mimic-command"),
+    docs: page("ros2-control-mimic-command"),
     check: Check::Document(check),
 };
 

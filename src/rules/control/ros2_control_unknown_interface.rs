@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::numbers::rewrite;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use crate::workspace::nearest;
+use workspace::nearest;
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL003",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("ros2-control-unknown-interface"),
+    docs: page("ros2-control-unknown-interface"),
     check: Check::Document(check),
 };
 

@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("ros2-control-unknown-joint"),
+    docs: page("ros2-control-unknown-joint"),
     check: Check::Whole(check),
 };
 

@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::model::tag_start;
+use model::tag_start;
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL019",
@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("ros2-control-unknown-tag"),
+    docs: page("ros2-control-unknown-tag"),
     check: Check::Document(check),
 };
 

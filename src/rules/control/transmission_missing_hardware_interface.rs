@@ -3,9 +3,9 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::expand::XTree;
-use crate::model::Text;
-use crate::model::{Transmission, tag_start};
+use expand::XTree;
+use model::Text;
+use model::{Transmission, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL013",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("transmission-missing-hardware-interface"),
+    docs: page("transmission-missing-hardware-interface"),
     check: Check::Document(check),
 };
 

@@ -6,8 +6,8 @@ use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::joints::unknown_joints;
-use crate::model::Text;
-use crate::workspace::{Target, misspelled};
+use model::Text;
+use workspace::{Target, misspelled};
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL012",
@@ -17,7 +17,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("transmission-unknown-joint"),
+    docs: page("transmission-unknown-joint"),
     check: Check::Whole(check),
 };
 

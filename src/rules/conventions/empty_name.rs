@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("empty-name"),
+    docs: page("empty-name"),
     check: Check::Document(check),
 };
 

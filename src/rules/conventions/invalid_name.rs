@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::names;
-use crate::model::Text;
+use model::Text;
 
 pub(super) const RULE: Rule = Rule {
     code: "CNV001",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("invalid-name"),
+    docs: page("invalid-name"),
     check: Check::Document(check),
 };
 

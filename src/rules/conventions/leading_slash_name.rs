@@ -4,9 +4,9 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::names;
-use crate::base::FastSet;
-use crate::expand::BindingKind;
-use crate::model::Text;
+use base::FastSet;
+use expand::BindingKind;
+use model::Text;
 
 pub(super) const RULE: Rule = Rule {
     code: "CNV003",
@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("leading-slash-name"),
+    docs: page("leading-slash-name"),
     check: Check::Document(check),
 };
 

@@ -3,7 +3,7 @@
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::model::JointType;
+use model::JointType;
 
 pub(super) const RULE: Rule = Rule {
     code: "CNV007",
@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Profiles(&["ros-industrial"]),
     since: "0.1",
     fix: None,
-    docs: page!("link-naming"),
+    docs: page("link-naming"),
     check: Check::Robot(check),
 };
 
@@ -42,7 +42,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 fn chain(cx: &RobotCx<'_>, root: usize) -> Vec<usize> {
     let mut open = vec![(root, Vec::new())];
     let mut longest = Vec::new();
-    let mut seen = crate::base::FastSet::default();
+    let mut seen = base::FastSet::default();
     while let Some((link, moved)) = open.pop() {
         if !seen.insert(link) {
             continue;

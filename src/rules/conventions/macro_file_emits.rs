@@ -3,7 +3,7 @@
 use super::super::context::FileCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::base::TextRange;
+use base::TextRange;
 
 pub(super) const RULE: Rule = Rule {
     code: "CNV008",
@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Profiles(&["ros-industrial"]),
     since: "0.1",
     fix: None,
-    docs: page!("macro-file-emits"),
+    docs: page("macro-file-emits"),
     check: Check::File(check),
 };
 

@@ -2,9 +2,9 @@
 
 use super::super::context::DocumentCx;
 use super::super::finding::Edit;
-use crate::base::FastSet;
-use crate::expand::{Expansion, XId, XKind};
-use crate::model::{Robot, Text};
+use base::FastSet;
+use expand::{Expansion, XId, XKind};
+use model::{Robot, Text};
 
 /// What a name names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,7 +46,7 @@ pub(super) fn rename(cx: &DocumentCx<'_>, named: Named, old: &str, new: &str) ->
         let place = cx.expansion.place(text.origin).filter(|_| text.is_literal())?;
         let file = cx.expansion.files.get(place.file.0 as usize)?.source.id;
         if places.insert(place) {
-            let span = crate::base::Span { file, range: place.range };
+            let span = base::Span { file, range: place.range };
             edits.push(Edit { span, content: new.to_owned() });
         }
     }

@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("sdf-reserved-name"),
+    docs: page("sdf-reserved-name"),
     check: Check::Document(check),
 };
 

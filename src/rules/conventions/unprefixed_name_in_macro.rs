@@ -4,9 +4,9 @@ use super::super::context::FileCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::vocabulary::outside_free_zones;
-use crate::base::TextRange;
-use crate::expand::{FrameKind, XId};
-use crate::xml::{Attr, Node, NodeKind};
+use base::TextRange;
+use expand::{FrameKind, XId};
+use xml::{Attr, Node, NodeKind};
 
 pub(super) const RULE: Rule = Rule {
     code: "CNV004",
@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("unprefixed-name-in-macro"),
+    docs: page("unprefixed-name-in-macro"),
     check: Check::File(check),
 };
 

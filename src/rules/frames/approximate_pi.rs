@@ -7,8 +7,8 @@ use super::super::edits::{source_text, speaks_xacro};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::{Reported, Sink};
 use super::poses::{ANGLES, poses};
-use crate::expand::Origin;
-use crate::model::decimal;
+use expand::Origin;
+use model::decimal;
 
 pub(super) const RULE: Rule = Rule {
     code: "FRM002",
@@ -18,7 +18,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("approximate-pi"),
+    docs: page("approximate-pi"),
     check: Check::Document(check),
 };
 

@@ -7,8 +7,8 @@ use super::super::numbers::{comes_from_a_name, short};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::names::prefix_of;
-use crate::model::Text;
-use crate::model::transform;
+use model::Text;
+use model::transform;
 
 pub(super) const RULE: Rule = Rule {
     code: "FRM010",
@@ -18,7 +18,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("base-footprint-tilted"),
+    docs: page("base-footprint-tilted"),
     check: Check::Robot(check),
 };
 

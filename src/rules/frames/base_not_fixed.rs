@@ -4,7 +4,7 @@ use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::names::prefix_of;
-use crate::model::JointType;
+use model::JointType;
 
 pub(super) const RULE: Rule = Rule {
     code: "FRM007",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("base-not-fixed"),
+    docs: page("base-not-fixed"),
     check: Check::Robot(check),
 };
 

@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Profiles(&["ros-industrial"]),
     since: "0.1",
     fix: None,
-    docs: page!("flange-tool0-offset"),
+    docs: page("flange-tool0-offset"),
     check: Check::Document(check),
 };
 

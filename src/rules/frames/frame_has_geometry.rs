@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::names::prefix_of;
-use crate::model::{Link, Robot, tag_start};
+use model::{Link, Robot, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "FRM008",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("frame-has-geometry"),
+    docs: page("frame-has-geometry"),
     check: Check::Document(check),
 };
 

@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::names::prefix_of;
-use crate::expand::{XId, XTree};
+use expand::{XId, XTree};
 
 pub(super) const RULE: Rule = Rule {
     code: "FRM016",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Off,
     since: "0.1",
     fix: None,
-    docs: page!("imu-frame-name"),
+    docs: page("imu-frame-name"),
     check: Check::Document(check),
 };
 

@@ -4,7 +4,7 @@ use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::names::can_move;
-use crate::model::tag_start;
+use model::tag_start;
 
 pub(super) const RULE: Rule = Rule {
     code: "FRM012",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Profiles(&["ros-industrial"]),
     since: "0.1",
     fix: None,
-    docs: page!("missing-base-frame"),
+    docs: page("missing-base-frame"),
     check: Check::Whole(check),
 };
 

@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Profiles(&["ros-industrial", "mobile"]),
     since: "0.1",
     fix: None,
-    docs: page!("missing-base-link"),
+    docs: page("missing-base-link"),
     check: Check::Whole(check),
 };
 

@@ -4,7 +4,7 @@ use super::super::arms::serial_arms;
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::model::{Robot, tag_start};
+use model::{Robot, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "FRM011",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Profiles(&["ros-industrial"]),
     since: "0.1",
     fix: None,
-    docs: page!("missing-tool0"),
+    docs: page("missing-tool0"),
     check: Check::Whole(check),
 };
 

@@ -12,7 +12,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Profiles(&["ros-industrial"]),
     since: "0.1",
     fix: None,
-    docs: page!("multi-axis-rpy"),
+    docs: page("multi-axis-rpy"),
     check: Check::Document(check),
 };
 

@@ -1,6 +1,6 @@
 //! Names of frames with their prefixes.
 
-use crate::model::Robot;
+use model::Robot;
 
 /// What stands in front of `frame` in a name: nothing, or a prefix with its separator. None when the name is
 /// another one.

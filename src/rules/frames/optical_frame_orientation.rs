@@ -9,7 +9,7 @@ use super::super::edits::speaks_xacro;
 use super::super::numbers::rewrite;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use crate::model::{Joint, tag_start};
+use model::{Joint, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "FRM004",
@@ -19,7 +19,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("optical-frame-orientation"),
+    docs: page("optical-frame-orientation"),
     check: Check::Document(check),
 };
 

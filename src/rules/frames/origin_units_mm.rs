@@ -6,8 +6,8 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use super::super::thresholds::MAX_JOINT_OFFSET;
 use super::super::vocabulary::is_surroundings;
-use crate::base::FastSet;
-use crate::model::{Joint, JointType, Robot};
+use base::FastSet;
+use model::{Joint, JointType, Robot};
 
 pub(super) const RULE: Rule = Rule {
     code: "FRM003",
@@ -17,7 +17,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("origin-units-mm"),
+    docs: page("origin-units-mm"),
     check: Check::Document(check),
 };
 

@@ -1,7 +1,7 @@
 //! All origins of a document.
 
 use super::super::context::DocumentCx;
-use crate::model::{Body, Pose};
+use model::{Body, Pose};
 
 /// The names of the three angles.
 pub(super) const ANGLES: [&str; 3] = ["roll", "pitch", "yaw"];

@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Off,
     since: "0.1",
     fix: None,
-    docs: page!("root-not-conventional"),
+    docs: page("root-not-conventional"),
     check: Check::Whole(check),
 };
 

@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("rpy-degrees"),
+    docs: page("rpy-degrees"),
     check: Check::Document(check),
 };
 

@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::model::JointType;
+use model::JointType;
 
 pub(super) const RULE: Rule = Rule {
     code: "FRM006",
@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("tool0-not-fixed"),
+    docs: page("tool0-not-fixed"),
     check: Check::Document(check),
 };
 

@@ -12,7 +12,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("tool-frame-name"),
+    docs: page("tool-frame-name"),
     check: Check::Document(check),
 };
 

@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::model::MeshFormat;
+use model::MeshFormat;
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO004",
@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("ascii-stl"),
+    docs: page("ascii-stl"),
     check: Check::Document(check),
 };
 

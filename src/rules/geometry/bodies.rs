@@ -2,8 +2,8 @@
 
 use super::super::context::{DocumentCx, RootKind, Surroundings};
 use super::resources::factors;
-use crate::expand::Expansion;
-use crate::model::{Body, Bounds, Link, Mesh, Robot, Shape, ShapeKind, Text, UpAxis, transform};
+use expand::Expansion;
+use model::{Body, Bounds, Link, Mesh, Robot, Shape, ShapeKind, Text, UpAxis, transform};
 
 /// What is known about the space that bodies take.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("collision-same-as-visual"),
+    docs: page("collision-same-as-visual"),
     check: Check::Document(check),
 };
 

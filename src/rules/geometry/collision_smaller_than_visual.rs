@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::bodies::extent_of;
-use crate::model::{Bounds, tag_start};
+use model::{Bounds, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO033",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Off,
     since: "0.1",
     fix: None,
-    docs: page!("collision-smaller-than-visual"),
+    docs: page("collision-smaller-than-visual"),
     check: Check::Document(check),
 };
 

@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("color-out-of-range"),
+    docs: page("color-out-of-range"),
     check: Check::Document(check),
 };
 

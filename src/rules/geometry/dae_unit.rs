@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::once_per_file::each_file;
-use crate::model::{Mesh, MeshFormat};
+use model::{Mesh, MeshFormat};
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO024",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Off,
     since: "0.1",
     fix: None,
-    docs: page!("dae-unit"),
+    docs: page("dae-unit"),
     check: Check::Document(check),
 };
 

@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::once_per_file::each_file;
-use crate::model::{Mesh, MeshFormat, UpAxis};
+use model::{Mesh, MeshFormat, UpAxis};
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO023",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("dae-up-axis"),
+    docs: page("dae-up-axis"),
     check: Check::Document(check),
 };
 

@@ -5,8 +5,8 @@ use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::{is_replaceable, resource_names};
-use crate::model::Text;
-use crate::workspace::Target;
+use model::Text;
+use workspace::Target;
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO021",
@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("malformed-resource-uri"),
+    docs: page("malformed-resource-uri"),
     check: Check::Document(check),
 };
 

@@ -4,8 +4,8 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::{is_defined, visual_materials};
-use crate::base::FastMap;
-use crate::model::Material;
+use base::FastMap;
+use model::Material;
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO028",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("material-redefinition"),
+    docs: page("material-redefinition"),
     check: Check::Document(check),
 };
 

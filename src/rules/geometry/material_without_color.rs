@@ -4,7 +4,7 @@ use super::super::context::{DocumentCx, RootKind};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::is_defined;
-use crate::model::{Material, Text, source_has_elements, tag_start};
+use model::{Material, Text, source_has_elements, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO031",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("material-without-color"),
+    docs: page("material-without-color"),
     check: Check::Document(check),
 };
 

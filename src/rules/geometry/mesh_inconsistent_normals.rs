@@ -12,7 +12,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("mesh-inconsistent-normals"),
+    docs: page("mesh-inconsistent-normals"),
     check: Check::Document(check),
 };
 

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::model::Missing;
+use model::Missing;
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO022",
@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("mesh-missing-dependency"),
+    docs: page("mesh-missing-dependency"),
     check: Check::Document(check),
 };
 

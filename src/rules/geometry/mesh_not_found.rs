@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("mesh-not-found"),
+    docs: page("mesh-not-found"),
     check: Check::Document(check),
 };
 

@@ -5,9 +5,9 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use super::super::thresholds::{MAX_EXTENT, MIN_EXTENT};
 use super::resources::MeshUse;
-use crate::base::TextRange;
-use crate::expand::{FileIdx, Origin};
-use crate::model::{Robot, tag_start};
+use base::TextRange;
+use expand::{FileIdx, Origin};
+use model::{Robot, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO007",
@@ -17,7 +17,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("mesh-scale-suspicious"),
+    docs: page("mesh-scale-suspicious"),
     check: Check::Document(check),
 };
 

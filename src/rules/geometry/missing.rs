@@ -9,7 +9,7 @@ use super::super::grouping::Group;
 use super::super::registry::{Safety, Severity};
 use super::super::sink::{Reported, Sink};
 use super::shapes::is_replaceable;
-use crate::model::Text;
+use model::Text;
 
 /// The missing files of a robot by package and folder.
 #[derive(Default)]

@@ -3,7 +3,7 @@
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::model::{JointType, ShapeKind};
+use model::{JointType, ShapeKind};
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO032",
@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Off,
     since: "0.1",
     fix: None,
-    docs: page!("missing-collision"),
+    docs: page("missing-collision"),
     check: Check::Whole(check),
 };
 

@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::bodies;
-use crate::model::{ShapeKind, tag_start};
+use model::{ShapeKind, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO015",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("multiple-geometries"),
+    docs: page("multiple-geometries"),
     check: Check::Document(check),
 };
 

@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::bodies;
-use crate::model::{ShapeKind, Text};
+use model::{ShapeKind, Text};
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO013",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("non-positive-dimension"),
+    docs: page("non-positive-dimension"),
     check: Check::Document(check),
 };
 

@@ -2,8 +2,8 @@
 
 use super::super::context::DocumentCx;
 use super::resources::MeshUse;
-use crate::base::FastMap;
-use crate::model::Mesh;
+use base::FastMap;
+use model::Mesh;
 
 /// Further places listed with a finding.
 const MOST_PLACES: usize = 10;

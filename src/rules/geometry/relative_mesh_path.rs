@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("relative-mesh-path"),
+    docs: page("relative-mesh-path"),
     check: Check::Document(check),
 };
 

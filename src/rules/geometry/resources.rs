@@ -8,10 +8,10 @@ use rayon::prelude::*;
 use super::super::context::{DocumentCx, Surroundings};
 use super::super::grouping::Group;
 use super::malformed_resource_uri::defect;
-use crate::base::FastMap;
-use crate::expand::{Expansion, FileIdx, XId};
-use crate::model::{Link, Mesh, Shape, ShapeKind, Text};
-use crate::workspace::{UriKind, UriOutcome};
+use base::FastMap;
+use expand::{Expansion, FileIdx, XId};
+use model::{Link, Mesh, Shape, ShapeKind, Text};
+use workspace::{UriKind, UriOutcome};
 
 /// Where the text of a file name leads.
 #[derive(Clone, Debug, PartialEq, Eq)]

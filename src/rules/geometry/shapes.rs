@@ -1,7 +1,7 @@
 //! The bodies and materials of a robot.
 
 use super::super::context::DocumentCx;
-use crate::model::{Body, Link, Material, Robot, ShapeKind, Text};
+use model::{Body, Link, Material, Robot, ShapeKind, Text};
 
 /// All visuals and collisions with their link, and whether it is a collision.
 pub(super) fn bodies<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = (&'a Link, &'a Body, bool)> {

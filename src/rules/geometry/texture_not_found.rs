@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::missing::{MissingFiles, shown};
 use super::resources::{Target, resolve};
 use super::shapes::{materials, visual_materials};
-use crate::base::FastSet;
+use base::FastSet;
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO030",
@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("texture-not-found"),
+    docs: page("texture-not-found"),
     check: Check::Document(check),
 };
 

@@ -5,8 +5,8 @@ use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::{is_defined, is_replaceable, visual_materials};
-use crate::base::FastSet;
-use crate::workspace::nearest;
+use base::FastSet;
+use workspace::nearest;
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO026",
@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("undefined-material"),
+    docs: page("undefined-material"),
     check: Check::Whole(check),
 };
 

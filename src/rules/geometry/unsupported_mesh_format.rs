@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::resources::Target;
-use crate::workspace::edit_distance;
+use workspace::edit_distance;
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO003",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("unsupported-mesh-format"),
+    docs: page("unsupported-mesh-format"),
     check: Check::Document(check),
 };
 

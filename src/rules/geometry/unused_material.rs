@@ -4,10 +4,10 @@ use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::visual_materials;
-use crate::base::FastSet;
-use crate::expand::FileIdx;
-use crate::model::element_range;
-use crate::xml::Node;
+use base::FastSet;
+use expand::FileIdx;
+use model::element_range;
+use xml::Node;
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO029",
@@ -17,7 +17,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("unused-material"),
+    docs: page("unused-material"),
     check: Check::Whole(check),
 };
 

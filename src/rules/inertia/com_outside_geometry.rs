@@ -5,7 +5,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{LIGHT, MARKER, is_in_world, known_box};
 use super::moments::{inertials, is_same_about_all_axes};
-use crate::model::{Bounds, Inertial};
+use model::{Bounds, Inertial};
 
 pub(super) const RULE: Rule = Rule {
     code: "INR009",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("com-outside-geometry"),
+    docs: page("com-outside-geometry"),
     check: Check::Document(check),
 };
 

@@ -7,7 +7,7 @@ use super::super::sink::Sink;
 use super::joined::{is_in_world, shape};
 use super::moments::{inertials, short};
 use super::placeholder_inertia::is_placeholder;
-use crate::model::Link;
+use model::Link;
 
 pub(super) const RULE: Rule = Rule {
     code: "INR007",
@@ -17,7 +17,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("implausible-density"),
+    docs: page("implausible-density"),
     check: Check::Document(check),
 };
 

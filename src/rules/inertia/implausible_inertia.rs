@@ -7,7 +7,7 @@ use super::super::sink::Sink;
 use super::joined::{LIGHT, is_in_world, is_joined, shape};
 use super::moments::{Verdict, inertia_tag, inertials, is_same_about_all_axes, short, verdict};
 use super::placeholder_inertia::is_placeholder;
-use crate::model::Link;
+use model::Link;
 
 pub(super) const RULE: Rule = Rule {
     code: "INR006",
@@ -17,7 +17,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("implausible-inertia"),
+    docs: page("implausible-inertia"),
     check: Check::Document(check),
 };
 

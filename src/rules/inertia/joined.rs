@@ -4,7 +4,7 @@
 use super::super::context::DocumentCx;
 use super::super::geometry::{Extent, extent_of};
 use super::super::vocabulary::is_surroundings;
-use crate::model::{Bounds, Joint, JointType, Link};
+use model::{Bounds, Joint, JointType, Link};
 
 /// A geometry whose box has half a diagonal up to this length in metres is a marker: it does not show the shape.
 pub(super) const MARKER: f64 = 0.01;

@@ -3,9 +3,9 @@
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::base::FastSet;
-use crate::model::{JointType, Ros2Control, Text};
-use crate::workspace::config::Profile;
+use base::FastSet;
+use model::{JointType, Ros2Control, Text};
+use workspace::config::Profile;
 
 pub(super) const RULE: Rule = Rule {
     code: "INR011",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("missing-inertial"),
+    docs: page("missing-inertial"),
     check: Check::Whole(check),
 };
 

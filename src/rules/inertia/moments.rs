@@ -3,8 +3,8 @@
 use nalgebra::{Matrix3, SymmetricEigen};
 
 use super::super::context::DocumentCx;
-use crate::expand::{Expansion, Origin};
-use crate::model::{Inertial, Link, tag_start};
+use expand::{Expansion, Origin};
+use model::{Inertial, Link, tag_start};
 
 /// Negative moments smaller than this part of the greatest are rounding of the program that computed them.
 const ROUNDING: f64 = 7e-6;

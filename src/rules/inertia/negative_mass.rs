@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("negative-mass"),
+    docs: page("negative-mass"),
     check: Check::Document(check),
 };
 

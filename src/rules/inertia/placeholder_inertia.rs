@@ -5,7 +5,7 @@ use super::super::geometry::extent;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::moments::{inertia_tag, inertials};
-use crate::model::{Inertial, Link};
+use model::{Inertial, Link};
 
 pub(super) const RULE: Rule = Rule {
     code: "INR008",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("placeholder-inertia"),
+    docs: page("placeholder-inertia"),
     check: Check::Document(check),
 };
 

@@ -3,9 +3,9 @@
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use crate::base::TextRange;
-use crate::model::tag_start;
-use crate::workspace::config::Profile;
+use base::TextRange;
+use model::tag_start;
+use workspace::config::Profile;
 
 pub(super) const RULE: Rule = Rule {
     code: "INR010",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("root-link-inertia"),
+    docs: page("root-link-inertia"),
     check: Check::Robot(check),
 };
 

@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("zero-inertia"),
+    docs: page("zero-inertia"),
     check: Check::Document(check),
 };
 

@@ -5,7 +5,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use super::joined::is_joined;
 use super::moments::{Verdict, inertials, verdict};
-use crate::model::{Robot, element_range};
+use model::{Robot, element_range};
 
 pub(super) const RULE: Rule = Rule {
     code: "INR002",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("zero-mass"),
+    docs: page("zero-mass"),
     check: Check::Document(check),
 };
 

@@ -1,6 +1,6 @@
 //! Axes of joints, as numbers.
 
-use crate::model::{Joint, JointType, Text};
+use model::{Joint, JointType, Text};
 
 /// What counts as no length at all.
 pub(super) const NO_LENGTH: f64 = 1e-9;

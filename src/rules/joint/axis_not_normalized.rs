@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("axis-not-normalized"),
+    docs: page("axis-not-normalized"),
     check: Check::Document(check),
 };
 

@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::edits::delete_element;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use crate::model::element_range;
+use model::element_range;
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT018",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("empty-dynamics"),
+    docs: page("empty-dynamics"),
     check: Check::Document(check),
 };
 

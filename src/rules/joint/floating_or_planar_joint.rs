@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::model::JointType::{Floating, Planar};
+use model::JointType::{Floating, Planar};
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT025",
@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("floating-or-planar-joint"),
+    docs: page("floating-or-planar-joint"),
     check: Check::Document(check),
 };
 

@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::numbers::{UNLIMITED, from_degrees, is_part_of_pi, short, whole};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use crate::model::JointType;
+use model::JointType;
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT006",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("joint-limit-degrees"),
+    docs: page("joint-limit-degrees"),
     check: Check::Document(check),
 };
 

@@ -4,8 +4,8 @@ use super::super::context::DocumentCx;
 use super::super::edits::{is_called, source_text};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::{Reported, Sink};
-use crate::model::JointType::{Continuous, Fixed, Floating};
-use crate::model::{Limit, Text, tag_start};
+use model::JointType::{Continuous, Fixed, Floating};
+use model::{Limit, Text, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT004",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("joint-limit-inverted"),
+    docs: page("joint-limit-inverted"),
     check: Check::Document(check),
 };
 

@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Profiles(&["ros-industrial"]),
     since: "0.1",
     fix: None,
-    docs: page!("joint-naming"),
+    docs: page("joint-naming"),
     check: Check::Robot(check),
 };
 

@@ -5,7 +5,7 @@ use super::super::numbers::{UNLIMITED, from_degrees, whole};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::thresholds::MAX_JOINT_VELOCITY;
-use crate::model::{Joint, JointType, Limit, Text};
+use model::{Joint, JointType, Limit, Text};
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT007",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("joint-velocity-degrees"),
+    docs: page("joint-velocity-degrees"),
     check: Check::Document(check),
 };
 

@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::edits::delete_attrs;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use crate::model::{Joint, JointType, Limit, Text, tag_start};
+use model::{Joint, JointType, Limit, Text, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT017",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("limit-on-continuous"),
+    docs: page("limit-on-continuous"),
     check: Check::Document(check),
 };
 

@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Off,
     since: "0.1",
     fix: None,
-    docs: page!("mimic-chain"),
+    docs: page("mimic-chain"),
     check: Check::Robot(check),
 };
 

@@ -4,7 +4,7 @@ use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::mimics::targets;
-use crate::base::{FastMap, FastSet};
+use base::{FastMap, FastSet};
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT022",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("mimic-cycle"),
+    docs: page("mimic-cycle"),
     check: Check::Robot(check),
 };
 

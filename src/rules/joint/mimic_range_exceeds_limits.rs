@@ -5,9 +5,9 @@ use super::super::numbers::short;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::mimics::mimicking;
-use crate::model::JointType::{Prismatic, Revolute};
-use crate::model::Text;
-use crate::model::{Joint, tag_start};
+use model::JointType::{Prismatic, Revolute};
+use model::Text;
+use model::{Joint, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT024",
@@ -17,7 +17,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("mimic-range-exceeds-limits"),
+    docs: page("mimic-range-exceeds-limits"),
     check: Check::Robot(check),
 };
 

@@ -4,8 +4,8 @@ use super::super::context::RobotCx;
 use super::super::edits::rename;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use crate::base::FastSet;
-use crate::workspace::nearest;
+use base::FastSet;
+use workspace::nearest;
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT021",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("mimic-unknown-joint"),
+    docs: page("mimic-unknown-joint"),
     check: Check::Whole(check),
 };
 

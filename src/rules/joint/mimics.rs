@@ -1,7 +1,7 @@
 //! Which joint follows which.
 
-use crate::base::FastMap;
-use crate::model::{Joint, Robot, Text};
+use base::FastMap;
+use model::{Joint, Robot, Text};
 
 /// For each joint, the one it mimics: indices into [`Robot::joints`].
 pub(super) fn targets(robot: &Robot) -> Vec<Option<usize>> {

@@ -4,8 +4,8 @@ use super::super::context::DocumentCx;
 use super::super::edits::{indent, source_text};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::{Reported, Sink};
-use crate::base::TextRange;
-use crate::model::{Joint, JointType, element_range, tag_start};
+use base::TextRange;
+use model::{Joint, JointType, element_range, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT013",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("missing-axis"),
+    docs: page("missing-axis"),
     check: Check::Document(check),
 };
 

@@ -3,8 +3,8 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::model::JointType::{Prismatic, Revolute};
-use crate::model::tag_start;
+use model::JointType::{Prismatic, Revolute};
+use model::tag_start;
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT002",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("missing-joint-limit"),
+    docs: page("missing-joint-limit"),
     check: Check::Document(check),
 };
 

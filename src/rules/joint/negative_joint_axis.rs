@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Off,
     since: "0.1",
     fix: None,
-    docs: page!("negative-joint-axis"),
+    docs: page("negative-joint-axis"),
     check: Check::Document(check),
 };
 

@@ -4,8 +4,8 @@ use super::super::context::DocumentCx;
 use super::super::numbers::short;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::model::JointType::{Prismatic, Revolute};
-use crate::model::Text;
+use model::JointType::{Prismatic, Revolute};
+use model::Text;
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT020",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("safety-limits-outside-limits"),
+    docs: page("safety-limits-outside-limits"),
     check: Check::Document(check),
 };
 

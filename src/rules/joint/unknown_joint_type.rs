@@ -4,8 +4,8 @@ use super::super::context::DocumentCx;
 use super::super::numbers::rewrite;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use crate::model::JointType;
-use crate::workspace::nearest;
+use model::JointType;
+use workspace::nearest;
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT001",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("unknown-joint-type"),
+    docs: page("unknown-joint-type"),
     check: Check::Document(check),
 };
 

@@ -6,8 +6,8 @@ use super::super::context::RobotCx;
 use super::super::numbers::{rewrite, vector};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use crate::model::Robot;
-use crate::model::{Joint, JointType, Kinematics, transform};
+use model::Robot;
+use model::{Joint, JointType, Kinematics, transform};
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT015",
@@ -17,7 +17,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("wheel-axis-direction"),
+    docs: page("wheel-axis-direction"),
     check: Check::Robot(check),
 };
 

@@ -5,8 +5,8 @@ use super::super::numbers::{rewrite, vector};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::wheels::{axis_in_parent, other_side};
-use crate::base::FastMap;
-use crate::model::{Joint, JointType, Robot, tag_start};
+use base::FastMap;
+use model::{Joint, JointType, Robot, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT014",
@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("wheel-axis-opposed"),
+    docs: page("wheel-axis-opposed"),
     check: Check::Document(check),
 };
 

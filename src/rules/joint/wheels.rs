@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::model::{Joint, transform};
+use model::{Joint, transform};
 
 /// Words for one side of a robot, and the same for the other one.
 const SIDES: [(&str, &str); 4] = [("left", "right"), ("l", "r"), ("lf", "rf"), ("lr", "rr")];

@@ -3,9 +3,9 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::base::FastMap;
-use crate::expand::FileIdx;
-use crate::model::{Joint, Text};
+use base::FastMap;
+use expand::FileIdx;
+use model::{Joint, Text};
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT009",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("zero-effort-or-velocity"),
+    docs: page("zero-effort-or-velocity"),
     check: Check::Document(check),
 };
 

@@ -2,8 +2,8 @@
 
 use super::super::finding::Finding;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
-use crate::base::{FileId, Span};
-use crate::workspace::config::ConfigWarning;
+use base::{FileId, Span};
+use workspace::config::ConfigWarning;
 
 pub(super) const RULE: Rule = Rule {
     code: "LNT004",
@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("invalid-config"),
+    docs: page("invalid-config"),
     check: Check::Analysis,
 };
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::registry::{Rule, all};
 use super::suppression::{Directive, Selector, Suppression};
-use crate::base::{FastMap, TextRange};
+use base::{FastMap, TextRange};
 
 /// The suppressions of a file, by the words they name rules with.
 #[derive(Clone, Debug, Default)]

@@ -2,9 +2,9 @@
 
 use super::super::registry::Rule;
 use super::reach::Reach;
-use crate::base::{Encoding, TextRange};
-use crate::workspace::nearest;
-use crate::xml::{Document, Node, NodeKind};
+use base::{Encoding, TextRange};
+use workspace::nearest;
+use xml::{Document, Node, NodeKind};
 
 /// The words that may follow.
 const WORDS: [&str; 4] = ["disable-next-line", "disable", "enable", "disable-file"];
@@ -238,7 +238,7 @@ fn read(text: &str, start: u32, comment: TextRange) -> Result<Suppression, (Stri
 mod tests {
     use super::super::super::registry::by_code;
     use super::Suppressions;
-    use crate::xml::Document;
+    use xml::Document;
 
     /// Whether a finding at the first `here` of a text is hidden from a rule.
     fn hides(text: &str, code: &str) -> bool {

@@ -6,7 +6,7 @@ use super::super::registry::{
 };
 use super::super::sink::Sink;
 use super::suppression::Suppressions;
-use crate::workspace::edit_distance;
+use workspace::edit_distance;
 
 pub(super) const RULE: Rule = Rule {
     code: "LNT002",
@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("unknown-rule-in-suppression"),
+    docs: page("unknown-rule-in-suppression"),
     check: Check::File(check),
 };
 

@@ -3,9 +3,9 @@
 use super::super::finding::{Edit, Finding, Fix};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::suppression::{Directive, Selector, Suppression};
-use crate::base::{FastSet, Span, TextRange};
-use crate::vfs::SourceFile;
-use crate::xml::Document;
+use base::{FastSet, Span, TextRange};
+use vfs::SourceFile;
+use xml::Document;
 
 pub(super) const RULE: Rule = Rule {
     code: "LNT001",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("unused-suppression"),
+    docs: page("unused-suppression"),
     check: Check::Analysis,
 };
 

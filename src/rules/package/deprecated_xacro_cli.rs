@@ -7,7 +7,7 @@ use super::super::finding::Edit;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::launch::{self, is_launch};
-use crate::base::{Span, TextRange};
+use base::{Span, TextRange};
 
 pub(super) const RULE: Rule = Rule {
     code: "PKG007",
@@ -17,7 +17,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Off,
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("deprecated-xacro-cli"),
+    docs: page("deprecated-xacro-cli"),
     check: Check::Document(check),
 };
 

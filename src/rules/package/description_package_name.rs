@@ -4,7 +4,7 @@ use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::manifest;
-use crate::expand::FileIdx;
+use expand::FileIdx;
 
 pub(super) const RULE: Rule = Rule {
     code: "PKG006",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Profiles(&["ros-industrial"]),
     since: "0.1",
     fix: None,
-    docs: page!("description-package-name"),
+    docs: page("description-package-name"),
     check: Check::Robot(check),
 };
 

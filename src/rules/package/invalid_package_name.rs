@@ -5,7 +5,7 @@ use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::mentions;
-use crate::base::FastSet;
+use base::FastSet;
 
 pub(super) const RULE: Rule = Rule {
     code: "PKG004",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("invalid-package-name"),
+    docs: page("invalid-package-name"),
     check: Check::File(check),
 };
 

@@ -6,11 +6,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 use roxmltree::{Document, Node, ParsingOptions};
 
 use super::super::context::Surroundings;
-use crate::base::limits::MANIFEST_NODES;
-use crate::base::{FastMap, FastSet, FileId, Span, TextRange};
-use crate::expand::FileIdx;
-use crate::vfs::TextFile;
-use crate::workspace::Package;
+use base::limits::MANIFEST_NODES;
+use base::{FastMap, FastSet, FileId, Span, TextRange};
+use expand::FileIdx;
+use vfs::TextFile;
+use workspace::Package;
 
 /// The elements that make a package come along with another one at run time.
 const RUNTIME: [&str; 4] = ["depend", "exec_depend", "run_depend", "build_export_depend"];
@@ -148,7 +148,7 @@ fn insertion(text: &str, root: Node<'_, '_>) -> (u32, String, String) {
 /// The manifest of the package that a file of an expansion belongs to.
 pub(super) fn of_file(
     world: Surroundings<'_>,
-    expansion: &crate::expand::Expansion,
+    expansion: &expand::Expansion,
     file: FileIdx,
 ) -> Option<Arc<Manifest>> {
     Manifest::around(world, &expansion.files.get(file.0 as usize)?.source.path)
@@ -157,7 +157,7 @@ pub(super) fn of_file(
 #[cfg(test)]
 mod tests {
     use super::Manifest;
-    use crate::base::FileId;
+    use base::FileId;
 
     fn added(text: &str) -> String {
         let manifest = Manifest::read(text, FileId(0), "p".into(), "p".to_owned()).unwrap();

@@ -6,8 +6,8 @@ use memchr::memchr2;
 use memchr::memmem::Finder;
 
 use super::super::context::FileCx;
-use crate::base::TextRange;
-use crate::xml::{Node, NodeKind};
+use base::TextRange;
+use xml::{Node, NodeKind};
 
 /// A package that a text names.
 #[derive(Debug)]

@@ -7,7 +7,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use super::manifest;
 use super::mentions::{self, Mention};
-use crate::base::FastSet;
+use base::FastSet;
 
 pub(super) const RULE: Rule = Rule {
     code: "PKG002",
@@ -17,7 +17,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("missing-package-dependency"),
+    docs: page("missing-package-dependency"),
     check: Check::File(check),
 };
 

@@ -8,9 +8,9 @@ use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::manifest;
-use crate::base::TextRange;
-use crate::expand::{Expansion, FileIdx, Origin, Read, XAttr, XId};
-use crate::workspace::NotFound;
+use base::TextRange;
+use expand::{Expansion, FileIdx, Origin, Read, XAttr, XId};
+use workspace::NotFound;
 
 pub(super) const RULE: Rule = Rule {
     code: "PKG001",
@@ -20,7 +20,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("package-not-found"),
+    docs: page("package-not-found"),
     // that of `$(find)` is said by the expander
     check: Check::Document(check),
 };

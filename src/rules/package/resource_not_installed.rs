@@ -4,7 +4,7 @@ use super::super::context::FileCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::mentions;
-use crate::base::{FastSet, TextRange};
+use base::{FastSet, TextRange};
 
 pub(super) const RULE: Rule = Rule {
     code: "PKG003",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("resource-not-installed"),
+    docs: page("resource-not-installed"),
     check: Check::File(check),
 };
 

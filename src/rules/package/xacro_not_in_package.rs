@@ -5,7 +5,7 @@ use super::super::finding::Edit;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::manifest;
-use crate::expand::FileIdx;
+use expand::FileIdx;
 
 pub(super) const RULE: Rule = Rule {
     code: "PKG005",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Off,
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("xacro-not-in-package"),
+    docs: page("xacro-not-in-package"),
     check: Check::Document(check),
 };
 

@@ -7,7 +7,7 @@ mod urdf;
 
 use std::sync::LazyLock;
 
-use crate::base::FastMap;
+use base::FastMap;
 
 /// An element below certain parents. Elements of one name below different parents have entries of their own.
 #[derive(Clone, Copy, Debug)]

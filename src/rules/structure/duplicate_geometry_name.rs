@@ -3,9 +3,9 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::base::FastMap;
-use crate::model::Text;
-use crate::model::{Body, Link};
+use base::FastMap;
+use model::Text;
+use model::{Body, Link};
 
 pub(super) const RULE: Rule = Rule {
     code: "STR010",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("duplicate-geometry-name"),
+    docs: page("duplicate-geometry-name"),
     check: Check::Document(check),
 };
 

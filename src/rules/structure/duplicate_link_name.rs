@@ -3,8 +3,8 @@
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::base::FastMap;
-use crate::model::Text;
+use base::FastMap;
+use model::Text;
 
 pub(super) const RULE: Rule = Rule {
     code: "STR001",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("duplicate-link-name"),
+    docs: page("duplicate-link-name"),
     check: Check::Robot(check),
 };
 

@@ -4,10 +4,10 @@ use ecow::EcoString;
 use indexmap::IndexMap;
 
 use super::super::context::{RobotCx, elements};
-use crate::base::FastSet;
-use crate::expand::Origin;
-use crate::workspace::nearest;
-use crate::xml::Node;
+use base::FastSet;
+use expand::Origin;
+use workspace::nearest;
+use xml::Node;
 
 /// A link that does not exist.
 pub(super) struct Missing {

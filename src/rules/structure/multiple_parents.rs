@@ -3,7 +3,7 @@
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::base::FastMap;
+use base::FastMap;
 
 pub(super) const RULE: Rule = Rule {
     code: "STR004",
@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("multiple-parents"),
+    docs: page("multiple-parents"),
     check: Check::Robot(check),
 };
 

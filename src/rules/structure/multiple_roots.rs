@@ -4,7 +4,7 @@ use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::missing_links::{is_joined_elsewhere, lost_links};
-use crate::model::Text;
+use model::Text;
 
 pub(super) const RULE: Rule = Rule {
     code: "STR007",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("multiple-roots"),
+    docs: page("multiple-roots"),
     check: Check::Whole(check),
 };
 

@@ -5,8 +5,8 @@ use ecow::EcoString;
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::base::FastMap;
-use crate::model::Text;
+use base::FastMap;
+use model::Text;
 
 pub(super) const RULE: Rule = Rule {
     code: "STR012",
@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("names-differ-by-case"),
+    docs: page("names-differ-by-case"),
     check: Check::Document(check),
 };
 

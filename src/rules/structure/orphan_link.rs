@@ -6,7 +6,7 @@ use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::missing_links::{is_joined_elsewhere, lost_links};
-use crate::base::FastSet;
+use base::FastSet;
 
 pub(super) const RULE: Rule = Rule {
     code: "STR008",
@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("orphan-link"),
+    docs: page("orphan-link"),
     check: Check::Whole(check),
 };
 

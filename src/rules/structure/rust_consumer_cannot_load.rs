@@ -7,8 +7,8 @@ use roxmltree::{Document, Node, ParsingOptions};
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::expand::write;
-use crate::model::tag_start;
+use expand::write;
+use model::tag_start;
 
 pub(super) const RULE: Rule = Rule {
     code: "STR013",
@@ -18,7 +18,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Off,
     since: "0.1",
     fix: None,
-    docs: page!("rust-consumer-cannot-load"),
+    docs: page("rust-consumer-cannot-load"),
     check: Check::Whole(check),
 };
 
@@ -74,9 +74,9 @@ fn alone(text: &str, part: Node<'_, '_>) -> String {
 }
 
 /// "joint `elbow`"
-fn named(cx: &RobotCx<'_>, id: crate::expand::XId) -> String {
+fn named(cx: &RobotCx<'_>, id: expand::XId) -> String {
     let tree = &cx.expansion.tree;
     let kind = tree.get(id).text.as_str();
-    let name = crate::model::Text::attr(tree, id, "name").and_then(|name| name.name().map(|n| n.to_string()));
+    let name = model::Text::attr(tree, id, "name").and_then(|name| name.name().map(|n| n.to_string()));
     name.map_or_else(|| format!("a {kind}"), |name| format!("{kind} `{name}`"))
 }

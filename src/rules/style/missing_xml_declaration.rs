@@ -3,7 +3,7 @@
 use super::super::context::FileCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use crate::base::TextRange;
+use base::TextRange;
 
 pub(super) const RULE: Rule = Rule {
     code: "STY003",
@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Profiles(&["pedantic"]),
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("missing-xml-declaration"),
+    docs: page("missing-xml-declaration"),
     check: Check::File(check),
 };
 

@@ -3,8 +3,8 @@
 use super::super::context::FileCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use crate::expr::{Token, split};
-use crate::model::decimal;
+use expr::{Token, split};
+use model::decimal;
 
 pub(super) const RULE: Rule = Rule {
     code: "STY002",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Profiles(&["pedantic"]),
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("redundant-expression"),
+    docs: page("redundant-expression"),
     check: Check::File(check),
 };
 

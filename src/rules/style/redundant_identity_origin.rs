@@ -4,9 +4,9 @@ use super::super::context::FileCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::vocabulary::outside_free_zones;
-use crate::base::TextRange;
-use crate::model::decimal;
-use crate::xml::Node;
+use base::TextRange;
+use model::decimal;
+use xml::Node;
 
 pub(super) const RULE: Rule = Rule {
     code: "STY001",
@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Profiles(&["pedantic"]),
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("redundant-identity-origin"),
+    docs: page("redundant-identity-origin"),
     check: Check::File(check),
 };
 

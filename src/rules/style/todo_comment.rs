@@ -3,7 +3,7 @@
 use super::super::context::FileCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::xml::NodeKind;
+use xml::NodeKind;
 
 pub(super) const RULE: Rule = Rule {
     code: "STY004",
@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Profiles(&["pedantic"]),
     since: "0.1",
     fix: None,
-    docs: page!("todo-comment"),
+    docs: page("todo-comment"),
     check: Check::File(check),
 };
 

@@ -4,9 +4,9 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::source::{self, Inclusion};
-use crate::base::{FastMap, FastSet, TextRange};
-use crate::expand::{FileIdx, Place, XId};
-use crate::xml::NodeKind;
+use base::{FastMap, FastSet, TextRange};
+use expand::{FileIdx, Place, XId};
+use xml::NodeKind;
 
 pub(super) const RULE: Rule = Rule {
     code: "XAC010",
@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("duplicate-include"),
+    docs: page("duplicate-include"),
     check: Check::Document(check),
 };
 

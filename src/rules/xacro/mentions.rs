@@ -5,10 +5,10 @@ use memchr::memchr;
 
 use super::super::context::DocumentCx;
 use super::untaken;
-use crate::base::FastSet;
-use crate::expand::FileIdx;
-use crate::vfs::SourceFile;
-use crate::xml::{Item, Node, NodeKind};
+use base::FastSet;
+use expand::FileIdx;
+use vfs::SourceFile;
+use xml::{Item, Node, NodeKind};
 
 /// The words inside of `${}` and `$()`, the names that parameters forward, and the macros that are called.
 ///
@@ -140,7 +140,7 @@ fn insert(names: &mut FastSet<EcoString>, name: &str) {
 #[cfg(test)]
 mod tests {
     use super::Mentions;
-    use crate::xml::Document;
+    use xml::Document;
 
     #[test]
     fn what_is_mentioned() {

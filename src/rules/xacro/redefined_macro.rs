@@ -6,9 +6,9 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::source::{self, Inclusion};
-use crate::base::{FastMap, FastSet};
-use crate::expand::{FileIdx, Place, SymbolKind, UseKind};
-use crate::xml::{Node, NodeKind};
+use base::{FastMap, FastSet};
+use expand::{FileIdx, Place, SymbolKind, UseKind};
+use xml::{Node, NodeKind};
 
 pub(super) const RULE: Rule = Rule {
     code: "XAC017",
@@ -18,7 +18,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("redefined-macro"),
+    docs: page("redefined-macro"),
     check: Check::Document(check),
 };
 

@@ -4,9 +4,9 @@ use super::super::context::{DocumentCx, elements};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::{source, unused};
-use crate::base::{FastMap, TextRange};
-use crate::expand::{Definition, DefinitionId, FileIdx, Place, SymbolKind};
-use crate::xml::Node;
+use base::{FastMap, TextRange};
+use expand::{Definition, DefinitionId, FileIdx, Place, SymbolKind};
+use xml::Node;
 
 pub(super) const RULE: Rule = Rule {
     code: "XAC016",
@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("redefined-property"),
+    docs: page("redefined-property"),
     check: Check::Document(check),
 };
 

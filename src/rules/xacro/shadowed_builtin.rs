@@ -1,10 +1,10 @@
 //! A property that hides a built-in symbol: whether that is news.
 
 use super::source;
-use crate::expand::{Expansion, Place, Problem};
-use crate::expr::{Value, global_symbol};
-use crate::model::decimal;
-use crate::xml::Node;
+use expand::{Expansion, Place, Problem};
+use expr::{Value, global_symbol};
+use model::decimal;
+use xml::Node;
 
 /// Whether a name that hides a built-in symbol means something else from there on. A parameter does so in its macro
 /// only, where everybody sees it, and a property with the very value of the symbol changes nothing.

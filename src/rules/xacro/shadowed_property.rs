@@ -4,8 +4,8 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::source;
-use crate::base::FastMap;
-use crate::expand::{Definition, SymbolKind};
+use base::FastMap;
+use expand::{Definition, SymbolKind};
 
 pub(super) const RULE: Rule = Rule {
     code: "XAC019",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::Off,
     since: "0.1",
     fix: None,
-    docs: page!("shadowed-property"),
+    docs: page("shadowed-property"),
     check: Check::Document(check),
 };
 

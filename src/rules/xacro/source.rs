@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use super::super::context::{DocumentCx, Surroundings};
-use crate::base::{FastMap, FileId, Span, TextRange};
-use crate::expand::{Definition, Expansion, FileIdx, FrameKind, Place, SourceRange};
-use crate::xml::{Document, Node};
+use base::{FastMap, FileId, Span, TextRange};
+use expand::{Definition, Expansion, FileIdx, FrameKind, Place, SourceRange};
+use xml::{Document, Node};
 
 /// Whether a context is about the whole document, not about a macro that nothing calls.
 pub(super) fn is_main(cx: &DocumentCx<'_>) -> bool {
@@ -136,8 +136,8 @@ fn include_around(expansion: &Expansion, mut frame: u32) -> Option<u32> {
 #[cfg(test)]
 mod tests {
     use super::removal;
-    use crate::base::TextRange;
-    use crate::xml::Document;
+    use base::TextRange;
+    use xml::Document;
 
     #[test]
     fn an_element_goes_with_its_line() {

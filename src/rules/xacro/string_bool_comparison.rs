@@ -8,10 +8,10 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::source;
-use crate::base::{FastMap, FastSet, TextRange};
-use crate::expand::{Definition, DefinitionId, Place, SourceRange, SrcId, SymbolKind, UseKind};
-use crate::expr::ast::{CmpOp, Const, Expr, ExprKind};
-use crate::expr::{Code, Token, split, visit};
+use base::{FastMap, FastSet, TextRange};
+use expand::{Definition, DefinitionId, Place, SourceRange, SrcId, SymbolKind, UseKind};
+use expr::ast::{CmpOp, Const, Expr, ExprKind};
+use expr::{Code, Token, split, visit};
 
 pub(super) const RULE: Rule = Rule {
     code: "XAC028",
@@ -21,7 +21,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("string-bool-comparison"),
+    docs: page("string-bool-comparison"),
     check: Check::Document(check),
 };
 

@@ -4,7 +4,7 @@ use super::super::context::FileCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::vocabulary::{is_urdf_element, outside_free_zones};
-use crate::base::TextRange;
+use base::TextRange;
 
 pub(super) const RULE: Rule = Rule {
     code: "XAC021",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("unprefixed-macro-call"),
+    docs: page("unprefixed-macro-call"),
     check: Check::File(check),
 };
 

@@ -4,8 +4,8 @@ use super::super::context::FileCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::vocabulary::outside_free_zones;
-use crate::base::TextRange;
-use crate::xml::{Document, Node};
+use base::TextRange;
+use xml::{Document, Node};
 
 pub(super) const RULE: Rule = Rule {
     code: "XAC020",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("unprefixed-xacro-tag"),
+    docs: page("unprefixed-xacro-tag"),
     check: Check::File(check),
 };
 

@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use super::super::context::DocumentCx;
 use super::source;
-use crate::base::{FastSet, FileId};
-use crate::expand::Place;
-use crate::vfs::SourceFile;
-use crate::xml::NodeKind;
+use base::{FastSet, FileId};
+use expand::Place;
+use vfs::SourceFile;
+use xml::NodeKind;
 
 /// The files that further arguments could bring in; none when it cannot be told which.
 pub(super) fn files(cx: &DocumentCx<'_>) -> Option<Vec<Arc<SourceFile>>> {
@@ -18,7 +18,7 @@ pub(super) fn files(cx: &DocumentCx<'_>) -> Option<Vec<Arc<SourceFile>>> {
     let mut open = Vec::new();
     for (number, file) in (0..).zip(&cx.expansion.files) {
         for (range, filename) in includes(&file.source) {
-            let place = Place { file: crate::expand::FileIdx(number), range };
+            let place = Place { file: expand::FileIdx(number), range };
             if !taken.contains(&place) {
                 open.push(load(cx, &filename, &file.source.path)?);
             }
@@ -37,13 +37,13 @@ pub(super) fn files(cx: &DocumentCx<'_>) -> Option<Vec<Arc<SourceFile>>> {
 }
 
 /// The include tags of a file, from `<` to the end of the name, and what they include.
-fn includes(file: &SourceFile) -> Vec<(crate::base::TextRange, String)> {
+fn includes(file: &SourceFile) -> Vec<(base::TextRange, String)> {
     let mut found = Vec::new();
     for (base, item) in file.document.parts() {
         let elements = item.all_nodes().filter(|node| node.kind() == NodeKind::Element);
         for node in elements.filter(|node| node.name() == "xacro:include") {
             let name = node.name_range();
-            let range = crate::base::TextRange::new(name.start - 1, name.end).shift(base);
+            let range = base::TextRange::new(name.start - 1, name.end).shift(base);
             found.extend(node.attr("filename").map(|filename| (range, filename.raw().to_owned())));
         }
     }

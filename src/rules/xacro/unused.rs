@@ -3,8 +3,8 @@
 use super::super::context::{DocumentCx, RootKind};
 use super::super::run::is_whole;
 use super::source;
-use crate::base::{FastSet, TextRange};
-use crate::expand::{Definition, DefinitionId, FileIdx, Place, SymbolKind, UseKind};
+use base::{FastSet, TextRange};
+use expand::{Definition, DefinitionId, FileIdx, Place, SymbolKind, UseKind};
 
 /// The definitions of some kinds in the root file of a robot that nothing uses in this expansion. None, when
 /// something of the robot could not be resolved.

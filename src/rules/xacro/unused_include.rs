@@ -6,8 +6,8 @@ use super::super::run::is_whole;
 use super::super::sink::Sink;
 use super::mentions;
 use super::source::{self, Inclusion};
-use crate::base::{FastSet, TextRange};
-use crate::expand::{FileIdx, FrameId, SourceRange, SymbolKind, XKind};
+use base::{FastSet, TextRange};
+use expand::{FileIdx, FrameId, SourceRange, SymbolKind, XKind};
 
 pub(super) const RULE: Rule = Rule {
     code: "XAC011",
@@ -17,7 +17,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("unused-include"),
+    docs: page("unused-include"),
     check: Check::Document(check),
 };
 

@@ -5,7 +5,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use super::mentions;
 use super::unused;
-use crate::expand::SymbolKind;
+use expand::SymbolKind;
 
 pub(super) const RULE: Rule = Rule {
     code: "XAC013",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("unused-macro"),
+    docs: page("unused-macro"),
     check: Check::Document(check),
 };
 

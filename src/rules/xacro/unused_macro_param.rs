@@ -7,9 +7,9 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::mentions::Mentions;
 use super::{source, unused};
-use crate::base::{FastMap, FastSet};
-use crate::expand::{Definition, DefinitionId, Problem, SymbolKind};
-use crate::xml::{Node, NodeKind};
+use base::{FastMap, FastSet};
+use expand::{Definition, DefinitionId, Problem, SymbolKind};
+use xml::{Node, NodeKind};
 
 pub(super) const RULE: Rule = Rule {
     code: "XAC015",
@@ -19,7 +19,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("unused-macro-param"),
+    docs: page("unused-macro-param"),
     check: Check::Document(check),
 };
 

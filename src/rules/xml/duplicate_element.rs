@@ -4,9 +4,9 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::walk;
-use crate::base::FastMap;
-use crate::expand::{XId, XKind, XTree};
-use crate::model::tag_start;
+use base::FastMap;
+use expand::{XId, XKind, XTree};
+use model::tag_start;
 
 pub(super) const RULE: Rule = Rule {
     code: "XML012",
@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("duplicate-element"),
+    docs: page("duplicate-element"),
     check: Check::Document(check),
 };
 

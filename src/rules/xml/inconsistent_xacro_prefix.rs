@@ -4,8 +4,8 @@ use super::super::context::FileCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::is_xacro_uri;
-use crate::base::TextRange;
-use crate::xml::Attr;
+use base::TextRange;
+use xml::Attr;
 
 pub(super) const RULE: Rule = Rule {
     code: "XML004",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("inconsistent-xacro-prefix"),
+    docs: page("inconsistent-xacro-prefix"),
     check: Check::File(check),
 };
 

@@ -6,8 +6,8 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::walk;
-use crate::expand::{Place, XId};
-use crate::model::{Text, decimal, is_decimal};
+use expand::{Place, XId};
+use model::{Text, decimal, is_decimal};
 
 pub(super) const RULE: Rule = Rule {
     code: "XML010",
@@ -17,7 +17,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("invalid-number"),
+    docs: page("invalid-number"),
     check: Check::Document(check),
 };
 

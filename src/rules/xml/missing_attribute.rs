@@ -5,8 +5,8 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::schema::ElementSpec;
 use super::super::sink::Sink;
 use super::{unknown_attribute, walk};
-use crate::expand::XId;
-use crate::model::tag_start;
+use expand::XId;
+use model::tag_start;
 
 pub(super) const RULE: Rule = Rule {
     code: "XML008",
@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("missing-attribute"),
+    docs: page("missing-attribute"),
     check: Check::Document(check),
 };
 

@@ -6,8 +6,8 @@ use super::super::run::is_whole;
 use super::super::schema::ElementSpec;
 use super::super::sink::Sink;
 use super::walk;
-use crate::expand::XId;
-use crate::model::tag_start;
+use expand::XId;
+use model::tag_start;
 
 pub(super) const RULE: Rule = Rule {
     code: "XML009",
@@ -17,7 +17,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("missing-element"),
+    docs: page("missing-element"),
     check: Check::Document(check),
 };
 

@@ -3,9 +3,9 @@
 use super::super::context::{DocumentCx, RootKind};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use crate::base::TextRange;
-use crate::expand::FileIdx;
-use crate::model::{Robot, tag_start};
+use base::TextRange;
+use expand::FileIdx;
+use model::{Robot, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "XML014",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Unsafe),
-    docs: page!("missing-robot-name"),
+    docs: page("missing-robot-name"),
     check: Check::Document(check),
 };
 

@@ -23,8 +23,8 @@ pub use walk::Seen;
 
 /// The rules.
 pub(super) static RULES: &[Rule] = &[
-    Rule::found("XML001", "xml-syntax-error", Xml, Error, page!("xml-syntax-error")).fixed(Safety::Safe),
-    Rule::found("XML002", "missing-xacro-namespace", Xml, Error, page!("missing-xacro-namespace"))
+    Rule::found("XML001", "xml-syntax-error", Xml, Error, page("xml-syntax-error")).fixed(Safety::Safe),
+    Rule::found("XML002", "missing-xacro-namespace", Xml, Error, page("missing-xacro-namespace"))
         .fixed(Safety::Safe),
     nonstandard_xacro_namespace::RULE,
     inconsistent_xacro_prefix::RULE,
@@ -39,7 +39,7 @@ pub(super) static RULES: &[Rule] = &[
     unexpected_text::RULE,
     missing_robot_name::RULE,
     unsupported_urdf_version::RULE,
-    Rule::found("XML016", "xml-encoding-mismatch", Xml, Error, page!("xml-encoding-mismatch")),
+    Rule::found("XML016", "xml-encoding-mismatch", Xml, Error, page("xml-encoding-mismatch")),
     xacro_tags_in_urdf::RULE,
 ];
 

@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("nonstandard-xacro-namespace"),
+    docs: page("nonstandard-xacro-namespace"),
     check: Check::File(check),
 };
 

@@ -4,8 +4,8 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::walk;
-use crate::base::TextRange;
-use crate::expand::{Origin, XId, XKind};
+use base::TextRange;
+use expand::{Origin, XId, XKind};
 
 pub(super) const RULE: Rule = Rule {
     code: "XML013",
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("unexpected-text"),
+    docs: page("unexpected-text"),
     check: Check::Document(check),
 };
 

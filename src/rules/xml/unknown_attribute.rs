@@ -6,8 +6,8 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::schema::{self, ElementSpec};
 use super::super::sink::Sink;
 use super::walk;
-use crate::expand::{Origin, XAttr, XId};
-use crate::xml::Node;
+use expand::{Origin, XAttr, XId};
+use xml::Node;
 
 pub(super) const RULE: Rule = Rule {
     code: "XML007",
@@ -17,7 +17,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("unknown-attribute"),
+    docs: page("unknown-attribute"),
     check: Check::Document(check),
 };
 

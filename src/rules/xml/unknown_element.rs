@@ -6,9 +6,9 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::schema::{self, ElementSpec};
 use super::super::sink::Sink;
 use super::walk::{self, Seen};
-use crate::base::TextRange;
-use crate::expand::{FileIdx, XId};
-use crate::model::{Text, tag_start};
+use base::TextRange;
+use expand::{FileIdx, XId};
+use model::{Text, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "XML006",
@@ -18,7 +18,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: Some(Safety::Safe),
-    docs: page!("unknown-element"),
+    docs: page("unknown-element"),
     check: Check::Document(check),
 };
 

@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::place;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::model::Text;
+use model::Text;
 
 pub(super) const RULE: Rule = Rule {
     code: "XML015",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("unsupported-urdf-version"),
+    docs: page("unsupported-urdf-version"),
     check: Check::Document(check),
 };
 

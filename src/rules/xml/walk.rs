@@ -3,11 +3,11 @@
 use super::super::context::{DocumentCx, RootKind};
 use super::super::schema::{self, ElementSpec};
 use super::super::vocabulary::is_free_zone;
-use crate::base::FastSet;
-use crate::expand::{Expansion, Origin, XId, XKind};
-use crate::model::Text;
-use crate::workspace::edit_distance;
-use crate::xml::Node;
+use base::FastSet;
+use expand::{Expansion, Origin, XId, XKind};
+use model::Text;
+use workspace::edit_distance;
+use xml::Node;
 
 /// An element outside of the free zones.
 pub struct Seen {

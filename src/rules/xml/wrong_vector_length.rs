@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("wrong-vector-length"),
+    docs: page("wrong-vector-length"),
     check: Check::Document(check),
 };
 

@@ -4,7 +4,7 @@ use super::super::context::FileCx;
 use super::super::package::reads_as_it_stands;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use crate::base::TextRange;
+use base::TextRange;
 
 pub(super) const RULE: Rule = Rule {
     code: "XML017",
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule {
     default: Activation::On,
     since: "0.1",
     fix: None,
-    docs: page!("xacro-tags-in-urdf"),
+    docs: page("xacro-tags-in-urdf"),
     check: Check::File(check),
 };
 

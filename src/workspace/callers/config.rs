@@ -2,7 +2,7 @@
 //! configuration of another package.
 
 use super::{Caller, GivenArg};
-use crate::base::{FastMap, FastSet};
+use base::{FastMap, FastSet};
 
 /// Configurations that are followed from one to the next.
 const MOST_BASES: usize = 8;

@@ -12,9 +12,9 @@ use std::sync::Arc;
 use super::memo::Memo;
 use super::root::is_built;
 use super::{Packages, packages::without_parents};
-use crate::base::FastSet;
-use crate::base::limits::{CALLER_BYTES, CALLER_DEPTH, CALLER_FILES, CALLER_FOLDERS};
-use crate::vfs::Vfs;
+use base::FastSet;
+use base::limits::{CALLER_BYTES, CALLER_DEPTH, CALLER_FILES, CALLER_FOLDERS};
+use vfs::Vfs;
 
 /// A file that names descriptions.
 #[derive(Clone, Debug)]
@@ -198,8 +198,8 @@ fn search(vfs: &Vfs, top: &Path) -> Vec<Caller> {
 #[cfg(test)]
 mod tests {
     use super::Callers;
-    use crate::vfs::testing::Tree;
-    use crate::workspace::{PackageOptions, Packages};
+    use vfs::testing::Tree;
+    use crate::{PackageOptions, Packages};
 
     #[test]
     fn launch_files_of_other_packages_count() {

@@ -4,7 +4,7 @@ use std::cell::LazyCell;
 use std::path::Path;
 
 use super::{Caller, GivenArg, config};
-use crate::base::{FastMap, FastSet};
+use base::{FastMap, FastSet};
 
 /// Whether a file of that name may call a robot.
 pub(super) fn may_call(name: &str) -> bool {

@@ -8,7 +8,7 @@ use super::keys::{FORMAT, KEYS, LAYOUTS, LEVELS, LIMITS, PROFILES, TARGETS, Type
 use super::roots::Args;
 use super::value::{Entry, ValueKind};
 use super::{AttributeLayout, Config, Level, Pattern, Profile, Root};
-use crate::workspace::Target;
+use crate::Target;
 
 /// One key of the configuration.
 #[derive(Clone, Debug, PartialEq)]
@@ -154,7 +154,7 @@ fn root(root: &Root) -> Value {
 #[cfg(test)]
 mod tests {
     use super::super::{Config, Level, Profile};
-    use crate::vfs::testing::Tree;
+    use vfs::testing::Tree;
 
     #[test]
     fn names() {

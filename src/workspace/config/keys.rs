@@ -1,6 +1,6 @@
 //! The table of keys: what exists, of which type, and what it says.
 
-use crate::base::limits::FILE_MB_MOST;
+use base::limits::FILE_MB_MOST;
 
 /// The type of a value.
 #[derive(Clone, Copy, Debug)]

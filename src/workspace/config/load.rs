@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use super::apply::Applier;
 use super::value::{Entry, Value, ValueKind, from_settings, from_toml};
 use super::{Config, ConfigWarning};
-use crate::base::TextRange;
-use crate::base::limits::CONFIG_CHAIN;
-use crate::vfs::{LoadError, Vfs};
+use base::TextRange;
+use base::limits::CONFIG_CHAIN;
+use vfs::{LoadError, Vfs};
 
 /// The names of a configuration file; the first wins in a folder that has both.
 pub const CONFIG_NAMES: [&str; 2] = ["xacro-lint.toml", ".xacro-lint.toml"];

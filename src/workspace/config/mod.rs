@@ -25,7 +25,7 @@ pub use roots::{Args, Root, Variant, files_named};
 pub use schema::schema;
 
 use super::packages::Target;
-use crate::base::{TextRange, limits};
+use base::{TextRange, limits};
 
 /// All settings, with their defaults filled in.
 #[derive(Clone, Debug)]

@@ -3,8 +3,8 @@
 use std::path::{Component, Path, PathBuf};
 
 use super::super::root::is_built;
-use crate::base::limits::{GLOB_ALTERNATIVES, GLOB_FOLDERS};
-use crate::vfs::{Vfs, Wildcard, covers, has_magic};
+use base::limits::{GLOB_ALTERNATIVES, GLOB_FOLDERS};
+use vfs::{Vfs, Wildcard, covers, has_magic};
 
 /// A glob: `*`, `?`, `[...]` inside a name, `**` for any number of folders, `{a,b}` for alternatives. One
 /// without a slash matches names in every folder. What lies below a folder that matches, matches.
@@ -159,7 +159,7 @@ pub(super) fn is_pattern(text: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::Pattern;
-    use crate::vfs::testing::Tree;
+    use vfs::testing::Tree;
     use std::path::Path;
 
     #[test]

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::Place;
 use super::pattern::{Pattern, is_pattern};
-use crate::vfs::Vfs;
+use vfs::Vfs;
 
 /// Names and values of xacro arguments, in order.
 pub type Args = Vec<(String, String)>;

@@ -3,7 +3,7 @@
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::base::TextRange;
+use base::TextRange;
 
 /// A value and where it stands.
 #[derive(Clone, Debug)]

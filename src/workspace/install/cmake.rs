@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 
 use super::commands::{Argument, Command, commands};
 use super::{Build, Source, tidy};
-use crate::base::FastMap;
-use crate::base::limits::{BUILD_BYTES, BUILD_DEPTH, GLOB_ENTRIES};
-use crate::vfs::Vfs;
+use base::FastMap;
+use base::limits::{BUILD_BYTES, BUILD_DEPTH, GLOB_ENTRIES};
+use vfs::Vfs;
 
 /// Name of the build files of CMake.
 pub(super) const CMAKE_LISTS: &str = "CMakeLists.txt";

@@ -5,9 +5,9 @@ use std::cell::Cell;
 use std::path::Path;
 
 use super::{Build, Source, tidy};
-use crate::base::FastMap;
-use crate::base::limits::{BUILD_BYTES, BUILD_DEPTH};
-use crate::vfs::Vfs;
+use base::FastMap;
+use base::limits::{BUILD_BYTES, BUILD_DEPTH};
+use vfs::Vfs;
 
 /// Name of the build files of Python.
 pub(super) const SETUP_PY: &str = "setup.py";
@@ -24,7 +24,7 @@ pub(super) fn read(vfs: &Vfs, folder: &Path, build: &mut Build) {
         for file in files {
             let path = tidy(&folder.join(&file));
             let to = tidy(Path::new(&destination));
-            if crate::vfs::has_magic(&file) {
+            if vfs::has_magic(&file) {
                 build.add(to, Source::Files(path));
             } else if let Some(name) = path.file_name() {
                 build.add(to.join(name), Source::Path(path.clone()));

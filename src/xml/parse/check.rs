@@ -4,11 +4,11 @@
 use std::collections::HashSet;
 
 use super::Parser;
-use crate::base::limits::ITEM_ERRORS;
-use crate::xml::decode::{Reference, decode, references};
-use crate::xml::entities::Entities;
-use crate::xml::error::{Condition, Namespace, SyntaxError, SyntaxErrorKind as Kind, expat};
-use crate::xml::node::{AttrData, NEEDS_DECODING, PREFIXED};
+use base::limits::ITEM_ERRORS;
+use crate::decode::{Reference, decode, references};
+use crate::entities::Entities;
+use crate::error::{Condition, Namespace, SyntaxError, SyntaxErrorKind as Kind, expat};
+use crate::node::{AttrData, NEEDS_DECODING, PREFIXED};
 
 /// Attributes compared pair by pair; beyond that a set is used.
 const FEW: usize = 12;
@@ -65,12 +65,12 @@ impl<'t> Parser<'t> {
         }
         let before = self.attrs[first..at].iter().find(|other| self.attr_name(other) == name).copied();
         let attr = self.attrs[at];
-        let range = crate::base::TextRange::new(attr.name, attr.name + attr.name_len);
+        let range = base::TextRange::new(attr.name, attr.name + attr.name_len);
         let error = SyntaxError {
             kind: Kind::DuplicateAttribute,
             range,
             related: before.map(|attr| {
-                let range = crate::base::TextRange::new(attr.name, attr.name + attr.name_len);
+                let range = base::TextRange::new(attr.name, attr.name + attr.name_len);
                 (range, "first given here")
             }),
             message: format!("attribute `{name}` is given twice: remove one"),
@@ -163,7 +163,7 @@ impl<'t> Parser<'t> {
         let (one, two) = (self.namespace(prefixes.0), self.namespace(prefixes.1));
         let error = SyntaxError {
             kind: Kind::DuplicateAttribute,
-            range: crate::base::TextRange::new(attr.name, attr.name + attr.name_len),
+            range: base::TextRange::new(attr.name, attr.name + attr.name_len),
             related: None,
             message: format!(
                 "`{0}:{local}` and `{1}:{local}` are the same attribute: both prefixes mean one namespace",

@@ -1,9 +1,9 @@
 //! The main loop: everything between the tags of the root.
 
 use super::{Parser, Stop};
-use crate::xml::chars::name_char;
-use crate::xml::error::{SyntaxErrorKind as Kind, expat};
-use crate::xml::node::NodeKind;
+use crate::chars::name_char;
+use crate::error::{SyntaxErrorKind as Kind, expat};
+use crate::node::NodeKind;
 
 impl Parser<'_> {
     /// Read up to the end of one top-level element, the root's end tag, or the end of the text.

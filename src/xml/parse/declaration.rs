@@ -1,6 +1,6 @@
 //! The grammar of the XML declaration.
 
-use crate::xml::chars::is_space;
+use crate::chars::is_space;
 
 /// A `name="value"` of the declaration: name, its offset, value, its offset.
 type Pair<'t> = (&'t str, usize, &'t str, usize);

@@ -2,10 +2,10 @@
 
 use super::token::Token;
 use super::{Parser, Verdict};
-use crate::xml::decode::{Reference, decode, read_reference};
-use crate::xml::entities::{Entities, Entity};
-use crate::xml::error::{SyntaxErrorKind as Kind, expat};
-use crate::xml::node::{CLOSED, NodeKind};
+use crate::decode::{Reference, decode, read_reference};
+use crate::entities::{Entities, Entity};
+use crate::error::{SyntaxErrorKind as Kind, expat};
+use crate::node::{CLOSED, NodeKind};
 
 type Checked<T = ()> = Result<T, Verdict>;
 

@@ -1,9 +1,9 @@
 //! End tags, and elements that end without one.
 
 use super::{Parser, Stop, Verdict};
-use crate::xml::chars::{name_char, skip_ascii_name};
-use crate::xml::error::{Condition, SyntaxError, SyntaxErrorKind as Kind, expat};
-use crate::xml::node::NodeKind;
+use crate::chars::{name_char, skip_ascii_name};
+use crate::error::{Condition, SyntaxError, SyntaxErrorKind as Kind, expat};
+use crate::node::NodeKind;
 
 /// Open elements an end tag looks through for its start tag.
 const MAX_LOOK: usize = 64;

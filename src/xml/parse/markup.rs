@@ -1,9 +1,9 @@
 //! Comments, CDATA sections, instructions, and what else begins with `<!`.
 
 use super::{Parser, Verdict};
-use crate::xml::chars::{first_illegal, is_space, name_char};
-use crate::xml::error::{SyntaxErrorKind as Kind, expat};
-use crate::xml::node::{CLOSED, NodeKind};
+use crate::chars::{first_illegal, is_space, name_char};
+use crate::error::{SyntaxErrorKind as Kind, expat};
+use crate::node::{CLOSED, NodeKind};
 
 /// Markup with delimiters and free text between.
 struct Shape {

@@ -19,8 +19,8 @@ use std::collections::HashMap;
 use super::error::{Condition, ItemError, SyntaxError, SyntaxErrorKind};
 use super::item::{EntityUse, Extra, Item};
 use super::node::{AttrData, NONE, NodeData, NodeKind};
-use crate::base::limits::ITEM_ERRORS;
-use crate::base::{TextRange, count_line_ends};
+use base::limits::ITEM_ERRORS;
+use base::{TextRange, count_line_ends};
 use names::Scopes;
 
 pub(super) use prolog::{Footer, Header, RootState};

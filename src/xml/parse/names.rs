@@ -3,8 +3,8 @@
 use std::collections::HashSet;
 
 use super::Parser;
-use crate::base::FastMap;
-use crate::xml::chars::{is_space, name_char, skip_ascii_name};
+use base::FastMap;
+use crate::chars::{is_space, name_char, skip_ascii_name};
 
 /// A name as it stands in the text.
 pub(super) struct QName {

@@ -5,27 +5,27 @@ use std::sync::Arc;
 use super::declaration::check_declaration;
 use super::token::Token;
 use super::{Parser, Stop, Verdict};
-use crate::base::{FastMap, TextRange};
-use crate::xml::chars::name_char;
-use crate::xml::decode::decode;
-use crate::xml::entities::Entities;
-use crate::xml::error::{SyntaxErrorKind as Kind, expat};
-use crate::xml::item::Item;
-use crate::xml::node::{CLOSED, NodeKind};
+use base::{FastMap, TextRange};
+use crate::chars::name_char;
+use crate::decode::decode;
+use crate::entities::Entities;
+use crate::error::{SyntaxErrorKind as Kind, expat};
+use crate::item::Item;
+use crate::node::{CLOSED, NodeKind};
 
 /// The part of a document behind its last item.
 #[derive(Clone)]
-pub(in crate::xml) struct Footer {
-    pub(in crate::xml) item: Arc<Item>,
+pub(crate) struct Footer {
+    pub(crate) item: Arc<Item>,
     /// How many of its nodes, top-level or not, are inside the root.
-    pub(in crate::xml) inner: u32,
+    pub(crate) inner: u32,
     /// The root's end tag, relative to the footer.
-    pub(in crate::xml) root_end: Option<TextRange>,
+    pub(crate) root_end: Option<TextRange>,
 }
 
 /// How the header leaves the root element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::xml) enum RootState {
+pub(crate) enum RootState {
     /// There is no root: the header is the whole file.
     Missing,
     /// The root has content.
@@ -35,18 +35,18 @@ pub(in crate::xml) enum RootState {
 }
 
 /// The part of a document before the root's content, and what it says about the rest.
-pub(in crate::xml) struct Header {
-    pub(in crate::xml) item: Arc<Item>,
-    pub(in crate::xml) root_name: Box<str>,
-    pub(in crate::xml) root: RootState,
-    pub(in crate::xml) entities: Entities,
+pub(crate) struct Header {
+    pub(crate) item: Arc<Item>,
+    pub(crate) root_name: Box<str>,
+    pub(crate) root: RootState,
+    pub(crate) entities: Entities,
     /// The root's namespace declarations.
-    pub(in crate::xml) namespaces: FastMap<Box<str>, Box<str>>,
+    pub(crate) namespaces: FastMap<Box<str>, Box<str>>,
 }
 
 impl<'t> Parser<'t> {
     /// Read everything up to and including the root's start tag.
-    pub(in crate::xml) fn header(&mut self) -> Header {
+    pub(crate) fn header(&mut self) -> Header {
         self.begin_item();
         self.in_header = true;
         let mut entities = Entities::default();
@@ -208,7 +208,7 @@ impl<'t> Parser<'t> {
     }
 
     /// Read what follows a root without content.
-    pub(in crate::xml) fn bare_footer(&mut self) -> Footer {
+    pub(crate) fn bare_footer(&mut self) -> Footer {
         self.begin_item();
         self.epilog();
         self.hit_end = true;

@@ -2,8 +2,8 @@
 #![allow(clippy::indexing_slicing)] // ids of open elements
 
 use super::Parser;
-use crate::xml::chars::{is_space, name_char};
-use crate::xml::node::NodeKind;
+use crate::chars::{is_space, name_char};
+use crate::node::NodeKind;
 
 /// Unclosed elements up to which a whole item is cut at its indentation. A limit, so that a file of
 /// nothing but start tags is not read again and again.

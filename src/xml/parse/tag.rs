@@ -2,9 +2,9 @@
 #![allow(clippy::indexing_slicing)] // ids and attribute numbers this parser made itself
 
 use super::{Parser, Stop, Verdict};
-use crate::xml::chars::is_space;
-use crate::xml::error::{SyntaxErrorKind as Kind, expat};
-use crate::xml::node::{AttrData, HAS_EQUALS, NO_CONTENT, NodeKind, PREFIXED, SELF_CLOSING};
+use crate::chars::is_space;
+use crate::error::{SyntaxErrorKind as Kind, expat};
+use crate::node::{AttrData, HAS_EQUALS, NO_CONTENT, NodeKind, PREFIXED, SELF_CLOSING};
 
 impl Parser<'_> {
     /// Read a start tag.

@@ -1,11 +1,11 @@
 //! Character data and references.
 
 use super::Parser;
-use crate::xml::chars::{first_illegal, stops_text};
-use crate::xml::decode::{Reference, read_reference};
-use crate::xml::entities::predefined;
-use crate::xml::error::{Condition, SyntaxError, SyntaxErrorKind as Kind, expat};
-use crate::xml::node::{HAS_DOLLAR, NEEDS_DECODING, NodeKind};
+use crate::chars::{first_illegal, stops_text};
+use crate::decode::{Reference, read_reference};
+use crate::entities::predefined;
+use crate::error::{Condition, SyntaxError, SyntaxErrorKind as Kind, expat};
+use crate::node::{HAS_DOLLAR, NEEDS_DECODING, NodeKind};
 
 impl<'t> Parser<'t> {
     /// Character data and references up to the next `<`.

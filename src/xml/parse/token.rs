@@ -1,7 +1,7 @@
 //! The tokens of declarations, which are also what expat makes of text outside the root.
 
 use super::Parser;
-use crate::xml::chars::{is_legal, is_space, name_char};
+use crate::chars::{is_legal, is_space, name_char};
 
 /// A token of a DOCTYPE.
 #[allow(clippy::enum_variant_names)] // "name token" is the term of the XML specification
@@ -122,7 +122,7 @@ impl Parser<'_> {
             None => return (Token::Unfinished, end),
             Some(&b) if percent && (is_space(b) || b == b'%') => return (Token::Percent, end),
             Some(_) if name_char(self.text, end, true) == 0 => return (Token::Invalid(end), end),
-            Some(_) => end = crate::xml::chars::skip_name(self.text, end),
+            Some(_) => end = crate::chars::skip_name(self.text, end),
         }
         match self.bytes.get(end) {
             Some(b';') if percent => (kind, end + 1),

@@ -1,10 +1,10 @@
 //! Attribute values.
 
 use super::{Parser, Verdict};
-use crate::xml::chars::{is_space, name_char, stops_value};
-use crate::xml::decode::{Reference, read_reference};
-use crate::xml::error::{SyntaxErrorKind as Kind, expat};
-use crate::xml::node::{HAS_DOLLAR, NEEDS_DECODING, QUOTED};
+use crate::chars::{is_space, name_char, stops_value};
+use crate::decode::{Reference, read_reference};
+use crate::error::{SyntaxErrorKind as Kind, expat};
+use crate::node::{HAS_DOLLAR, NEEDS_DECODING, QUOTED};
 
 /// Bytes one line is looked at for a closing quote.
 const MAX_LINE: usize = 1024;

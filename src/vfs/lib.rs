@@ -18,8 +18,8 @@ mod ids;
 mod output;
 mod process;
 mod read;
-#[cfg(test)]
-pub(crate) mod testing;
+#[doc(hidden)]
+pub mod testing;
 #[cfg(test)]
 mod tests;
 
@@ -35,9 +35,9 @@ pub use held::Held;
 pub use output::write_atomically;
 pub use process::{first_stack, is_process_alive, unbuffered_stdout};
 
-use crate::base::{FastMap, FileId, TextRange};
-use crate::xml::Document;
-use crate::yaml::{self, Node, YamlError};
+use base::{FastMap, FileId, TextRange};
+use xml::Document;
+use yaml::{self, Node, YamlError};
 use buffer::Buffer;
 use cache::Cache;
 use held::Asked;

@@ -34,7 +34,7 @@ pub use reference::reference;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 
-use crate::vfs::Environment;
+use vfs::Environment;
 use args::{Arguments, CheckArgs, Command};
 
 /// Run a command line (without the program's name); the result is the exit code. What was printed is written when this

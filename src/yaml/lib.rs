@@ -23,7 +23,7 @@ use num_bigint::BigInt;
 
 pub use error::YamlError;
 
-use crate::base::TextRange;
+use base::TextRange;
 
 /// A value and where it is written. A value reached through an alias has the place of its anchor.
 #[derive(Clone, Debug, PartialEq)]

@@ -18,8 +18,8 @@ pub use definitions::Definitions;
 pub use item::{facts_of, is_keyword};
 pub use mentions::{Mention, MentionKind, Site};
 
-use crate::base::TextRange;
-use crate::xml::{Document, Item, NodeId};
+use base::TextRange;
+use xml::{Document, Item, NodeId};
 
 /// The kinds of named things.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -46,8 +46,8 @@ mod workspace_symbols;
 use tokio::runtime::Builder;
 use tower_lsp::LspService;
 
-use crate::expand::spawn_on_large_stack;
-use crate::vfs::Environment;
+use expand::spawn_on_large_stack;
+use vfs::Environment;
 use engine::Engine;
 use exit::{Shutdown, Watched};
 use handlers::Handlers;

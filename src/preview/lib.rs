@@ -3,7 +3,7 @@
 //! What is here does not know who draws it. [`Views`] makes the messages, for editors and browsers alike; with the
 //! feature `preview`, [`Hub`] hands them to browsers on this machine.
 
-#[cfg(feature = "preview")]
+#[cfg(feature = "browser")]
 mod browser;
 mod choices;
 mod files;
@@ -16,8 +16,8 @@ mod shapes;
 mod tests;
 mod views;
 
-#[cfg(feature = "preview")]
-pub use browser::{Hub, Received, VIEWER};
+#[cfg(feature = "browser")]
+pub use browser::{Hub, Received};
 pub use files::Files;
 pub use messages::{FromViewer, ModelError, ModelMessage, RootName, Selection, Side};
 pub use model::{Body, Joint, Link, Model, Pose};

@@ -1,4 +1,4 @@
-//! Puts the viewer of the preview into the program, when it was built (`npm run build` in `editors/viewer`).
+//! Puts the viewer into the programs, when it was built (`npm run build`).
 
 #![allow(clippy::disallowed_methods)] // it runs while building, not in the product
 
@@ -7,11 +7,12 @@ use std::fs;
 use std::path::Path;
 
 fn main() {
-    let folder = Path::new(&env::var("CARGO_MANIFEST_DIR").unwrap_or_default()).join("editors/viewer");
+    let folder = env::var("CARGO_MANIFEST_DIR").unwrap_or_default();
+    let folder = Path::new(&folder);
     let viewer = folder.join("dist/viewer.js");
     println!("cargo::rerun-if-changed=build.rs");
     // a file that is not there would make cargo run this each time
-    if let Some(watched) = [&viewer, &folder].into_iter().find(|path| path.exists()) {
+    if let Some(watched) = [viewer.as_path(), folder].into_iter().find(|path| path.exists()) {
         println!("cargo::rerun-if-changed={}", watched.display());
     }
     let out = Path::new(&env::var("OUT_DIR").unwrap_or_default()).join("viewer.rs");

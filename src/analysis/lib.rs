@@ -5,6 +5,7 @@
 mod analyzed;
 mod baseline;
 mod calls;
+mod candidates;
 mod change;
 mod check;
 mod config_findings;
@@ -47,7 +48,8 @@ pub use fix::{FixOptions, Fixed, FixedFile, is_said_safe};
 pub use group::mark_groups;
 pub use plan::{Plan, apply};
 pub use progress::Progress;
-pub use proof::Effort;
+pub use candidates::Candidates;
+pub use proof::{Effort, Roots};
 pub use report::{Position, Report, SkipReason, Skipped, Unreadable};
 pub use session::{Session, Setup};
 pub use world::World;

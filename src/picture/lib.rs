@@ -1,6 +1,6 @@
 //! Still pictures of robots, drawn without a graphics card: shaded as PNG, or as lines and outlines in SVG.
 //!
-//! What is drawn is the [`Model`](crate::preview::Model) of the preview, so that both show the same robot.
+//! What is drawn is the [`Model`](preview::Model) of the preview, so that both show the same robot.
 
 mod camera;
 mod color;

@@ -1,0 +1,61 @@
+//! The robots of workspaces and what they include: searched for once, for many changes that are tried one after the
+//! other.
+
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::change::Change;
+use super::check::CheckOptions;
+use super::includes::{self, Reach};
+use super::report::Report;
+use super::roots::Job;
+use super::session::Session;
+use base::FastMap;
+use vfs::SourceFile;
+
+/// What is known of the robots of workspaces. Texts may change while it is used; packages, folders and configuration
+/// stay.
+#[derive(Default)]
+pub struct Candidates {
+    /// The jobs of all files below folders.
+    jobs: Mutex<FastMap<Vec<PathBuf>, Arc<Vec<Job>>>>,
+    /// What each file may include, by its path.
+    reach: Mutex<FastMap<PathBuf, (Arc<SourceFile>, Arc<Reach>)>>,
+}
+
+impl Candidates {
+    /// The robots below folders that may read one of the changed files.
+    pub(super) fn reading(&self, session: &Session, folders: Vec<PathBuf>, changed: Vec<PathBuf>) -> Vec<Job> {
+        let mut jobs = (*self.below(session, &folders)).clone();
+        let options = CheckOptions { changed, ..CheckOptions::default() };
+        let Some(change) = Change::of(session, &options) else { return jobs };
+        jobs.extend(change.further(&jobs, &options.args));
+        change.reached(jobs, self)
+    }
+
+    /// The jobs of all files below folders.
+    fn below(&self, session: &Session, folders: &[PathBuf]) -> Arc<Vec<Job>> {
+        let mut jobs = self.jobs.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = jobs.get(folders) {
+            return known.clone();
+        }
+        let options = CheckOptions { paths: folders.to_vec(), ..CheckOptions::default() };
+        let found = Arc::new(session.all_jobs(&options, &mut Report::default()));
+        jobs.insert(folders.to_vec(), found.clone());
+        found
+    }
+
+    /// What a file may include, as its text is now; none when it cannot be read.
+    pub(super) fn reach(&self, session: &Session, file: &Path) -> Option<Arc<Reach>> {
+        let source = session.vfs.document(file).ok()?;
+        let known = || self.reach.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((of, reach)) = known().get(file)
+            && Arc::ptr_eq(of, &source)
+        {
+            return Some(reach.clone());
+        }
+        let reach = Arc::new(includes::reach(&source, &session.packages));
+        known().insert(file.to_owned(), (source, reach.clone()));
+        Some(reach)
+    }
+}
