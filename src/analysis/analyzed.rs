@@ -10,7 +10,6 @@ use super::session::Session;
 use base::CancelFlag;
 use expand::{Expansion, Written, write_mapped};
 use model::{Kinematics, Robot};
-use rules::RootKind;
 
 /// A root expanded.
 pub struct Analyzed {
@@ -55,11 +54,6 @@ impl Analyzed {
             let _ = self.outcome.set(outcome);
         }
         self.outcome.get()
-    }
-
-    /// Whether the root is a robot on its own.
-    pub(super) fn is_robot(&self) -> bool {
-        job::kind(&self.expansion, self.robot.as_ref(), &job_of(&self.root)) == RootKind::Robot
     }
 
     /// Whether a file took part.

@@ -9,6 +9,7 @@ use super::check::CheckOptions;
 use super::includes::{self, Reach};
 use super::report::Report;
 use super::roots::Job;
+use super::runs::Runs;
 use super::session::Session;
 use base::FastMap;
 use vfs::SourceFile;
@@ -21,6 +22,8 @@ pub struct Candidates {
     jobs: Mutex<FastMap<Vec<PathBuf>, Arc<Vec<Job>>>>,
     /// What each file may include, by its path.
     reach: Mutex<FastMap<PathBuf, (Arc<SourceFile>, Arc<Reach>)>>,
+    /// Robots expanded.
+    pub(super) runs: Arc<Runs>,
 }
 
 impl Candidates {

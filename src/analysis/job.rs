@@ -10,7 +10,7 @@ use super::roles::Checked;
 use super::roots::{Job, Reason};
 use super::session::Session;
 use base::{CancelFlag, FastSet, FileId, Span, TextRange};
-use expand::{Expansion, FileUse, Focus, FrameKind, Limits, Origin, Read, Request, World, expand};
+use expand::{Expansion, FileUse, FrameKind, Limits, Origin, Read, Request, World, expand};
 use model::Robot;
 use rules::{
     Activation, Chosen, Finding, RootKind, Rule, Selector, Suppressions, all, by_code, check_expansion,
@@ -56,12 +56,6 @@ pub(super) fn expansion(session: &Session, options: &CheckOptions, job: &Job) ->
 fn expanded(session: &Session, job: &Job, request: &Request) -> Expansion {
     let first = expand(world(session), request);
     as_called(session, world(session), &job.file, request, first)
-}
-
-/// Expand what is in focus.
-pub(super) fn part(session: &Session, cancel: &CancelFlag, job: &Job, focus: Focus) -> Expansion {
-    let request = Request { focus: Some(focus), ..request(session, cancel, job) };
-    expand(world(session), &request)
 }
 
 pub(super) fn world(session: &Session) -> World<'_> {

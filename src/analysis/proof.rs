@@ -11,13 +11,13 @@ use std::sync::Arc;
 use super::analyzed::job_of;
 use super::candidates::Candidates;
 use super::context::RootChoice;
-use super::job;
 use super::plan::apply;
 use super::roots::{Job, Reason};
+use super::runs::{Run, Runs, Setting};
 use super::session::Session;
 use super::walk::is_description;
 use base::{CancelFlag, TextRange};
-use expand::{Expansion, Forced, FrameKind, Request, World, expand, write};
+use expand::Forced;
 use model::{JointType, same_robot};
 use vfs::{SourceFile, Vfs};
 use xml::{Document, Node, NodeKind};
@@ -126,13 +126,6 @@ impl Changed {
     }
 }
 
-/// One way to expand a robot.
-#[derive(Clone, Default)]
-struct Setting {
-    args: Vec<(String, String)>,
-    forced: Vec<Forced>,
-}
-
 /// Expansions before and after changes.
 struct Trial<'a> {
     session: &'a Session,
@@ -141,13 +134,7 @@ struct Trial<'a> {
     sources: Vec<Arc<SourceFile>>,
     after: Vfs,
     effort: &'a Effort,
-}
-
-/// What an expansion gave.
-struct Run {
-    text: String,
-    refused: bool,
-    expansion: Expansion,
+    runs: Arc<Runs>,
 }
 
 impl<'a> Trial<'a> {
@@ -158,7 +145,11 @@ impl<'a> Trial<'a> {
             .collect::<Option<Vec<_>>>()?;
         let texts = changed.iter().map(|changed| (changed.path.to_path_buf(), changed.new.clone()));
         let after = session.vfs.overlay(texts);
-        Some(Self { session, changed, sources, after, effort })
+        let runs = match &effort.roots {
+            Roots::Known(_) => Arc::default(),
+            Roots::Searched(known) => known.runs.clone(),
+        };
+        Some(Self { session, changed, sources, after, effort, runs })
     }
 
     fn holds(&self, claim: Claim) -> bool {
@@ -168,18 +159,17 @@ impl<'a> Trial<'a> {
         for job in self.jobs() {
             let first = Setting { args: job.args.clone(), forced: Vec::new() };
             let Some(before) = self.compare(&job, &first, claim) else { return false };
-            let reads = |path: &&Path| before.expansion.files.iter().any(|file| *file.source.path == **path);
-            if !self.changed.iter().any(|changed| reads(&&*changed.path)) {
+            if !self.changed.iter().any(|changed| before.reads(&changed.path)) {
                 continue;
             }
-            unread.retain(|path| !reads(path));
-            uncalled.retain(|place| !is_called(&before.expansion, place));
-            for setting in self.settings(&job, &before.expansion) {
+            unread.retain(|path| !before.reads(path));
+            uncalled.retain(|place| !before.calls(place));
+            for setting in self.settings(&job, &before) {
                 left = left.saturating_sub(1);
                 let Some(run) = self.compare(&job, &setting, claim).filter(|_| left > 0) else {
                     return false;
                 };
-                uncalled.retain(|place| !is_called(&run.expansion, place));
+                uncalled.retain(|place| !run.calls(place));
             }
         }
         // what nobody reads or calls here may be read and called elsewhere
@@ -206,14 +196,14 @@ impl<'a> Trial<'a> {
     }
 
     /// What an expansion gives before; none when the claim does not hold for it.
-    fn compare(&self, job: &Job, setting: &Setting, claim: Claim) -> Option<Run> {
+    fn compare(&self, job: &Job, setting: &Setting, claim: Claim) -> Option<Arc<Run>> {
         if self.effort.cancel.is_cancelled() {
             return None;
         }
-        let before = self.run(job, &self.session.vfs, setting.clone());
+        let before = self.run(job, &self.session.vfs, setting);
         let forced = setting.forced.iter().map(|forced| Forced { at: self.moved(forced), ..forced.clone() });
         let setting = Setting { args: setting.args.clone(), forced: forced.collect() };
-        let after = self.run(job, &self.after, setting);
+        let after = self.run(job, &self.after, &setting);
         let is_same = before.text == after.text || same_robot(&before.text, &after.text) == Some(true);
         let holds = match claim {
             Claim::Same if !is_same => before.refused && !after.refused,
@@ -225,11 +215,11 @@ impl<'a> Trial<'a> {
     /// Whether a robot that is accepted before would be another one, or refused.
     fn changes(&self, job: &Job) -> bool {
         let setting = Setting { args: job.args.clone(), forced: Vec::new() };
-        let before = self.run(job, &self.session.vfs, setting.clone());
+        let before = self.run(job, &self.session.vfs, &setting);
         if before.refused {
             return false;
         }
-        let after = self.run(job, &self.after, setting);
+        let after = self.run(job, &self.after, &setting);
         let is_same = before.text == after.text || same_robot(&before.text, &after.text) == Some(true);
         (after.refused || !is_same) && !self.effort.cancel.is_cancelled()
     }
@@ -239,20 +229,12 @@ impl<'a> Trial<'a> {
         changed.map_or(forced.at, |changed| changed.moved(forced.at))
     }
 
-    fn run(&self, job: &Job, vfs: &Vfs, setting: Setting) -> Run {
-        let World { packages, env, .. } = job::world(self.session);
-        let Setting { args, forced } = setting;
-        let request =
-            Request { probe: false, args, forced, ..job::request(self.session, &self.effort.cancel, job) };
-        let expansion = expand(World { vfs, packages, env }, &request);
-        let is_broken = |file: &expand::FileUse| !file.source.document.errors().is_empty();
-        let refused =
-            expansion.has_errors() || expansion.root_error.is_some() || expansion.files.iter().any(is_broken);
-        Run { text: write(&expansion.tree, "").text, refused, expansion }
+    fn run(&self, job: &Job, vfs: &Vfs, setting: &Setting) -> Arc<Run> {
+        self.runs.get(self.session, vfs, &self.effort.cancel, job, setting)
     }
 
     /// Further ways to expand a robot that may show what an edit does.
-    fn settings(&self, job: &Job, before: &Expansion) -> Vec<Setting> {
+    fn settings(&self, job: &Job, before: &Run) -> Vec<Setting> {
         let mut found = Vec::new();
         let with = |more: Vec<(String, String)>| Setting {
             args: job.args.iter().cloned().chain(more).collect(),
@@ -319,16 +301,6 @@ impl<'a> Trial<'a> {
 /// The expansion of a file that was named.
 fn named(file: &Path) -> Job {
     Job { file: file.to_owned(), reason: Reason::Named, args: Vec::new(), preset: None }
-}
-
-/// Whether a macro was called.
-fn is_called(expansion: &Expansion, (path, range): &(PathBuf, TextRange)) -> bool {
-    let calls = expansion.frames.iter().filter(|frame| frame.kind == FrameKind::Macro);
-    let mut places = calls.filter_map(|frame| expansion.place(frame.definition?));
-    places.any(|place| {
-        let file = expansion.files.get(place.file.0 as usize);
-        range.contains_range(place.range) && file.is_some_and(|file| *file.source.path == **path)
-    })
 }
 
 /// The elements of these names around a range, outermost first.

@@ -10,7 +10,6 @@ use super::analyzed::{Analyzed, job_of};
 use super::check::CheckOptions;
 use super::configs::Overrides;
 use super::context::RootChoice;
-use super::first_look::Settled;
 use super::graph::Graph;
 use super::job::{self, Outcome};
 use super::placing;
@@ -49,8 +48,6 @@ pub struct World {
     good: FastMap<RootChoice, Arc<Analyzed>>,
     /// Counts what no record tells of: packages, meshes, configuration.
     epoch: u64,
-    /// What the last check said of open files, to be carried along while they are edited.
-    pub(super) settled: FastMap<PathBuf, Settled>,
     /// Whether every configured root is checked with each preset, not only what files are shown under.
     all_contexts: bool,
     /// Settings of the editor, and the folders they belong to.
@@ -60,6 +57,8 @@ pub struct World {
 }
 
 impl World {
+    /// Robots with fewer nodes are expanded in no time.
+    const LARGE: usize = 300;
     /// Most expansions kept.
     const MOST_CACHED: usize = 64;
 
@@ -82,7 +81,6 @@ impl World {
             cache: FastMap::default(),
             good: FastMap::default(),
             epoch: 0,
-            settled: FastMap::default(),
             all_contexts: false,
             editor: Vec::new(),
             named: BTreeMap::new(),
@@ -126,7 +124,6 @@ impl World {
     /// Forget what no record tells of: packages, configuration, meshes.
     pub fn reload(&mut self) {
         self.epoch += 1;
-        self.settled.clear();
         self.named.clear();
         self.session = session(&self.session.vfs, &self.env, &self.folders, self.editor.clone());
     }
@@ -166,17 +163,12 @@ impl World {
 
     /// A file was opened, or its whole text replaced.
     pub fn set_text(&mut self, path: &Path, text: String) {
-        self.settled.remove(path);
         self.session.vfs.set_buffer(path, Some(text));
         self.touch(path);
     }
 
     /// A range of bytes of an open file was replaced.
     pub fn edit(&mut self, path: &Path, range: TextRange, text: &str) {
-        let before = self.document(path);
-        if let Some(settled) = self.settled.get_mut(path) {
-            settled.note_edit(before.as_deref(), range, text);
-        }
         self.session.vfs.edit_buffer(path, range, text);
         self.touch(path);
     }
@@ -185,7 +177,6 @@ impl World {
     pub fn close(&mut self, path: &Path) {
         self.session.vfs.set_buffer(path, None);
         self.open.remove(path);
-        self.settled.remove(path);
         self.refresh(path);
     }
 
@@ -387,6 +378,15 @@ impl World {
         newest.iter().chain(good.filter(|_| !finished)).cloned().collect()
     }
 
+    /// The last expansion of the robot of an open file, when the robot is large and nothing but this file was edited
+    /// since: what it says of other places still holds, as far as that rests on nothing edited.
+    pub fn before_typing(&mut self, path: &Path) -> Option<Arc<Analyzed>> {
+        let root = self.context(path).root?;
+        let last = self.cache.get(&root).filter(|last| last.expansion.tree.len() >= Self::LARGE)?.clone();
+        let is_sound = self.document(path)?.document.errors().is_empty();
+        (is_sound && !self.is_valid(&last) && self.is_valid_beside(&last, path)).then_some(last)
+    }
+
     /// The last expansion of a root that had no errors.
     pub fn last_good(&self, root: &RootChoice) -> Option<Arc<Analyzed>> {
         self.good.get(root).cloned()
@@ -451,20 +451,12 @@ impl World {
         let entries: Vec<PathBuf> = paths.iter().map(|path| (*path).clone()).collect();
         let mut report = self.session.conclude(&self.options(&entries), outcomes);
         placing::place(&mut report, &self.session.vfs, |path| self.open.contains_key(path));
-        for (path, root) in paths.iter().zip(own) {
-            self.settle(path, root, &report);
-        }
         Some(report)
     }
 
     /// What a check of these files is about.
     pub(super) fn options(&self, paths: &[PathBuf]) -> CheckOptions {
         CheckOptions { paths: self.folders.clone(), entries: paths.to_vec(), ..CheckOptions::default() }
-    }
-
-    /// The last result of a root, whether it still holds or not.
-    pub(super) fn last(&self, root: &RootChoice) -> Option<&Arc<Analyzed>> {
-        self.cache.get(root)
     }
 }
 

@@ -297,8 +297,7 @@ impl Expander<'_> {
         let document = &source.document;
         let footer_base = document.len() - document.footer().text().len() as u32;
         let header = Source { file, item: document.header().clone(), base: 0 };
-        let items = self.items_of(source).into_iter();
-        let items = items.map(|(base, item)| Source { file, item: item.clone(), base });
+        let items = document.items().map(|(base, item)| Source { file, item: item.clone(), base });
         let footer = Source { file, item: document.footer().clone(), base: footer_base };
         self.result.sources.push(header);
         self.result.sources.extend(items);

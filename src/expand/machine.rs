@@ -7,7 +7,6 @@ use std::time::{Duration, Instant};
 use ecow::EcoString;
 
 use super::expansion::Expansion;
-use super::focus::Focus;
 use super::late::Undefined;
 use super::origin::{FileIdx, Frame, FrameId, FrameKind, Origin};
 use super::problem::{Place as ProblemPlace, Problem, Problems, Severity, Step, step_message};
@@ -100,8 +99,6 @@ pub struct Request {
     pub keep: bool,
     /// Whether the process ends behind this: what the expansion was made with is then left to the system.
     pub last: bool,
-    /// Only these items and what they need; the result is then no document.
-    pub focus: Option<Focus>,
     /// Conditions whose outcome is given, whatever their values say.
     pub forced: Vec<Forced>,
     /// Set to stop early; the result is then incomplete.

@@ -61,7 +61,7 @@ impl Expander<'_> {
         let body = SrcRef { src: tag.src, node: tag.node.id() };
         let def = MacroDef { name, body, origin: place.origin, definition, params };
         let def = self.macros.define(cx.macros, def);
-        if self.request.probe && self.calls.is_empty() && self.may_probe(tag.src) {
+        if self.request.probe && self.calls.is_empty() {
             self.idle_macros.push((def, cx));
         }
     }

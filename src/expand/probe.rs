@@ -43,7 +43,7 @@ impl Expander<'_> {
 
     /// Evaluate the properties that nothing reads, for editors that show their values. Nothing is reported.
     pub fn probe_properties(&mut self) {
-        if !self.request.probe || self.stopped || self.request.focus.is_some() {
+        if !self.request.probe || self.stopped {
             return;
         }
         let before = (self.result.complete, self.content_lost, self.include_missing, self.budget.clone());

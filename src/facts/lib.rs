@@ -3,7 +3,6 @@
 //! Facts are read off the tree of an item once and stay with it, so after an edit only the edited item is
 //! looked at again. They know nothing of other files: what a name refers to is the expander's business.
 
-mod definitions;
 mod item;
 mod mentions;
 #[cfg(test)]
@@ -14,7 +13,6 @@ use std::sync::{Arc, OnceLock};
 
 use ecow::EcoString;
 
-pub use definitions::Definitions;
 pub use item::{facts_of, is_keyword};
 pub use mentions::{Mention, MentionKind, Site};
 

@@ -10,8 +10,7 @@ use super::finding::{Edit, Finding, Fix, Related};
 use super::mend;
 use super::package::{is_news, warn_once};
 use super::place;
-use super::registry::{Category, Check, Rule, Safety, Severity, all, by_code};
-use super::semantic::{holds_for_semantic, is_semantic};
+use super::registry::{Check, Rule, Safety, Severity, all, by_code};
 use super::sink::{Sink, limit_calls, span};
 use super::vocabulary::outside_free_zones;
 use super::xacro::{is_unprefixed, shadowing_is_news};
@@ -89,29 +88,6 @@ pub fn check_expansion(
     if kind == RootKind::Robot && !world.has_ros {
         warn_once(&mut findings, expansion, world);
     }
-    findings
-}
-
-/// What can be said of a part of a file: what expansion reported, and what the schema says about each element.
-pub fn check_part(expansion: &Expansion, world: Surroundings<'_>) -> Vec<Finding> {
-    let mut findings: Vec<Finding> =
-        expansion.problems.iter().filter_map(|problem| finding(expansion, problem, world.vfs)).collect();
-    excuse_packages(&mut findings, world);
-    let Some(first) = all().next() else { return findings };
-    let mut sink = Sink::new(expansion, first);
-    let semantic = is_semantic(expansion);
-    let probes = expansion.probes.iter().map(|probe| probe.content);
-    for element in expansion.tree.root().into_iter().chain(probes) {
-        let document = DocumentCx::new(expansion, element, RootKind::Library, true, None, world);
-        let holds = |rule: &&Rule| !semantic || holds_for_semantic(rule);
-        for rule in all().filter(|rule| rule.category == Category::Xml).filter(holds) {
-            sink.set_rule(rule);
-            if let Check::Document(check) = rule.check {
-                check(&document, &mut sink);
-            }
-        }
-    }
-    findings.extend(sink.finish());
     findings
 }
 

@@ -70,11 +70,6 @@ impl Places<'_> {
         self.place(span).map(|(uri, range)| Location::new(uri.clone(), range))
     }
 
-    /// Where a place is within its file.
-    pub fn range(&mut self, span: Span) -> Option<Range> {
-        self.place(span).map(|(_, range)| range)
-    }
-
     fn place(&mut self, span: Span) -> Option<(&Url, Range)> {
         let engine = self.engine;
         let file = self.files.entry(span.file).or_insert_with(|| engine.file(span.file));

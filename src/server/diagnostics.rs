@@ -17,9 +17,9 @@ use lsp_types::{
 use super::convert::Places;
 use super::engine::Engine;
 use super::failure::Failure;
-use analysis::{Report, mark_groups};
+use analysis::Report;
 use base::limits::{DIAGNOSTICS, RELATED};
-use base::{CancelFlag, Span};
+use base::CancelFlag;
 use rules::{Finding, Severity};
 
 /// A diagnostic and the file it is shown in.
@@ -41,50 +41,19 @@ impl Engine {
     }
 
     fn push_diagnostics(&mut self) {
-        let touched = std::mem::take(&mut self.touched);
         let cancel = self.pressure.background();
-        let looks: Vec<Option<bool>> = touched.iter().map(|path| self.first_look(path, &cancel)).collect();
-        let was_edited = !looks.is_empty();
-        if was_edited && cancel.is_cancelled() {
-            // what came in is worked off first, and then one look is enough for all of it
-            self.touched.extend(touched);
-            return;
-        }
-        if was_edited && looks.iter().all(|look| *look == Some(true)) && !self.wants_check {
+        if let Some(found) = self.found(None, &cancel) {
             self.due = None;
-            return;
-        }
-        self.wants_check = true;
-        if was_edited && looks.iter().all(Option::is_some) {
-            // who goes on typing would only wait for a check that is out of date before it is done
-            self.due = Some(self.edited + self.delay.max(Self::SETTLED));
-            return;
-        }
-        if let Some(found) = self.found(&cancel) {
-            (self.due, self.wants_check) = (None, false);
             self.publish(found);
         }
         self.tell_contexts(&cancel);
     }
 
-    /// Say at once what can be said of an edit; whether that is all. None: that needs a whole check, or more came in.
-    fn first_look(&mut self, path: &Path, cancel: &CancelFlag) -> Option<bool> {
-        let look = self.world.first_look(path, cancel).filter(|_| !self.with_calls.contains(path))?;
-        if cancel.is_cancelled() {
-            return None;
-        }
-        let mut findings = look.findings;
-        if let Some(source) = self.world.document(path) {
-            let own = |span: Span| (span.file == source.id).then(|| source.document.slice(span.range));
-            mark_groups(&mut findings, own);
-        }
-        self.publish_findings(path, findings);
-        Some(look.is_complete)
-    }
-
-    /// The diagnostics of all open files and the files they depend on. `None` when cancelled.
-    fn found(&mut self, cancel: &CancelFlag) -> Option<BTreeMap<PathBuf, Vec<Diagnostic>>> {
-        let open: Vec<PathBuf> = self.documents.keys().cloned().collect();
+    /// The diagnostics of all open files, of one more, and of the files they depend on. What there is to say of a file
+    /// may come from the robot of another one, so they are always made together. `None` when cancelled.
+    fn found(&mut self, more: Option<&Path>, cancel: &CancelFlag) -> Option<BTreeMap<PathBuf, Vec<Diagnostic>>> {
+        let further = more.filter(|path| !self.documents.contains_key(*path)).map(Path::to_path_buf);
+        let open: Vec<PathBuf> = self.documents.keys().cloned().chain(further).collect();
         let mut report = self.world.report(&open, cancel)?;
         report.mark_groups();
         let mut found = self.spread(&report);
@@ -98,7 +67,6 @@ impl Engine {
     fn spread(&mut self, report: &Report) -> BTreeMap<PathBuf, Vec<Diagnostic>> {
         let mut found: BTreeMap<PathBuf, Vec<Diagnostic>> = BTreeMap::new();
         let mut left_out: BTreeMap<PathBuf, usize> = BTreeMap::new();
-        let mut with_calls: Vec<PathBuf> = Vec::new();
         let mut places = self.places();
         for finding in &report.findings {
             let (at_call, own) = places.shown(report, finding);
@@ -106,7 +74,6 @@ impl Engine {
             let at_call = at_call.filter(|(path, at)| {
                 !found.get(path).is_some_and(|list| list.iter().any(|known| known.range == at.range))
             });
-            with_calls.extend(at_call.iter().map(|(path, _)| path.clone()));
             for (path, diagnostic) in at_call.into_iter().chain(own) {
                 let list = found.entry(path.clone()).or_default();
                 if list.len() < DIAGNOSTICS {
@@ -116,7 +83,6 @@ impl Engine {
                 }
             }
         }
-        self.with_calls = with_calls.into_iter().collect();
         for list in found.values_mut() {
             list.sort_by_key(|diagnostic| diagnostic.range.start);
         }
@@ -133,7 +99,8 @@ impl Engine {
     ) -> Result<DocumentDiagnosticReportResult, Failure> {
         let (path, _) = self.source(&params.text_document.uri)?;
         self.scan_first();
-        let items = self.of_file(&path, cancel)?;
+        let mut found = self.found(Some(&path), cancel).ok_or(Failure::Cancelled)?;
+        let items = found.remove(&path).unwrap_or_default();
         let id = result_id(&items);
         let report = if params.previous_result_id.as_deref() == Some(&id) {
             let unchanged = UnchangedDocumentDiagnosticReport { result_id: id };
@@ -156,7 +123,7 @@ impl Engine {
         params: WorkspaceDiagnosticParams,
         cancel: &CancelFlag,
     ) -> Result<WorkspaceDiagnosticReportResult, Failure> {
-        let mut found = self.found(cancel).ok_or(Failure::Cancelled)?;
+        let mut found = self.found(None, cancel).ok_or(Failure::Cancelled)?;
         let known = params.previous_result_ids.into_iter();
         let known: BTreeMap<PathBuf, String> = known.map(|id| (self.path(&id.uri), id.value)).collect();
         let with_findings = |found: &BTreeMap<PathBuf, Vec<Diagnostic>>| -> BTreeSet<PathBuf> {
@@ -199,12 +166,6 @@ impl Engine {
                 },
             }),
         })
-    }
-
-    fn of_file(&mut self, path: &Path, cancel: &CancelFlag) -> Result<Vec<Diagnostic>, Failure> {
-        let mut report = self.world.report(&[path.to_path_buf()], cancel).ok_or(Failure::Cancelled)?;
-        report.mark_groups();
-        Ok(self.spread(&report).remove(path).unwrap_or_default())
     }
 }
 

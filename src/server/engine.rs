@@ -48,14 +48,6 @@ pub(super) struct Engine {
     pub told: BTreeMap<PathBuf, serde_json::Value>,
     /// Which hints are shown.
     pub hint_settings: ide::HintSettings,
-    /// Files that were edited since diagnostics were made the last time, even in haste.
-    pub touched: BTreeSet<PathBuf>,
-    /// Open files with errors of closed files, shown at the calls.
-    pub with_calls: BTreeSet<PathBuf>,
-    /// Something else than a comment changed since the last whole check.
-    pub wants_check: bool,
-    /// When something was edited the last time.
-    pub edited: Instant,
     /// When diagnostics are to be made.
     pub due: Option<Instant>,
     /// The pause after the last edit before diagnostics are made.
@@ -81,12 +73,11 @@ pub(super) struct Engine {
 impl Engine {
     /// How long an edit takes at most from its message to its job.
     const ON_ITS_WAY: Duration = Duration::from_millis(2);
-    /// The pause after the last edit before a large robot is checked as a whole, of which a first look said the most.
-    pub const SETTLED: Duration = Duration::from_millis(250);
     /// How long an answer waits for a look at the workspace.
     pub const SCAN_FIRST: Duration = Duration::from_millis(200);
-    /// The pause after the last edit unless configured.
-    pub const DELAY: Duration = Duration::from_millis(100);
+    /// The pause after the last edit unless configured: so long that letters of one stroke come together, too short to
+    /// be noticed.
+    pub const DELAY: Duration = Duration::from_millis(20);
 
     pub fn new(env: Environment, outbox: Outbox, pressure: Pressure) -> Self {
         Self {
@@ -102,10 +93,6 @@ impl Engine {
             pins: BTreeMap::new(),
             told: BTreeMap::new(),
             hint_settings: ide::HintSettings::default(),
-            touched: BTreeSet::new(),
-            with_calls: BTreeSet::new(),
-            wants_check: true,
-            edited: Instant::now(),
             due: None,
             delay: Self::DELAY,
             snippets: true,
@@ -186,15 +173,8 @@ impl Engine {
 
     /// A check is wanted after the pause.
     pub fn schedule(&mut self) {
-        self.wants_check = true;
-        self.schedule_look();
-    }
-
-    /// Diagnostics are wanted after the pause; a whole check perhaps not.
-    pub fn schedule_look(&mut self) {
         self.previews.due = true;
-        self.edited = Instant::now();
-        self.due = Some(self.edited + self.delay);
+        self.due = Some(Instant::now() + self.delay);
     }
 
     /// The path of a document.

@@ -17,9 +17,7 @@ impl Engine {
         self.world.set_text(&path, document.text);
         let open = OpenDocument { uri: document.uri, version: version(document.version) };
         self.documents.insert(path, open);
-        self.published.forget_names();
-        // the first look at a file should not wait for a pause in typing
-        self.wants_check = true;
+        // what there is to say of a file should not wait for a pause in typing
         self.due = Some(std::time::Instant::now());
     }
 
@@ -40,8 +38,7 @@ impl Engine {
                 _ => self.world.set_text(&path, change.text),
             }
         }
-        self.touched.insert(path);
-        self.schedule_look();
+        self.schedule();
     }
 
     pub fn saved(&mut self, _: DidSaveTextDocumentParams) {

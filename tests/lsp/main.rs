@@ -18,6 +18,7 @@ mod diagnostics;
 mod expansion;
 mod faults;
 mod files;
+mod first_answer;
 mod format;
 mod hints;
 mod hover;

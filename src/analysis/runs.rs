@@ -1,0 +1,144 @@
+//! Expansions that proofs compare, kept while the files that they read stay the same.
+
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::job;
+use super::roots::Job;
+use super::session::Session;
+use base::limits::PROOF_BYTES;
+use base::{CancelFlag, FastMap, TextRange};
+use ecow::EcoString;
+use expand::{Expansion, FileUse, Forced, FrameKind, Read, Request, World, expand, write};
+use vfs::Vfs;
+
+/// One way to expand a robot.
+#[derive(Clone, Default, PartialEq, Eq, Hash)]
+pub(super) struct Setting {
+    /// Arguments: names and values.
+    pub args: Vec<(String, String)>,
+    /// Conditions whose outcome is given.
+    pub forced: Vec<Forced>,
+}
+
+/// What an expansion gave.
+pub(super) struct Run {
+    /// The expanded document.
+    pub text: String,
+    /// Whether it has errors.
+    pub refused: bool,
+    /// The values of all arguments.
+    pub arguments: Vec<(EcoString, EcoString)>,
+    /// Where the macros stand that were called.
+    called: Vec<(PathBuf, TextRange)>,
+    /// The descriptions it is made of.
+    files: Vec<PathBuf>,
+    /// All texts it read, with their hashes.
+    texts: Vec<(PathBuf, u64)>,
+}
+
+impl Run {
+    /// Expand a robot from the files that `vfs` shows.
+    fn of(session: &Session, vfs: &Vfs, cancel: &CancelFlag, job: &Job, setting: &Setting) -> Self {
+        let World { packages, env, .. } = job::world(session);
+        let Setting { args, forced } = setting.clone();
+        let request = Request { probe: false, args, forced, ..job::request(session, cancel, job) };
+        let expansion = expand(World { vfs, packages, env }, &request);
+        let is_broken = |file: &FileUse| !file.source.document.errors().is_empty();
+        let texts = expansion.record.iter().filter_map(|read| match read {
+            Read::File(path, hash) => Some((path.clone(), *hash)),
+            _ => None,
+        });
+        Self {
+            refused: expansion.has_errors()
+                || expansion.root_error.is_some()
+                || expansion.files.iter().any(is_broken),
+            called: called(&expansion),
+            files: expansion.files.iter().map(|file| file.source.path.to_path_buf()).collect(),
+            texts: texts.collect(),
+            text: write(&expansion.tree, "").text,
+            arguments: expansion.arguments,
+        }
+    }
+
+    /// Whether a description takes part.
+    pub fn reads(&self, path: &Path) -> bool {
+        self.files.iter().any(|file| file == path)
+    }
+
+    /// Whether a macro was called that stands in a place.
+    pub fn calls(&self, (path, range): &(PathBuf, TextRange)) -> bool {
+        self.called.iter().any(|(file, place)| file == path && range.contains_range(*place))
+    }
+
+    fn is_current(&self, vfs: &Vfs) -> bool {
+        self.texts.iter().all(|(path, hash)| vfs.document_hash(path) == Some(*hash))
+    }
+}
+
+/// Where the macros stand that were called.
+fn called(expansion: &Expansion) -> Vec<(PathBuf, TextRange)> {
+    let calls = expansion.frames.iter().filter(|frame| frame.kind == FrameKind::Macro);
+    let places = calls.filter_map(|frame| expansion.place(frame.definition?));
+    let mut found: Vec<_> = places.map(|place| (place.file, place.range)).collect();
+    found.sort_unstable_by_key(|(file, range)| (*file, range.start));
+    found.dedup();
+    let path = |file: &FileUse| file.source.path.to_path_buf();
+    found
+        .into_iter()
+        .filter_map(|(file, range)| Some((path(expansion.files.get(file.0 as usize)?), range)))
+        .collect()
+}
+
+/// What tells an expansion from others.
+type Key = (PathBuf, Setting);
+
+/// Expansions that were made, while there is room.
+#[derive(Default)]
+pub(super) struct Runs(Mutex<Kept>);
+
+#[derive(Default)]
+struct Kept {
+    /// The last two of each: before and after the last change that was tried.
+    by_key: FastMap<Key, Vec<Arc<Run>>>,
+    bytes: usize,
+}
+
+impl Runs {
+    /// A robot expanded from the files that `vfs` shows. It is made again only when one of them has another text: packages
+    /// and folders are taken to stay as they are.
+    pub fn get(
+        &self,
+        session: &Session,
+        vfs: &Vfs,
+        cancel: &CancelFlag,
+        job: &Job,
+        setting: &Setting,
+    ) -> Arc<Run> {
+        let key = (job.file.clone(), setting.clone());
+        let kept = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let known: Vec<_> = kept().by_key.get(&key).cloned().unwrap_or_default();
+        if let Some(run) = known.into_iter().find(|run| run.is_current(vfs)) {
+            return run;
+        }
+        let run = Arc::new(Run::of(session, vfs, cancel, job, setting));
+        if !cancel.is_cancelled() {
+            kept().add(key, run.clone());
+        }
+        run
+    }
+}
+
+impl Kept {
+    fn add(&mut self, key: Key, run: Arc<Run>) {
+        if self.bytes > PROOF_BYTES {
+            *self = Self::default();
+        }
+        self.bytes += run.text.len();
+        let own = self.by_key.entry(key).or_default();
+        if own.len() > 1 {
+            self.bytes -= own.remove(0).text.len();
+        }
+        own.push(run);
+    }
+}
