@@ -13,7 +13,9 @@ fn main() -> io::Result<()> {
     println!("cargo::rerun-if-changed={}", folder.display());
     let mut pages = Vec::<PathBuf>::new();
     for entry in fs::read_dir(&folder)? {
-        pages.extend([entry?.path()].into_iter().filter(|path| path.extension().is_some_and(|end| end == "md")));
+        pages.extend(
+            [entry?.path()].into_iter().filter(|path| path.extension().is_some_and(|end| end == "md")),
+        );
     }
     pages.sort();
     let mut text = "const RULES: &[(&str, &str)] = &[\n".to_owned();

@@ -2,22 +2,22 @@
 //!
 //! The crates below are listed in import order: each uses only those above it (see `docs/architecture.md`).
 
-pub use base;
-pub use xml;
-pub use expr;
-pub use yaml;
-pub use vfs;
-pub use workspace;
-pub use facts;
-pub use expand;
-pub use model;
-pub use rules;
-pub use ide;
 pub use analysis;
-pub use preview;
-#[cfg(feature = "cli")]
-pub use picture;
-#[cfg(feature = "lsp")]
-pub use server;
+pub use base;
 #[cfg(feature = "cli")]
 pub use cli;
+pub use expand;
+pub use expr;
+pub use facts;
+pub use ide;
+pub use model;
+#[cfg(feature = "cli")]
+pub use picture;
+pub use preview;
+pub use rules;
+#[cfg(feature = "lsp")]
+pub use server;
+pub use vfs;
+pub use workspace;
+pub use xml;
+pub use yaml;

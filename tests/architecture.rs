@@ -86,7 +86,10 @@ fn the_page_shows_the_order_of_crates() {
     assert_eq!(rows.concat(), crates(), "docs/architecture.md");
     for row in &rows {
         for name in row {
-            assert!(used(name).iter().all(|other| !row.contains(other)), "`{name}` uses another one of its row");
+            assert!(
+                used(name).iter().all(|other| !row.contains(other)),
+                "`{name}` uses another one of its row"
+            );
         }
     }
 }

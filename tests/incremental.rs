@@ -1,10 +1,5 @@
 //! What a session says after edits is what a fresh one says of the same texts.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::indexing_slicing,
-    clippy::disallowed_methods
-)] // a test may fail loudly
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::disallowed_methods)] // a test may fail loudly
 
 use std::collections::BTreeMap;
 use std::fs;

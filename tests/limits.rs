@@ -226,7 +226,8 @@ fn quick_proof_expansions() {
         let at = text.rfind(include).unwrap() as u32;
         let edits = vec![(TextRange::new(at, at + include.len() as u32), String::new())];
         let cancel = CancelFlag::default();
-        let effort = Effort { expansions: QUICK_PROOF_EXPANSIONS, roots: Roots::Known(vec![path.clone()]), cancel };
+        let effort =
+            Effort { expansions: QUICK_PROOF_EXPANSIONS, roots: Roots::Known(vec![path.clone()]), cancel };
         assert_eq!(session.stays_the_same(&path, edits, &effort), expected, "{arguments} arguments");
     }
 }

@@ -21,14 +21,22 @@ pub struct Candidates {
     /// The jobs of all files below folders.
     jobs: Mutex<FastMap<Vec<PathBuf>, Arc<Vec<Job>>>>,
     /// What each file may include, by its path.
-    reach: Mutex<FastMap<PathBuf, (Arc<SourceFile>, Arc<Reach>)>>,
+    reach: Mutex<FastMap<PathBuf, Known>>,
     /// Robots expanded.
     pub(super) runs: Arc<Runs>,
 }
 
+/// What the text of a file includes, and that text.
+type Known = (Arc<SourceFile>, Arc<Reach>);
+
 impl Candidates {
     /// The robots below folders that may read one of the changed files.
-    pub(super) fn reading(&self, session: &Session, folders: Vec<PathBuf>, changed: Vec<PathBuf>) -> Vec<Job> {
+    pub(super) fn reading(
+        &self,
+        session: &Session,
+        folders: Vec<PathBuf>,
+        changed: Vec<PathBuf>,
+    ) -> Vec<Job> {
         let mut jobs = (*self.below(session, &folders)).clone();
         let options = CheckOptions { changed, ..CheckOptions::default() };
         let Some(change) = Change::of(session, &options) else { return jobs };

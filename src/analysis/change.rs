@@ -76,7 +76,8 @@ impl<'a> Change<'a> {
             };
             let (next, rest) = open.into_iter().partition(is_next);
             open = rest;
-            newest = Vec::<(&Path, Arc<Reach>)>::into_iter(next).map(|(file, _)| file.to_path_buf()).collect();
+            newest =
+                Vec::<(&Path, Arc<Reach>)>::into_iter(next).map(|(file, _)| file.to_path_buf()).collect();
             reached.extend(newest.iter().cloned());
         }
         jobs.into_iter().filter(|job| reached.contains(&job.file)).collect()

@@ -4,13 +4,9 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use base::FastMap;
-use rules::{
-    Finding, Rule, Selection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector,
-};
+use rules::{Finding, Rule, Selection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector};
 use vfs::{LoadError, Vfs};
-use workspace::config::{
-    Config, ConfigWarning, Level, Loaded, Mention, MentionKind, Profile, find_config,
-};
+use workspace::config::{Config, ConfigWarning, Level, Loaded, Mention, MentionKind, Profile, find_config};
 use workspace::nearest;
 
 /// What the command line says over every configuration file.

@@ -39,6 +39,7 @@ mod package_tests;
 
 pub use analyzed::Analyzed;
 pub use baseline::{Baseline, fingerprint};
+pub use candidates::Candidates;
 pub use check::CheckOptions;
 pub use configs::{Overrides, Settings};
 pub use context::{Context, Reason, RootChoice};
@@ -46,7 +47,6 @@ pub use fix::{FixOptions, Fixed, FixedFile, is_said_safe};
 pub use group::mark_groups;
 pub use plan::{Plan, apply};
 pub use progress::Progress;
-pub use candidates::Candidates;
 pub use proof::{Effort, Roots};
 pub use report::{Position, Report, SkipReason, Skipped, Unreadable};
 pub use session::{Session, Setup};

@@ -10,7 +10,6 @@ use super::io::{Io, all_of};
 use super::render::{shown_path, visible};
 use super::text::counted;
 use analysis::{CheckOptions, FixedFile, Session, Setup, apply};
-use ide;
 use vfs::Environment;
 
 /// What became of the files.

@@ -34,8 +34,8 @@ pub use reference::reference;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 
-use vfs::Environment;
 use args::{Arguments, CheckArgs, Command};
+use vfs::Environment;
 
 /// Run a command line (without the program's name); the result is the exit code. What was printed is written when this
 /// comes back; results that could not be written are an error.

@@ -9,7 +9,6 @@ use super::io::all_of;
 use super::options::mappings;
 use super::watch::State;
 use analysis::{Baseline, CheckOptions, Overrides, Session, Setup};
-use rules;
 use vfs::Environment;
 use workspace::config::CONFIG_NAMES;
 

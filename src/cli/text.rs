@@ -7,10 +7,10 @@ use super::io::Io;
 use super::listing::{Listing, counts};
 use super::render::{Mark, Report as Drawing, ShownFile, render, shown_path, visible};
 use analysis::{Position, Report};
+use annotate_snippets::Level;
 use base::{FastMap, FastSet, FileId, Span};
 use rules::{Finding, Severity};
 use workspace::{Packages, Vicinity};
-use annotate_snippets::Level;
 
 /// With the source text.
 pub(super) fn full(listing: &Listing<'_>, report: &Report, packages: &Packages, cwd: &Path, io: &mut Io<'_>) {

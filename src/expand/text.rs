@@ -16,7 +16,6 @@ use expr::ast::ExprKind;
 use expr::{
     self, Code, ErrorKind, EvalError, ExprErrorKind, Parsed, ScopeId, Template, Token, Value, display,
 };
-use xml;
 
 /// A text, split and parsed.
 #[derive(Debug)]

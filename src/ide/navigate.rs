@@ -14,7 +14,6 @@ use expand::{DefinitionId, SymbolKind, Written};
 use expr::Token;
 use expr::ast::{Const, Expr, ExprKind};
 use rules::Surroundings;
-use yaml;
 
 /// A place in a file that need not be a description.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -172,8 +171,8 @@ pub fn implementations(cx: &Cx<'_>, written: &Written, offset: u32) -> Option<(T
         let mut end = 0;
         for entry in &written.map {
             let node = tree.get(entry.node);
-            let own = node.kind == expand::XKind::Element
-                && is_within(cx.expansion, node.origin.frame, frame);
+            let own =
+                node.kind == expand::XKind::Element && is_within(cx.expansion, node.origin.frame, frame);
             if own && entry.out.start >= end {
                 end = entry.out.end;
                 found.push(entry.out);

@@ -84,8 +84,7 @@ fn unread(cx: &Cx<'_>, id: DefinitionId) -> Vec<Span> {
         SymbolKind::Property => MentionKind::Name,
         _ => return Vec::new(),
     };
-    let known: base::FastSet<Span> =
-        symbols.all_uses().filter_map(|used| cx.span(used.place)).collect();
+    let known: base::FastSet<Span> = symbols.all_uses().filter_map(|used| cx.span(used.place)).collect();
     let mut found = Vec::new();
     for file in &cx.expansion.files {
         for (base, facts) in facts(&file.source.document) {

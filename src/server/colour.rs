@@ -9,7 +9,6 @@ use super::engine::Engine;
 use super::failure::Failure;
 use super::tokens::start_of;
 use base::CancelFlag;
-use ide;
 
 impl Engine {
     pub fn colours(

@@ -18,8 +18,8 @@ use super::convert::Places;
 use super::engine::Engine;
 use super::failure::Failure;
 use analysis::Report;
-use base::limits::{DIAGNOSTICS, RELATED};
 use base::CancelFlag;
+use base::limits::{DIAGNOSTICS, RELATED};
 use rules::{Finding, Severity};
 
 /// A diagnostic and the file it is shown in.
@@ -51,7 +51,11 @@ impl Engine {
 
     /// The diagnostics of all open files, of one more, and of the files they depend on. What there is to say of a file
     /// may come from the robot of another one, so they are always made together. `None` when cancelled.
-    fn found(&mut self, more: Option<&Path>, cancel: &CancelFlag) -> Option<BTreeMap<PathBuf, Vec<Diagnostic>>> {
+    fn found(
+        &mut self,
+        more: Option<&Path>,
+        cancel: &CancelFlag,
+    ) -> Option<BTreeMap<PathBuf, Vec<Diagnostic>>> {
         let further = more.filter(|path| !self.documents.contains_key(*path)).map(Path::to_path_buf);
         let open: Vec<PathBuf> = self.documents.keys().cloned().chain(further).collect();
         let mut report = self.world.report(&open, cancel)?;

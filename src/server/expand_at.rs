@@ -13,7 +13,6 @@ use super::failure::Failure;
 use super::navigation::Asked;
 use analysis::RootChoice;
 use base::CancelFlag;
-use ide;
 
 #[derive(Clone, Debug, Deserialize)]
 pub(super) struct ExpandAtParams {

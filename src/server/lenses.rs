@@ -14,7 +14,6 @@ use super::failure::Failure;
 use super::navigation::Asked;
 use super::tokens::start_of;
 use base::{CancelFlag, TextRange};
-use ide;
 
 /// The macro whose calls a lens counts.
 #[derive(Clone, Debug, Serialize, Deserialize)]

@@ -46,13 +46,13 @@ mod workspace_symbols;
 use tokio::runtime::Builder;
 use tower_lsp::LspService;
 
-use expand::spawn_on_large_stack;
-use vfs::Environment;
 use engine::Engine;
 use exit::{Shutdown, Watched};
+use expand::spawn_on_large_stack;
 use handlers::Handlers;
 use outbox::Outbox;
 use transport::Outgoing;
+use vfs::Environment;
 
 /// Serve one client on standard input and output until it is gone; the exit code.
 pub fn run(env: Environment) -> u8 {

@@ -12,7 +12,6 @@ use super::failure::Failure;
 use analysis::{Analyzed, Context, RootChoice};
 use base::CancelFlag;
 use expand::Origin;
-use ide;
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]

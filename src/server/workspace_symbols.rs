@@ -8,7 +8,6 @@ use super::failure::Failure;
 use base::CancelFlag;
 use base::limits::WORKSPACE_SYMBOLS;
 use facts::FactKind;
-use ide;
 
 impl Engine {
     #[allow(deprecated)] // the protocol's struct has a deprecated field

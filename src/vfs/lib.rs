@@ -36,13 +36,13 @@ pub use output::write_atomically;
 pub use process::{first_stack, is_process_alive, unbuffered_stdout};
 
 use base::{FastMap, FileId, TextRange};
-use xml::Document;
-use yaml::{self, Node, YamlError};
 use buffer::Buffer;
 use cache::Cache;
 use held::Asked;
 use ids::Ids;
 use read::{Identity, Kind, Stamp, Stat};
+use xml::Document;
+use yaml::{self, Node, YamlError};
 
 /// Text of a file that is not XML.
 #[derive(Debug)]

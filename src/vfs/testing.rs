@@ -1,6 +1,11 @@
 //! Temporary folder trees, for tests of all crates.
 
-#![allow(clippy::unwrap_used, clippy::disallowed_methods, reason = "a test may fail loudly")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::disallowed_methods,
+    clippy::new_without_default,
+    reason = "a test may fail loudly"
+)]
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

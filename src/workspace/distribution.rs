@@ -55,8 +55,8 @@ impl Packages {
 
 #[cfg(test)]
 mod tests {
-    use vfs::testing::Tree;
     use crate::{PackageOptions, Packages};
+    use vfs::testing::Tree;
 
     #[test]
     fn distributions_that_are_named() {

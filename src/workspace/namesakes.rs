@@ -75,8 +75,8 @@ fn common_tail(a: &Path, b: &Path) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use vfs::testing::Tree;
     use crate::{PackageOptions, Packages};
+    use vfs::testing::Tree;
 
     #[test]
     fn the_likest_one_in_the_package_then_in_the_workspace() {

@@ -44,8 +44,8 @@ impl Packages {
 
 #[cfg(test)]
 mod tests {
-    use vfs::testing::Tree;
     use crate::{PackageOptions, Packages, RosVariable};
+    use vfs::testing::Tree;
 
     #[test]
     fn the_generation_follows_the_build_type() {

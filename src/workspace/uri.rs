@@ -173,8 +173,8 @@ pub fn percent_decoded(text: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::{UriKind, UriOutcome};
-    use vfs::testing::Tree;
     use crate::{PackageOptions, Packages, Step};
+    use vfs::testing::Tree;
 
     #[test]
     fn forms() {

@@ -118,8 +118,8 @@ impl Table {
 
 #[cfg(test)]
 mod tests {
-    use base::Encoding;
     use crate::Document;
+    use base::Encoding;
 
     #[test]
     fn the_table_says_what_is_said_without_it() {

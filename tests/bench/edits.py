@@ -9,20 +9,19 @@ import sys
 
 from instructions import count
 
-N = 20
+N = 3
 
 
 def main():
     binary = sys.argv[1]
-    print('| calls | first look | expansion | whole check | look / expansion |')
-    print('|---|---|---|---|---|')
+    print('| calls | expansion | check |')
+    print('|---|---|---|')
     for calls in (100, 1000):
         cost = {}
-        for what, edits in (('look', N), ('expand', 3), ('check', 3)):
+        for what, edits in (('expand', N), ('check', N)):
             once, twice = (count([binary, what, str(calls), str(number)]) for number in (edits, 2 * edits))
             cost[what] = (twice - once) / edits
-        share = 100 * cost['look'] / cost['expand']
-        print(f"| {calls:,} | {cost['look']:.2f} M | {cost['expand']:.1f} M | {cost['check']:.1f} M | {share:.2f} % |")
+        print(f"| {calls:,} | {cost['expand']:.1f} M | {cost['check']:.1f} M |")
 
 
 if __name__ == '__main__':

@@ -65,26 +65,17 @@ fn open(bencher: Bencher<'_, '_>, calls: usize) {
     bencher.bench_local(|| Session::open(black_box(calls)));
 }
 
-#[divan::bench(args = CALLS)]
-fn first_look_in_the_macro(bencher: Bencher<'_, '_>, calls: usize) {
+#[divan::bench(args = CALLS, sample_count = 10)]
+fn check_of_an_edit_in_the_macro(bencher: Bencher<'_, '_>, calls: usize) {
     let mut session = Session::open(calls);
     bencher.bench_local(move || {
         session.toggle("${base_mass");
-        session.world.first_look(&session.path, &CancelFlag::default()).map(|look| look.findings.len())
-    });
-}
-
-#[divan::bench(args = CALLS)]
-fn first_look_in_a_call(bencher: Bencher<'_, '_>, calls: usize) {
-    let mut session = Session::open(calls);
-    bencher.bench_local(move || {
-        session.toggle("name=\"s7");
-        session.world.first_look(&session.path, &CancelFlag::default()).map(|look| look.findings.len())
+        session.check()
     });
 }
 
 #[divan::bench(args = CALLS, sample_count = 10)]
-fn whole_check(bencher: Bencher<'_, '_>, calls: usize) {
+fn check_of_an_edit_in_a_call(bencher: Bencher<'_, '_>, calls: usize) {
     let mut session = Session::open(calls);
     bencher.bench_local(move || {
         session.toggle("name=\"s7");

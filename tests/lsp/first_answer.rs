@@ -92,7 +92,9 @@ fn edit(client: &mut Client, (file, old, new): (&str, &str, &str)) {
 /// What the server says of the open files before it does anything else.
 fn first(client: &mut Client, edited: &str, before: &[Value], pulls: bool) -> Vec<Vec<Value>> {
     if pulls {
-        let pull = |file| client.request("textDocument/diagnostic", client.of(file))["items"].as_array().unwrap().clone();
+        let pull = |file| {
+            client.request("textDocument/diagnostic", client.of(file))["items"].as_array().unwrap().clone()
+        };
         return [ROBOT, WHEEL].map(pull).to_vec();
     }
     if client.is_open(edited) {
@@ -110,7 +112,10 @@ fn first(client: &mut Client, edited: &str, before: &[Value], pulls: bool) -> Ve
 fn shown(found: &[Value]) -> BTreeSet<String> {
     let is_note = |item: &Value| item["message"].as_str().unwrap().starts_with("this call leads to");
     let heavy = found.iter().filter(|item| item["severity"].as_i64() <= Some(2) && !is_note(item));
-    heavy.map(short).map(|line| line.split('-').next().unwrap().to_owned() + " " + line.rsplit(' ').next().unwrap()).collect()
+    heavy
+        .map(short)
+        .map(|line| line.split('-').next().unwrap().to_owned() + " " + line.rsplit(' ').next().unwrap())
+        .collect()
 }
 
 /// The same as the command line says it.
@@ -133,7 +138,8 @@ fn checked(folder: &Path, file: &str) -> BTreeSet<String> {
 }
 
 fn check_first_answers(pulls: bool) {
-    let mut texts = vec![(ROBOT, ROBOT_TEXT.to_owned()), (WHEEL, WHEEL_TEXT.to_owned()), (SIZES, SIZES_TEXT.to_owned())];
+    let mut texts =
+        vec![(ROBOT, ROBOT_TEXT.to_owned()), (WHEEL, WHEEL_TEXT.to_owned()), (SIZES, SIZES_TEXT.to_owned())];
     let mut client = start(&texts, pulls);
     let mut said = first(&mut client, ROBOT, &[], pulls);
     for (file, old, new) in EDITS {

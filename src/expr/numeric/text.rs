@@ -4,8 +4,8 @@ use std::borrow::Cow;
 
 use num_bigint::BigInt;
 
-use base::limits::INTEGER_DIGITS;
 use crate::Value;
+use base::limits::INTEGER_DIGITS;
 
 /// The value of a decimal digit of any script.
 ///

@@ -164,11 +164,7 @@ fn reflected(op: CmpOp) -> CmpOp {
     }
 }
 
-fn ordered_dates(
-    op: CmpOp,
-    x: &crate::value::DateValue,
-    y: &crate::value::DateValue,
-) -> Eval<bool> {
+fn ordered_dates(op: CmpOp, x: &crate::value::DateValue, y: &crate::value::DateValue) -> Eval<bool> {
     if x.time.is_some() != y.time.is_some() {
         return Err(Stop::typ("can't compare datetime.datetime to datetime.date"));
     }

@@ -1,11 +1,11 @@
 //! Names, literals, displays and what may be appended to them.
 
 use super::Parser;
-use base::TextRange;
 use crate::ast::{Const, Expr, ExprKind};
 use crate::number;
 use crate::report::Stage;
 use crate::token::{Bracket, Tok};
+use base::TextRange;
 
 impl Parser<'_> {
     /// An atom with its calls, indices and attributes.

@@ -1,11 +1,11 @@
 //! Attributes, calls and indices.
 
 use super::Parser;
-use base::{FastSet, TextRange};
 use crate::ast::{Expr, ExprKind, Keyword};
 use crate::report::Stage;
 use crate::syntax::normalized;
 use crate::token::{Bracket, Tok};
+use base::{FastSet, TextRange};
 
 /// The arguments of a call, while they are read.
 #[derive(Default)]

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use super::{Parser, power};
-use base::TextRange;
 use crate::ast::{CompFor, CompKind, Comprehension, Expr, ExprKind};
 use crate::report::Stage;
 use crate::token::{Bracket, Tok};
+use base::TextRange;
 
 impl Parser<'_> {
     /// All `for` clauses that follow.

@@ -3,11 +3,11 @@
 use ecow::EcoString;
 
 use super::Parser;
-use base::TextRange;
 use crate::ast::{Expr, ExprKind};
 use crate::report::{Report, Stage};
 use crate::syntax::normalized;
 use crate::token::{Tok, Token};
+use base::TextRange;
 
 const END: Token = Token { kind: Tok::End, range: TextRange { start: 0, end: 0 } };
 

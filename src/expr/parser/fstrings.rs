@@ -2,12 +2,12 @@
 
 use super::Parser;
 use super::strings::{Literal, push_text};
-use base::TextRange;
-use base::limits::BRACKETS;
 use crate::ast::{Expr, ExprKind, FPart};
 use crate::lexer::{Source, lex};
 use crate::report::{Report, Stage};
 use crate::syntax::is_python_space;
+use base::TextRange;
+use base::limits::BRACKETS;
 
 /// A place in the body of an f-string.
 struct Scan<'t> {

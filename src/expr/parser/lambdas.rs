@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use super::Parser;
-use base::{FastSet, TextRange};
 use crate::ast::{Expr, ExprKind, Lambda, Param, ParamKind};
 use crate::report::Stage;
 use crate::token::{Bracket, Tok};
+use base::{FastSet, TextRange};
 
 /// How far the parameter list has got.
 #[derive(Default)]

@@ -5,11 +5,11 @@ use std::borrow::Cow;
 use ecow::EcoString;
 
 use super::Parser;
-use base::TextRange;
 use crate::ast::{Const, Expr, ExprKind, FPart};
 use crate::escape;
 use crate::report::Stage;
 use crate::token::Tok;
+use base::TextRange;
 
 /// A string token taken apart.
 #[derive(Clone, Copy)]

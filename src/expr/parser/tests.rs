@@ -1,11 +1,11 @@
 use proptest::prelude::*;
 
-use base::TextRange;
-use base::limits::EXPRESSION_DEPTH;
 use crate::ast::{Expr, ExprKind};
 use crate::dump::dump;
 use crate::visit::children;
 use crate::{ExprErrorKind, parse};
+use base::TextRange;
+use base::limits::EXPRESSION_DEPTH;
 
 /// Nested far beyond any limit: an error, no overflow, and quick.
 #[test]

@@ -1,9 +1,9 @@
 //! Where `:=` may not stand although the grammar lets it.
 
-use base::TextRange;
 use crate::ast::{Comprehension, Expr, ExprKind};
 use crate::report::{Report, Stage};
 use crate::visit::{children, target_names};
+use base::TextRange;
 
 /// Report every `:=` that clashes with a comprehension around it.
 pub(super) fn check(expr: &Expr, report: &mut Report<'_>) {

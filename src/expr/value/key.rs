@@ -5,9 +5,9 @@ use std::hash::{Hash, Hasher};
 use rustc_hash::FxHasher;
 
 use super::{Set, SetMap, Str, Value};
-use base::limits::{KEY_DEPTH, KEY_PARTS};
 use crate::numeric::{Num, hash_num};
 use crate::stop::{Eval, Stop};
+use base::limits::{KEY_DEPTH, KEY_PARTS};
 
 /// A hashable value.
 #[derive(Clone, Debug)]

@@ -2,10 +2,10 @@
 
 use super::place::element_at;
 use super::{Action, ActionKind, edit};
-use base::TextRange;
 use crate::moved::slashed;
 use crate::paths::{FileKind, FileTarget, file_name_at};
 use crate::{At, Cx, Part, locate, schema};
+use base::TextRange;
 use rules::Surroundings;
 use vfs::SourceFile;
 

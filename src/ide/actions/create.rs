@@ -2,9 +2,9 @@
 
 use super::place::{before, element_at, enclosing, first_child, last_child, top_level};
 use super::{Action, edit, fix};
+use crate::schema;
 use base::TextRange;
 use expr::is_identifier;
-use crate::schema;
 use vfs::SourceFile;
 use xml::{Document, Node};
 

@@ -2,11 +2,11 @@
 
 use super::place::{element_at, indented, line_end};
 use super::{Action, ActionKind, edit};
-use base::TextRange;
-use expand::{FrameId, FrameKind, Origin, write_mapped};
 use crate::Cx;
 use crate::expand_at::made_in;
 use crate::instances::{frames_of_tag, is_within, numbered};
+use base::TextRange;
+use expand::{FrameId, FrameKind, Origin, write_mapped};
 use xml::{Document, Node, NodeKind};
 
 /// Write what the call at an offset makes in its place, fully evaluated. Only for a call that is made once, whose

@@ -2,10 +2,10 @@
 
 use super::place::{before, top_level};
 use super::{Action, ActionKind, edit};
+use crate::{At, Cx, Part, locate};
 use base::TextRange;
 use expr::is_identifier;
 use facts::{FactKind, facts};
-use crate::{At, Cx, Part, locate};
 use vfs::SourceFile;
 use xml::Attr;
 

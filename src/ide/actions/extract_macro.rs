@@ -3,11 +3,11 @@
 use super::place::{before, indented, line_end, margin, top_level};
 use super::wrap::elements;
 use super::{Action, ActionKind, edit};
+use crate::{Cx, indentation};
 use base::TextRange;
 use expand::SymbolKind;
 use expr::is_global_symbol;
 use facts::{FactKind, MentionKind, facts};
-use crate::{Cx, indentation};
 use vfs::SourceFile;
 use xml::{Document, Node, NodeKind};
 

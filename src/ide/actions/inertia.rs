@@ -2,9 +2,9 @@
 
 use super::place::{enclosing, last_child, margin};
 use super::{Action, ActionKind, edit};
+use crate::Cx;
 use base::{Span, TextRange};
 use expand::{SourceRange, XId};
-use crate::Cx;
 use model::{Body, Inertial, Link, ShapeKind, Text, element_range};
 use rules::Edit;
 use xml::Node;

@@ -2,9 +2,9 @@
 
 use super::place::element_at;
 use super::{Action, ActionKind};
+use crate::{Cx, definition_of, places};
 use base::{Span, TextRange};
 use expand::{DefinitionId, SymbolKind};
-use crate::{Cx, definition_of, places};
 use rules::Edit;
 use xml::Document;
 

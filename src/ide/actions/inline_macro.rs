@@ -5,10 +5,10 @@ use std::sync::Arc;
 use super::expand::{only_frame, source_node};
 use super::place::{element_at, indented};
 use super::{Action, ActionKind, edit};
+use crate::Cx;
 use base::{FastMap, TextRange};
 use expand::parse_params;
 use facts::{MentionKind, facts_of};
-use crate::Cx;
 use xml::{Item, Node};
 
 /// Put the body of the macro in the place of the call at an offset, with what the call passes for the parameters.

@@ -2,8 +2,8 @@
 
 use super::place::{enclosing, last_child, line_end, margin};
 use super::{Action, ActionKind, edit};
-use base::TextRange;
 use crate::indentation;
+use base::TextRange;
 use vfs::SourceFile;
 use xml::Node;
 

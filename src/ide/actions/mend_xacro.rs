@@ -2,9 +2,9 @@
 
 use super::place::{before, element_at, line_end, margin, top_level};
 use super::{Action, edit, fix};
+use crate::{Cx, rename};
 use base::TextRange;
 use expr::is_identifier;
-use crate::{Cx, rename};
 use rules::Edit;
 use vfs::SourceFile;
 use xml::Part;

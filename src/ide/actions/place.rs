@@ -1,7 +1,7 @@
 //! Where new elements go, and how they are indented.
 
-use base::TextRange;
 use crate::{At, format_range, indentation, locate};
+use base::TextRange;
 use vfs::SourceFile;
 use workspace::config::Format;
 use xml::{Document, Node, NodeKind, Part};

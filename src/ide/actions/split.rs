@@ -2,9 +2,9 @@
 
 use super::place::{enclosing, line_end, margin};
 use super::{Action, ActionKind, edit};
-use base::TextRange;
 use crate::names::all_names;
 use crate::{Cx, indentation};
+use base::TextRange;
 use xml::{Node, NodeKind};
 
 /// Move the collisions of the link at an offset to a link of their own, which a fixed joint holds in the same place.

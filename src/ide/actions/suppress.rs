@@ -3,7 +3,6 @@
 use super::place::{element_at, line_end, margin};
 use super::{Action, edit, fix};
 use base::TextRange;
-use rules;
 use vfs::SourceFile;
 use xml::NodeKind;
 

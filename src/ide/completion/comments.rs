@@ -6,7 +6,6 @@ use super::item::{Completion, Completions, ItemKind, Topic};
 use super::names::file_name;
 use super::scope::Scope;
 use crate::typed::Typed;
-use rules;
 
 const DIRECTIVES: &[(&str, &str)] = &[
     ("disable-next-line", "no findings of these rules on the next line"),

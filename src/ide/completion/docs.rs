@@ -7,7 +7,6 @@ use super::names::file_name;
 use super::scope::{MacroInfo, Scope};
 use expand::Param;
 use expr::global_symbols;
-use rules;
 use rules::schema::{AttributeSpec, ElementSpec, elements};
 
 /// More about a topic, as Markdown; none when there is no such thing.

@@ -9,10 +9,10 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::scope::{PropertyInfo, Scope};
+use crate::host::{self, Names};
 use base::FastMap;
 use expand::yaml_value;
 use expr::{self, Code, Lookup, Subst, SubstError, Template, Token, Value, display, literal};
-use crate::host::{self, Names};
 
 /// Where a property's value stands.
 struct Given {

@@ -5,11 +5,11 @@ use super::item::{Completion, Completions, ItemKind, Topic, fits};
 use super::paths;
 use super::scope::{PropertyInfo, Scope};
 use super::substitutions;
+use crate::code::{Cursor, Hole, chain_before, cursor, hole};
+use crate::typed::Typed;
 use base::limits::COMPLETIONS;
 use expand::parse_params;
 use expr::{SymbolKind, Value, display, global_symbols};
-use crate::code::{Cursor, Hole, chain_before, cursor, hole};
-use crate::typed::Typed;
 
 /// What fits into the expression that the text in front of the cursor ends in; none when it ends in none.
 pub(super) fn expression(scope: &Scope<'_>, typed: &Typed) -> Option<Completions> {

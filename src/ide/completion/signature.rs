@@ -3,11 +3,11 @@
 use super::docs::{parameter, signature};
 use super::scope::{MacroInfo, Scope};
 use super::tags::is_required;
-use base::TextRange;
-use expr::{Module, global_symbols};
 use crate::code::{Hole, hole, open_call};
 use crate::tag_reader::Open;
 use crate::typed::{Typed, Typing, is_name_char, typed};
+use base::TextRange;
+use expr::{Module, global_symbols};
 
 /// What a macro or function takes.
 #[derive(Clone, Debug, PartialEq, Eq)]

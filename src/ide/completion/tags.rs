@@ -3,8 +3,8 @@
 use super::directives::{DIRECTIVES, directive};
 use super::item::{Completion, Completions, ItemKind, Topic, escaped};
 use super::scope::{MacroInfo, Scope};
-use expand::Param;
 use crate::typed::{Typed, is_name_char};
+use expand::Param;
 use rules::schema::{AttributeKind, AttributeSpec, Content, ElementSpec, elements, robot};
 
 /// The element that a chain of open elements ends in, as URDF sees it: tags of xacro are transparent. None where

@@ -10,11 +10,11 @@ mod pieces;
 mod tag;
 
 use base::TextRange;
-use workspace::config;
-use xml::Document;
 use indent::width;
 pub use indent::{Indent, indentation};
 use pieces::{Kind, Piece, pieces};
+use workspace::config;
+use xml::Document;
 
 /// Most steps of indentation; deeper elements stand below each other.
 const MOST_STEPS: usize = 200;

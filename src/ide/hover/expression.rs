@@ -195,10 +195,7 @@ pub(super) fn function(path: &[&Expr]) -> Option<Page> {
     };
     let symbol = global_symbols()
         .find(|symbol| symbol.name == name && symbol.namespace.map(|module| module.name()) == namespace)?;
-    if symbol.params.is_empty()
-        && symbol.namespace.is_none()
-        && symbol.kind == expr::SymbolKind::Constant
-    {
+    if symbol.params.is_empty() && symbol.namespace.is_none() && symbol.kind == expr::SymbolKind::Constant {
         return None;
     }
     let lead = namespace.map(|module| format!("{module}.")).unwrap_or_default();

@@ -7,8 +7,8 @@ mod tags;
 use super::context::Cx;
 use super::hover::condition;
 use base::TextRange;
-use xml::{Node, NodeKind};
 use names::Names;
+use xml::{Node, NodeKind};
 
 /// What a piece of text is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -9,9 +9,9 @@ use tokio::sync::watch;
 
 use super::crowd::Crowd;
 use super::serve;
-use base::limits::{CONNECTIONS, PAGES, STRANGERS};
 use crate::Files;
 use crate::messages::{FromViewer, ModelMessage, Selection, Side};
+use base::limits::{CONNECTIONS, PAGES, STRANGERS};
 use vfs::Vfs;
 
 /// A message of a page about its view.

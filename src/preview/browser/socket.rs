@@ -15,8 +15,8 @@ use tokio::sync::watch::Receiver;
 
 use super::guard;
 use super::hub::{Hub, News, Received};
-use base::limits::SOCKET_MESSAGE;
 use crate::messages::FromViewer;
+use base::limits::SOCKET_MESSAGE;
 
 /// A socket has this long to name the token.
 const HELLO_TIME: Duration = Duration::from_secs(5);

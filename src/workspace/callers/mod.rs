@@ -198,8 +198,8 @@ fn search(vfs: &Vfs, top: &Path) -> Vec<Caller> {
 #[cfg(test)]
 mod tests {
     use super::Callers;
-    use vfs::testing::Tree;
     use crate::{PackageOptions, Packages};
+    use vfs::testing::Tree;
 
     #[test]
     fn launch_files_of_other_packages_count() {

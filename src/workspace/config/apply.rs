@@ -11,8 +11,8 @@ use super::value::{Entry, Value, ValueKind};
 use super::{
     AttributeLayout, Config, ConfigWarning, Format, Level, Limits, Mention, MentionKind, Place, Profile,
 };
-use base::{TextRange, count_line_ends, last_line_start};
 use crate::{Target, nearest};
+use base::{TextRange, count_line_ends, last_line_start};
 
 /// Applies the entries of one file.
 pub(super) struct Applier {

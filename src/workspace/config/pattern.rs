@@ -159,8 +159,8 @@ pub(super) fn is_pattern(text: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::Pattern;
-    use vfs::testing::Tree;
     use std::path::Path;
+    use vfs::testing::Tree;
 
     #[test]
     fn matching() {

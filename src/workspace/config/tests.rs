@@ -1,8 +1,8 @@
 use std::path::PathBuf;
 
 use super::{AttributeLayout, Config, Level, Limits, Loaded, MentionKind, Profile, find_config, schema};
-use vfs::testing::Tree;
 use crate::Target;
+use vfs::testing::Tree;
 
 /// The configuration of `text`, and its warnings without the folder.
 fn load(text: &str) -> (Tree, Config, Vec<String>) {

@@ -1,7 +1,7 @@
 //! Packages as they are installed.
 
-use vfs::testing::Tree;
 use crate::{PackageOptions, Packages};
+use vfs::testing::Tree;
 
 /// What stands for a path of package `demo` in a workspace with these files; empty: nothing.
 fn built(files: &[(&str, &str)], missing: &str) -> String {

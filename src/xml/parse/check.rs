@@ -4,11 +4,11 @@
 use std::collections::HashSet;
 
 use super::Parser;
-use base::limits::ITEM_ERRORS;
 use crate::decode::{Reference, decode, references};
 use crate::entities::Entities;
 use crate::error::{Condition, Namespace, SyntaxError, SyntaxErrorKind as Kind, expat};
 use crate::node::{AttrData, NEEDS_DECODING, PREFIXED};
+use base::limits::ITEM_ERRORS;
 
 /// Attributes compared pair by pair; beyond that a set is used.
 const FEW: usize = 12;

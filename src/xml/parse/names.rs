@@ -3,8 +3,8 @@
 use std::collections::HashSet;
 
 use super::Parser;
-use base::FastMap;
 use crate::chars::{is_space, name_char, skip_ascii_name};
+use base::FastMap;
 
 /// A name as it stands in the text.
 pub(super) struct QName {

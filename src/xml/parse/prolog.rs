@@ -5,13 +5,13 @@ use std::sync::Arc;
 use super::declaration::check_declaration;
 use super::token::Token;
 use super::{Parser, Stop, Verdict};
-use base::{FastMap, TextRange};
 use crate::chars::name_char;
 use crate::decode::decode;
 use crate::entities::Entities;
 use crate::error::{SyntaxErrorKind as Kind, expat};
 use crate::item::Item;
 use crate::node::{CLOSED, NodeKind};
+use base::{FastMap, TextRange};
 
 /// The part of a document behind its last item.
 #[derive(Clone)]
