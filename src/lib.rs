@@ -1,6 +1,6 @@
 //! `xacro-lsp` and `xacro-lint`: exact expansion and analysis of xacro and URDF.
 //!
-//! The crates below are listed in import order: each uses only those above it (see `docs/architecture.md`).
+//! The crates behind it, each under its own name. `docs/architecture.md` says what they are and which may use which.
 
 pub use analysis;
 pub use base;

@@ -73,6 +73,12 @@ impl Merged {
     /// Say in which contexts the finding occurs, when not in all of them. What is unused in some of them only is not
     /// unused.
     fn finish(mut self, contexts: &Contexts) -> Option<Finding> {
+        if self.finding.rule.name == "gazebo-unknown-reference"
+            && contexts.other_robots(self.finding.span.file, &self.outcomes) > 0
+        {
+            // a shared file is written for the robot that has the link
+            self.finding.severity = self.finding.severity.min(Severity::Info);
+        }
         if self.finding.rule.name == "transmission-unknown-joint" {
             // a shared file lists the joints of the largest robot; what a smaller one lacks, ROS 1 passes over
             let most = match contexts.other_robots(self.finding.span.file, &self.outcomes) {

@@ -37,6 +37,24 @@ impl Session {
         if self.is_set_aside(&job.file) {
             lower(findings);
         }
+        let about_prefixes = |finding: &&mut Finding| {
+            ["unprefixed-xacro-tag", "unprefixed-macro-call"].contains(&finding.rule.name)
+        };
+        if findings.iter_mut().any(|finding| about_prefixes(&finding)) && self.is_of_rosbuild(&job.file) {
+            findings
+                .iter_mut()
+                .filter(about_prefixes)
+                .for_each(|finding| finding.severity = finding.severity.min(Severity::Info));
+        }
+    }
+
+    /// Whether a file belongs to a package of rosbuild, whose xacro took tags without a prefix.
+    fn is_of_rosbuild(&self, file: &Path) -> bool {
+        let top = self.packages.sources_around(file);
+        let inside = |folder: &&Path| top.as_ref().is_none_or(|top| folder.starts_with(top));
+        let has_manifest = |folder: &Path| self.vfs.is_file(&folder.join("manifest.xml"));
+        self.packages.containing(file).is_none()
+            && file.ancestors().skip(1).take_while(inside).any(has_manifest)
     }
 
     /// Whether nobody includes a file, and nobody names it either though its path says that it is old or a copy, or the
@@ -169,6 +187,60 @@ mod tests {
         }
         let named = [("old/arm.urdf", BROKEN), ("old/see.launch", "<param textfile='old/arm.urdf'/>")];
         assert_eq!(severity(&named), Some(Severity::Error));
+    }
+
+    #[test]
+    fn packages_of_rosbuild() {
+        let robot =
+            "<robot name='r' xmlns:xacro='x'><property name='a' value='1'/><link name='base'/></robot>";
+        let severity = |manifest: &str| {
+            found(&[(manifest, "<package/>"), ("urdf/r.urdf.xacro", robot)], "unprefixed-xacro-tag")[0].1
+        };
+        assert_eq!(severity("manifest.xml"), Severity::Info);
+        assert_eq!(severity("other.xml"), Severity::Error);
+    }
+
+    #[test]
+    fn references_that_fit_another_robot() {
+        let part = "<robot><gazebo reference='lamp'><mu1>1</mu1></gazebo></robot>";
+        let robot = |links: &str| {
+            format!(
+                "<robot name='r' xmlns:xacro='x'><link name='base'/>{links}<xacro:include filename='part.xacro'/></robot>"
+            )
+        };
+        let lamp = "<link name='lamp'/><joint name='j' type='fixed'><parent link='base'/><child link='lamp'/></joint>";
+        let severity = |robots: &[(&str, &str)]| {
+            found(&[robots, &[("part.xacro", part)]].concat(), "gazebo-unknown-reference")
+                .first()
+                .map(|found| found.1)
+        };
+        let (with, without) = (robot(lamp), robot(""));
+        let untaken = robot(&format!("<xacro:if value='0'>{lamp}</xacro:if>"));
+        assert_eq!(severity(&[("a.urdf.xacro", &without)]), Some(Severity::Warning));
+        assert_eq!(severity(&[("a.urdf.xacro", &without), ("b.urdf.xacro", &with)]), Some(Severity::Info));
+        assert_eq!(severity(&[("a.urdf.xacro", &untaken)]), Some(Severity::Info));
+    }
+
+    #[test]
+    fn centers_of_small_parts() {
+        let link = |name: &str, mass: f64, x: f64| {
+            format!(
+                "<link name='{name}'><inertial><origin xyz='{x} 0 0'/><mass value='{mass}'/>\
+                 <inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1.5'/></inertial>\
+                 <collision><geometry><box size='0.2 0.2 0.2'/></geometry></collision></link>"
+            )
+        };
+        let severity = |mass: f64, joint: &str| {
+            let robot = format!(
+                "<robot name='r'>{}{}<joint name='j' type='{joint}'><parent link='base'/><child link='lamp'/></joint></robot>",
+                link("base", 20.0, 0.0),
+                link("lamp", mass, 0.6)
+            );
+            found(&[("r.urdf", &robot)], "com-outside-geometry").first().map(|found| found.1)
+        };
+        assert_eq!(severity(0.5, "fixed"), Some(Severity::Info));
+        assert_eq!(severity(5.0, "fixed"), Some(Severity::Warning));
+        assert_eq!(severity(0.5, "continuous"), Some(Severity::Warning));
     }
 
     #[test]

@@ -6,6 +6,7 @@ use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use base::FastSet;
+use facts::{Fact, FactKind, facts};
 use model::Gazebo;
 use workspace::nearest;
 
@@ -41,11 +42,22 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                 rename(report, cx.expansion, text, near).done();
             }
             None => report
-                .severity(if is_colour(cx, block) { Severity::Info } else { Severity::Warning })
+                .severity(if is_colour(cx, block) || is_written(cx, name) {
+                    Severity::Info
+                } else {
+                    Severity::Warning
+                })
                 .help("SDFormat drops the element: name a link or a joint of this robot")
                 .done(),
         }
     }
+}
+
+/// Whether a text that the robot is made of names a link or joint so, in a branch that is not taken this time.
+fn is_written(cx: &RobotCx<'_>, name: &str) -> bool {
+    let is_it = |fact: &Fact| matches!(fact.kind, FactKind::Link | FactKind::Joint) && fact.name == name;
+    let mut files = cx.expansion.files.iter();
+    files.any(|file| facts(&file.source.document).any(|(_, facts)| facts.named.iter().any(is_it)))
 }
 
 /// Whether an element gives a colour and nothing else: without it, nothing behaves differently.

@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::joined::{LIGHT, MARKER, is_in_world, known_box};
+use super::joined::{LIGHT, MARKER, is_in_world, is_small_part, known_box};
 use super::moments::{inertials, is_same_about_all_axes};
 use model::{Bounds, Inertial};
 
@@ -43,6 +43,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 if !is_far
                     && (is_beside(bounds, centre)
                         || is_in_world(cx, link)
+                        || inertial.mass().is_some_and(|mass| is_small_part(cx, link, mass))
                         || is_made_up(inertial, centre)) =>
             {
                 Severity::Info

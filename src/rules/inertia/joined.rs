@@ -4,6 +4,7 @@
 use super::super::context::DocumentCx;
 use super::super::geometry::{Extent, extent_of};
 use super::super::vocabulary::is_surroundings;
+use super::moments::inertials;
 use model::{Bounds, Joint, JointType, Link};
 
 /// A geometry whose box has half a diagonal up to this length in metres is a marker: it does not show the shape.
@@ -15,6 +16,24 @@ pub(super) const LIGHT: f64 = 0.01;
 pub(super) fn is_joined(cx: &DocumentCx<'_>, link: &Link) -> bool {
     let above = joints_above(cx, link.shown());
     !above.is_empty() && above.iter().all(|joint| joint.is(&[JointType::Fixed]))
+}
+
+/// Whether a link is fixed to a body of which it is a small part: up to a twentieth of the mass of one that carries it.
+pub(super) fn is_small_part(cx: &DocumentCx<'_>, link: &Link, mass: f64) -> bool {
+    const SMALL: f64 = 0.05;
+    let mut name = link.shown();
+    for _ in 0..=cx.joints().len() {
+        let [joint] = joints_above(cx, name)[..] else { return false };
+        let Some(parent) = joint.parent.as_ref().filter(|_| joint.is(&[JointType::Fixed])) else {
+            return false;
+        };
+        name = parent.value.as_str();
+        let carriers = inertials(cx).filter(|(carrier, _)| carrier.shown() == name);
+        if carriers.filter_map(|(_, inertial)| inertial.mass()).any(|carried| mass <= SMALL * carried) {
+            return true;
+        }
+    }
+    false
 }
 
 /// Whether a link never moves: a chain of fixed joints leads up to the world.

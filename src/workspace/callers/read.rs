@@ -1,5 +1,6 @@
 //! Reading a launch file, script or page for the descriptions it names and the arguments it gives.
 
+use std::borrow::Cow;
 use std::cell::LazyCell;
 use std::path::Path;
 
@@ -28,6 +29,7 @@ fn is_description(name: &str) -> bool {
 /// What a file calls; none when it names no description.
 pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
     let name = path.file_name()?.to_str()?;
+    let text = &*without_comments(name, text);
     let descriptions = descriptions(name, text);
     let endings = computed(text);
     let is_yaml = name.ends_with(".yaml") || name.ends_with(".yml");
@@ -51,6 +53,41 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
     }
     let is_open = takes_any(text);
     Some(Caller { path: path.to_owned(), descriptions, endings, is_open, args, based_on })
+}
+
+/// A text without its comments: what they name is not called.
+fn without_comments<'t>(name: &str, text: &'t str) -> Cow<'t, str> {
+    match name.rsplit_once('.').map_or("", |(_, ending)| ending) {
+        "launch" | "xml" | "test" if text.contains("<!--") => {
+            let mut parts = text.split("<!--");
+            let first = parts.next().unwrap_or("").to_owned();
+            let behind = parts.filter_map(|part| Some(part.split_once("-->")?.1));
+            Cow::Owned(behind.fold(first, |kept, part| kept + part))
+        }
+        "py" | "sh" | "bash" | "yaml" | "yml" if text.contains('#') => {
+            Cow::Owned(text.split_inclusive('\n').map(without_line_comment).collect())
+        }
+        _ => Cow::Borrowed(text),
+    }
+}
+
+/// A line up to a `#` that begins a comment: outside of quotes, and behind a blank or nothing.
+fn without_line_comment(line: &str) -> &str {
+    let (mut quote, mut before) = (None, ' ');
+    for (at, c) in line.char_indices() {
+        match c {
+            '"' | '\'' if quote.is_none() => quote = Some(c),
+            c if quote == Some(c) && before != '\\' => quote = None,
+            '#' if quote.is_none()
+                && (before.is_whitespace() || matches!(before, ',' | '(' | '[' | ')' | ']')) =>
+            {
+                return line.get(..at).unwrap_or(line);
+            }
+            _ => {}
+        }
+        before = c;
+    }
+    line
 }
 
 /// The names of descriptions in a text, without folders. What is only installed or included is not called.
@@ -312,6 +349,17 @@ mod tests {
         check_caller("a.py", "'.xacro' x:=1", None);
         check_caller("a.py", "arm.urdf_old", None);
         check_caller("ä.md", "ä:=ö ä.urdf", Some((&["ä.urdf"], &[("ä", Some("ö"))])));
+    }
+
+    #[test]
+    fn comments_call_nothing() {
+        let text =
+            "<launch><!-- xacro old.urdf.xacro --><param command='xacro arm.xacro'/><!-- a:=1 --></launch>";
+        check_caller("a.launch", text, Some((&["arm.xacro"], &[])));
+        let text = "# xacro old.urdf.xacro a:=1\nrun('arm.xacro', 'b#:=2')  # or hand.xacro\n";
+        check_caller("a.launch.py", text, Some((&["arm.xacro"], &[])));
+        check_caller("a.sh", "xacro 'it#s.xacro' # x.xacro", Some((&["s.xacro"], &[])));
+        check_caller("a.launch.py", "# only arm.xacro", None);
     }
 
     #[test]
