@@ -6,7 +6,6 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::job;
 use super::roots::Job;
 use super::session::Session;
-use base::limits::PROOF_BYTES;
 use base::{CancelFlag, FastMap, TextRange};
 use ecow::EcoString;
 use expand::{Expansion, FileUse, Forced, FrameKind, Read, Request, World, expand, write};
@@ -90,6 +89,9 @@ fn called(expansion: &Expansion) -> Vec<(PathBuf, TextRange)> {
         .collect()
 }
 
+/// Bytes of expanded texts that are kept; beyond, robots are expanded again.
+const MOST_BYTES: usize = 64 << 20;
+
 /// What tells an expansion from others.
 type Key = (PathBuf, Setting);
 
@@ -131,7 +133,7 @@ impl Runs {
 
 impl Kept {
     fn add(&mut self, key: Key, run: Arc<Run>) {
-        if self.bytes > PROOF_BYTES {
+        if self.bytes > MOST_BYTES {
             *self = Self::default();
         }
         self.bytes += run.text.len();

@@ -181,8 +181,6 @@ limits! {
         FIX_ROUNDS: usize = 50, "the rest is reported as usual";
         /// Expansions that are made to prove one group of fixes.
         PROOF_EXPANSIONS: usize = 2_000, "the fixes count as unsafe";
-        /// Bytes of expanded texts that are kept for further proofs.
-        PROOF_BYTES: usize = 64 << 20, "robots are expanded again";
         /// The same for one action of an editor.
         QUICK_PROOF_EXPANSIONS: usize = 16, "the action is offered as one that may change the robot";
         /// Findings of one rule in one robot.
