@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -51,27 +52,50 @@ def wheel():
 
 
 def crate():
-    """The crate is small enough, holds what it needs and nothing else, and builds from itself."""
-    # verifying compiles the unpacked crate, beside the objects of the tests
-    run(["cargo", "package", "--locked", "--allow-dirty", "--quiet"], CARGO_TARGET_DIR=TARGET)
-    file = max((TARGET / "package").glob("xacro-lsp-*.crate"), key=lambda path: path.stat().st_mtime)
-    size = file.stat().st_size
-    demand(size < MOST_CRATE, f"{file.name} has {size} bytes")
-    with tarfile.open(file) as archive:
-        names = [pathlib.PurePath(name).parts[1:] for name in archive.getnames()]
-    tops = {parts[0] for parts in names}
-    demand({"src", "docs", "build.rs", "README.md", "LICENSE-MIT", "LICENSE-APACHE", "Cargo.lock"} <= tops, tops)
-    demand(not tops & {"tests", ".ci", ".github", "target"}, tops)
-    print(f"   {file.name}, {size / 1e6:.1f} MB, {len(names)} files")
-    # the source distribution holds the same, and what pip needs
+    """The crates are small enough, hold what they need and nothing else, and build from themselves."""
+    target = fresh("crates")
+    run(["cargo", "package", "--workspace", "--locked", "--allow-dirty", "--no-verify", "--quiet"], CARGO_TARGET_DIR=target)
+    sources, held, size = fresh("crate-sources"), {}, 0
+    for file in sorted((target / "package").glob("*.crate")):
+        demand(file.stat().st_size < MOST_CRATE, f"{file.name} has {file.stat().st_size} bytes")
+        size += file.stat().st_size
+        with tarfile.open(file) as archive:
+            archive.extractall(sources, filter="data")
+            held[file.stem] = {pathlib.PurePath(name).parts[1:] for name in archive.getnames()}
+    (root,) = (names for stem, names in held.items() if re.fullmatch(r"xacro-lsp-[\d.]+", stem))
+    tops = {parts[0] for parts in root}
+    demand({"src", "README.md", "LICENSE-MIT", "LICENSE-APACHE", "Cargo.lock"} <= tops, tops)
+    demand(not tops & {"tests", ".ci", ".github", "target", "editors"}, tops)
+    for name, needed in {"docs": ("rules", "mesh-not-found.md"), "viewer": ("dist", "viewer.js"), "rules": ("lib.rs",)}.items():
+        (own,) = (names for stem, names in held.items() if stem.startswith(f"xacro-lsp-{name}-"))
+        demand(needed in own, f"{'/'.join(needed)} is missing in the crate of {name}")
+    check_unpacked(sources, held)
+    print(f"   {len(held)} crates, {size / 1e6:.1f} MB")
+    sdist(root)
+
+
+def check_unpacked(sources, stems):
+    """The unpacked crates compile with each other, and with nothing of the checkout."""
+    (root,) = (sources / stem for stem in stems if re.fullmatch(r"xacro-lsp-[\d.]+", stem))
+    others = {re.sub(r"-[\d.]+$", "", stem): sources / stem for stem in stems if sources / stem != root}
+    patches = "".join(f'{name} = {{ path = "{folder}" }}\n' for name, folder in others.items())
+    (sources / ".cargo").mkdir()
+    (sources / ".cargo/config.toml").write_text(f"[patch.crates-io]\n{patches}")
+    (root / "Cargo.lock").unlink()
+    shutil.copy2(ROOT / "Cargo.lock", root)
+    run(["cargo", "check", "--quiet"], cwd=root, CARGO_TARGET_DIR=TARGET / "packaging/quick")
+
+
+def sdist(crate_names):
+    """The source distribution holds what the crate does, and what pip needs."""
     folder = fresh("sdist")
     run([tool("maturin"), "sdist", "--out", folder])
     (source,) = folder.glob("*.tar.gz")
     with tarfile.open(source) as archive:
         held = {pathlib.PurePath(name).parts[1:] for name in archive.getnames()}
     made = {(name,) for name in (".cargo_vcs_info.json", "Cargo.toml.orig")}
-    missing = set(names) - held - made
-    demand(not missing and ("pyproject.toml",) in held, f"missing in {source.name}: {sorted(missing)[:5]}")
+    needed = (crate_names - made) | {("pyproject.toml",), ("editors", "viewer", "dist", "viewer.js"), ("src", "rules", "lib.rs")}
+    demand(needed <= held, f"missing in {source.name}: {sorted(needed - held)[:5]}")
 
 
 def static():

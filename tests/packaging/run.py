@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What is handed out, and how it is used: packages, hooks, workflows, recipes.
 
-`run.py [STEP ...]` needs `cargo build --release` before it. Everything it makes is in `target/packaging`.
+`run.py [STEP ...]` needs `cargo build --release` and the built viewer before it. Everything it makes is in `target/packaging`.
 """
 
 import sys
