@@ -116,3 +116,24 @@ fn only_vfs_touches_the_disk_and_only_the_server_speaks_the_protocol() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+/// The methods of a type stand in the file of the type: who reads the one finds the others.
+#[test]
+fn methods_stand_beside_their_type() {
+    let mut wrong = Vec::new();
+    for (path, crate_name, code) in sources() {
+        if crate_name != "server" {
+            continue;
+        }
+        for line in code.lines().filter(|line| line.starts_with("impl") && !line.contains(" for ")) {
+            let head = line.split('{').next().unwrap().trim();
+            let name = head.rsplit(' ').next().unwrap().split('<').next().unwrap();
+            let is_declared =
+                ["struct", "enum", "trait"].iter().any(|kind| code.contains(&format!("{kind} {name}")));
+            if !is_declared {
+                wrong.push(format!("{}: `{head}`", path.display()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "methods away from their types:\n{}", wrong.join("\n"));
+}

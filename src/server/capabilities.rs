@@ -14,8 +14,9 @@ use lsp_types::{
 };
 use serde_json::json;
 
-use super::client::ClientFacts;
-use super::{actions, commands, files, tokens};
+use super::files;
+use crate::client::ClientFacts;
+use crate::requests::{actions, commands, tokens};
 
 /// What the server offers to a client.
 pub(super) fn offered(encoding: PositionEncodingKind, client: &ClientFacts) -> ServerCapabilities {

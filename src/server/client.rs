@@ -6,7 +6,7 @@ use lsp_types::{
 };
 use serde_json::Value;
 
-use super::markup::Format;
+use crate::markup::Format;
 
 /// What the client can do.
 #[derive(Clone, Copy, Debug, Default)]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use lsp_types::{Location, Position, Range, Url};
 
-use super::engine::Engine;
+use crate::state::State;
 use base::{Encoding, FastMap, FileId, LineCol, Span, TextRange};
 use vfs::SourceFile;
 use xml::Document;
@@ -59,7 +59,7 @@ type File = (Url, Option<Arc<SourceFile>>);
 
 /// Places in files, for an answer that names many of them: each is worked out once.
 pub(super) struct Places<'e> {
-    pub engine: &'e Engine,
+    pub state: &'e State,
     files: FastMap<FileId, Option<File>>,
     ranges: FastMap<Span, Range>,
 }
@@ -71,30 +71,28 @@ impl Places<'_> {
     }
 
     fn place(&mut self, span: Span) -> Option<(&Url, Range)> {
-        let engine = self.engine;
-        let file = self.files.entry(span.file).or_insert_with(|| engine.file(span.file));
+        let state = self.state;
+        let file = self.files.entry(span.file).or_insert_with(|| file(state, span.file));
         let (uri, source) = file.as_ref()?;
         let range = self.ranges.entry(span).or_insert_with(|| match source {
-            Some(source) => range(&source.document, span.range, engine.encoding),
+            Some(source) => range(&source.document, span.range, state.encoding),
             None => Range::default(),
         });
         Some((uri, *range))
     }
 }
 
-impl Engine {
-    /// Places in files as they are now.
-    pub fn places(&self) -> Places<'_> {
-        Places { engine: self, files: FastMap::default(), ranges: FastMap::default() }
-    }
+/// Places in files as they are now.
+pub fn places(state: &State) -> Places<'_> {
+    Places { state, files: FastMap::default(), ranges: FastMap::default() }
+}
 
-    /// A place in a file.
-    pub fn location(&self, span: Span) -> Option<Location> {
-        self.places().location(span)
-    }
+/// A place in a file.
+pub fn location(state: &State, span: Span) -> Option<Location> {
+    places(state).location(span)
+}
 
-    fn file(&self, id: FileId) -> Option<File> {
-        let path = self.world.session().vfs.path(id);
-        Some((self.uri(&path)?, self.world.document(&path)))
-    }
+fn file(state: &State, id: FileId) -> Option<File> {
+    let path = state.world.session().vfs.path(id);
+    Some((state.uri(&path)?, state.world.document(&path)))
 }

@@ -1,5 +1,10 @@
 //! Findings as diagnostics: pushed when there is a pause, or asked for.
 
+use crate::convert::places;
+use crate::documents::refresh_others;
+use crate::lifecycle::scan_first;
+use crate::publishing::publish;
+use crate::roots::tell_contexts;
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
@@ -14,9 +19,9 @@ use lsp_types::{
     WorkspaceUnchangedDocumentDiagnosticReport,
 };
 
-use super::convert::Places;
-use super::engine::Engine;
-use super::failure::Failure;
+use crate::convert::Places;
+use crate::failure::Failure;
+use crate::state::State;
 use analysis::Report;
 use base::CancelFlag;
 use base::limits::{DIAGNOSTICS, RELATED};
@@ -25,217 +30,210 @@ use rules::{Finding, Severity};
 /// A diagnostic and the file it is shown in.
 type Shown = (PathBuf, Diagnostic);
 
-impl Engine {
-    /// Make and publish diagnostics; given up when a job comes in meanwhile, and tried again later.
-    pub fn make_diagnostics(&mut self) {
-        if self.client.pulls_diagnostics {
-            self.due = None;
-            let cancel = self.pressure.background();
-            self.tell_contexts(&cancel);
-        } else {
-            self.push_diagnostics();
-        }
-        if self.due.is_none() && self.documents.len() > 1 {
-            self.refresh_others();
-        }
+/// Make and publish diagnostics; given up when a job comes in meanwhile, and tried again later.
+pub fn make_diagnostics(state: &mut State) {
+    if state.client.pulls_diagnostics {
+        state.due = None;
+        let cancel = state.status.background();
+        tell_contexts(state, &cancel);
+    } else {
+        push_diagnostics(state);
     }
-
-    fn push_diagnostics(&mut self) {
-        let cancel = self.pressure.background();
-        if let Some(found) = self.found(None, &cancel) {
-            self.due = None;
-            self.publish(found);
-        }
-        self.tell_contexts(&cancel);
-    }
-
-    /// The diagnostics of all open files, of one more, and of the files they depend on. What there is to say of a file
-    /// may come from the robot of another one, so they are always made together. `None` when cancelled.
-    fn found(
-        &mut self,
-        more: Option<&Path>,
-        cancel: &CancelFlag,
-    ) -> Option<BTreeMap<PathBuf, Vec<Diagnostic>>> {
-        let further = more.filter(|path| !self.documents.contains_key(*path)).map(Path::to_path_buf);
-        let open: Vec<PathBuf> = self.documents.keys().cloned().chain(further).collect();
-        let mut report = self.world.report(&open, cancel)?;
-        report.mark_groups();
-        let mut found = self.spread(&report);
-        for path in open {
-            found.entry(path).or_default();
-        }
-        Some(found)
-    }
-
-    /// The findings of a report by the files they are shown in.
-    fn spread(&mut self, report: &Report) -> BTreeMap<PathBuf, Vec<Diagnostic>> {
-        let mut found: BTreeMap<PathBuf, Vec<Diagnostic>> = BTreeMap::new();
-        let mut left_out: BTreeMap<PathBuf, usize> = BTreeMap::new();
-        let mut places = self.places();
-        for finding in &report.findings {
-            let (at_call, own) = places.shown(report, finding);
-            // one error of a call is enough to lead there
-            let at_call = at_call.filter(|(path, at)| {
-                !found.get(path).is_some_and(|list| list.iter().any(|known| known.range == at.range))
-            });
-            for (path, diagnostic) in at_call.into_iter().chain(own) {
-                let list = found.entry(path.clone()).or_default();
-                if list.len() < DIAGNOSTICS {
-                    list.push(diagnostic);
-                } else {
-                    *left_out.entry(path).or_default() += 1;
-                }
-            }
-        }
-        for list in found.values_mut() {
-            list.sort_by_key(|diagnostic| diagnostic.range.start);
-        }
-        for (path, count) in left_out {
-            found.entry(path).or_default().push(more(count));
-        }
-        found
-    }
-
-    pub fn pull_diagnostics(
-        &mut self,
-        params: DocumentDiagnosticParams,
-        cancel: &CancelFlag,
-    ) -> Result<DocumentDiagnosticReportResult, Failure> {
-        let (path, _) = self.source(&params.text_document.uri)?;
-        self.scan_first();
-        let mut found = self.found(Some(&path), cancel).ok_or(Failure::Cancelled)?;
-        let items = found.remove(&path).unwrap_or_default();
-        let id = result_id(&items);
-        let report = if params.previous_result_id.as_deref() == Some(&id) {
-            let unchanged = UnchangedDocumentDiagnosticReport { result_id: id };
-            DocumentDiagnosticReport::Unchanged(RelatedUnchangedDocumentDiagnosticReport {
-                related_documents: None,
-                unchanged_document_diagnostic_report: unchanged,
-            })
-        } else {
-            let full = FullDocumentDiagnosticReport { result_id: Some(id), items };
-            DocumentDiagnosticReport::Full(RelatedFullDocumentDiagnosticReport {
-                related_documents: None,
-                full_document_diagnostic_report: full,
-            })
-        };
-        Ok(DocumentDiagnosticReportResult::Report(report))
-    }
-
-    pub fn pull_workspace(
-        &mut self,
-        params: WorkspaceDiagnosticParams,
-        cancel: &CancelFlag,
-    ) -> Result<WorkspaceDiagnosticReportResult, Failure> {
-        let mut found = self.found(None, cancel).ok_or(Failure::Cancelled)?;
-        let known = params.previous_result_ids.into_iter();
-        let known: BTreeMap<PathBuf, String> = known.map(|id| (self.path(&id.uri), id.value)).collect();
-        let with_findings = |found: &BTreeMap<PathBuf, Vec<Diagnostic>>| -> BTreeSet<PathBuf> {
-            found.iter().filter(|(_, items)| !items.is_empty()).map(|(path, _)| path.clone()).collect()
-        };
-        let reported = std::mem::replace(&mut self.reported, with_findings(&found));
-        // what was reported of a file stays until a report says otherwise
-        for path in known.keys().cloned().chain(reported) {
-            found.entry(path).or_default();
-        }
-        let report =
-            |(path, items): (PathBuf, Vec<Diagnostic>)| self.report_of(&path, items, known.get(&path));
-        let report = WorkspaceDiagnosticReport { items: found.into_iter().filter_map(report).collect() };
-        Ok(WorkspaceDiagnosticReportResult::Report(report))
-    }
-
-    /// What there is to say of a file, or that it is what was said before.
-    fn report_of(
-        &self,
-        path: &Path,
-        items: Vec<Diagnostic>,
-        before: Option<&String>,
-    ) -> Option<WorkspaceDocumentDiagnosticReport> {
-        let version = self.documents.get(path).and_then(|open| open.version).map(i64::from);
-        let (uri, result_id) = (self.uri(path)?, result_id(&items));
-        Some(match before == Some(&result_id) {
-            true => {
-                WorkspaceDocumentDiagnosticReport::Unchanged(WorkspaceUnchangedDocumentDiagnosticReport {
-                    uri,
-                    version,
-                    unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport { result_id },
-                })
-            }
-            false => WorkspaceDocumentDiagnosticReport::Full(WorkspaceFullDocumentDiagnosticReport {
-                uri,
-                version,
-                full_document_diagnostic_report: FullDocumentDiagnosticReport {
-                    result_id: Some(result_id),
-                    items,
-                },
-            }),
-        })
+    if state.due.is_none() && state.documents.len() > 1 {
+        refresh_others(state);
     }
 }
 
-impl Places<'_> {
-    /// A finding at its place, which comes second. An error in a file that is not open, such as a macro of
-    /// another package, is shown at the call that led there as well: that is the text the author has changed.
-    fn shown(&mut self, report: &Report, finding: &Finding) -> (Option<Shown>, Option<Shown>) {
-        let own = self.diagnostic(finding).map(|own| (report.path(finding.span.file).to_path_buf(), own));
-        let engine = self.engine;
-        let open = |file| engine.documents.contains_key(report.path(file));
-        if finding.severity != Severity::Error || open(finding.span.file) {
-            return (None, own);
+fn push_diagnostics(state: &mut State) {
+    let cancel = state.status.background();
+    if let Some(found) = found(state, None, &cancel) {
+        state.due = None;
+        publish(state, found);
+    }
+    tell_contexts(state, &cancel);
+}
+
+/// The diagnostics of all open files, of one more, and of the files they depend on. What there is to say of a file
+/// may come from the robot of another one, so they are always made together. `None` when cancelled.
+fn found(
+    state: &mut State,
+    more: Option<&Path>,
+    cancel: &CancelFlag,
+) -> Option<BTreeMap<PathBuf, Vec<Diagnostic>>> {
+    let further = more.filter(|path| !state.documents.contains_key(*path)).map(Path::to_path_buf);
+    let open: Vec<PathBuf> = state.documents.keys().cloned().chain(further).collect();
+    let mut report = state.world.report(&open, cancel)?;
+    report.mark_groups();
+    let mut found = spread(state, &report);
+    for path in open {
+        found.entry(path).or_default();
+    }
+    Some(found)
+}
+
+/// The findings of a report by the files they are shown in.
+fn spread(state: &mut State, report: &Report) -> BTreeMap<PathBuf, Vec<Diagnostic>> {
+    let mut found: BTreeMap<PathBuf, Vec<Diagnostic>> = BTreeMap::new();
+    let mut left_out: BTreeMap<PathBuf, usize> = BTreeMap::new();
+    let mut places = places(state);
+    for finding in &report.findings {
+        let (at_call, own) = shown(&mut places, report, finding);
+        // one error of a call is enough to lead there
+        let at_call = at_call.filter(|(path, at)| {
+            !found.get(path).is_some_and(|list| list.iter().any(|known| known.range == at.range))
+        });
+        for (path, diagnostic) in at_call.into_iter().chain(own) {
+            let list = found.entry(path.clone()).or_default();
+            if list.len() < DIAGNOSTICS {
+                list.push(diagnostic);
+            } else {
+                *left_out.entry(path).or_default() += 1;
+            }
         }
-        let call = finding.related.iter().find(|related| related.is_call && open(related.span.file));
-        let at_call = call.zip(own.as_ref()).and_then(|(call, (_, own))| {
-            let place = self.location(finding.span)?;
-            let cause = DiagnosticRelatedInformation { location: place, message: "caused here".to_owned() };
-            let related = std::iter::once(cause).chain(own.related_information.clone().unwrap_or_default());
-            let at_call = Diagnostic {
-                range: self.location(call.span)?.range,
-                related_information: Some(related.take(RELATED).collect()),
-                data: None,
-                ..own.clone()
-            };
-            Some((report.path(call.span.file).to_path_buf(), at_call))
-        });
-        (at_call, own)
     }
+    for list in found.values_mut() {
+        list.sort_by_key(|diagnostic| diagnostic.range.start);
+    }
+    for (path, count) in left_out {
+        found.entry(path).or_default().push(more(count));
+    }
+    found
+}
 
-    pub fn diagnostic(&mut self, finding: &Finding) -> Option<Diagnostic> {
-        let place = self.location(finding.span)?;
-        let related = finding.related.iter().take(RELATED).filter_map(|related| {
-            let location = self.location(related.span)?;
-            Some(DiagnosticRelatedInformation { location, message: related.message.clone() })
-        });
-        let related: Vec<_> = related.collect();
-        let message = match &finding.help {
-            Some(help) => format!("{}\n{help}", finding.message),
-            None => finding.message.clone(),
-        };
-        Some(Diagnostic {
-            range: place.range,
-            severity: Some(severity(finding.severity)),
-            code: Some(NumberOrString::String(finding.rule.name.to_owned())),
-            code_description: page(finding.rule.name).map(|href| CodeDescription { href }),
-            source: Some("xacro".to_owned()),
-            message,
-            related_information: (!related.is_empty()).then_some(related),
-            tags: tags(finding.rule.name),
-            data: self.fix_data(finding),
+pub fn pull_diagnostics(
+    state: &mut State,
+    params: DocumentDiagnosticParams,
+    cancel: &CancelFlag,
+) -> Result<DocumentDiagnosticReportResult, Failure> {
+    let (path, _) = state.source(&params.text_document.uri)?;
+    scan_first(state);
+    let mut found = found(state, Some(&path), cancel).ok_or(Failure::Cancelled)?;
+    let items = found.remove(&path).unwrap_or_default();
+    let id = result_id(&items);
+    let report = if params.previous_result_id.as_deref() == Some(&id) {
+        let unchanged = UnchangedDocumentDiagnosticReport { result_id: id };
+        DocumentDiagnosticReport::Unchanged(RelatedUnchangedDocumentDiagnosticReport {
+            related_documents: None,
+            unchanged_document_diagnostic_report: unchanged,
         })
-    }
+    } else {
+        let full = FullDocumentDiagnosticReport { result_id: Some(id), items };
+        DocumentDiagnosticReport::Full(RelatedFullDocumentDiagnosticReport {
+            related_documents: None,
+            full_document_diagnostic_report: full,
+        })
+    };
+    Ok(DocumentDiagnosticReportResult::Report(report))
+}
 
-    /// The edits of a fix, so that a code action needs no new analysis.
-    fn fix_data(&mut self, finding: &Finding) -> Option<serde_json::Value> {
-        let fix = finding.fix.as_ref()?;
-        let edits: Option<Vec<_>> = fix
-            .edits
-            .iter()
-            .map(|edit| {
-                let place = self.location(edit.span)?;
-                Some(serde_json::json!({ "uri": place.uri, "range": place.range, "newText": edit.content }))
-            })
-            .collect();
-        Some(serde_json::json!({ "title": fix.message, "safety": fix.safety.name(), "edits": edits? }))
+pub fn pull_workspace(
+    state: &mut State,
+    params: WorkspaceDiagnosticParams,
+    cancel: &CancelFlag,
+) -> Result<WorkspaceDiagnosticReportResult, Failure> {
+    let mut found = found(state, None, cancel).ok_or(Failure::Cancelled)?;
+    let known = params.previous_result_ids.into_iter();
+    let known: BTreeMap<PathBuf, String> = known.map(|id| (state.path(&id.uri), id.value)).collect();
+    let with_findings = |found: &BTreeMap<PathBuf, Vec<Diagnostic>>| -> BTreeSet<PathBuf> {
+        found.iter().filter(|(_, items)| !items.is_empty()).map(|(path, _)| path.clone()).collect()
+    };
+    let reported = std::mem::replace(&mut state.reported, with_findings(&found));
+    // what was reported of a file stays until a report says otherwise
+    for path in known.keys().cloned().chain(reported) {
+        found.entry(path).or_default();
     }
+    let report = |(path, items): (PathBuf, Vec<Diagnostic>)| report_of(state, &path, items, known.get(&path));
+    let report = WorkspaceDiagnosticReport { items: found.into_iter().filter_map(report).collect() };
+    Ok(WorkspaceDiagnosticReportResult::Report(report))
+}
+
+/// What there is to say of a file, or that it is what was said before.
+fn report_of(
+    state: &State,
+    path: &Path,
+    items: Vec<Diagnostic>,
+    before: Option<&String>,
+) -> Option<WorkspaceDocumentDiagnosticReport> {
+    let version = state.documents.get(path).and_then(|open| open.version).map(i64::from);
+    let (uri, result_id) = (state.uri(path)?, result_id(&items));
+    Some(match before == Some(&result_id) {
+        true => WorkspaceDocumentDiagnosticReport::Unchanged(WorkspaceUnchangedDocumentDiagnosticReport {
+            uri,
+            version,
+            unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport { result_id },
+        }),
+        false => WorkspaceDocumentDiagnosticReport::Full(WorkspaceFullDocumentDiagnosticReport {
+            uri,
+            version,
+            full_document_diagnostic_report: FullDocumentDiagnosticReport {
+                result_id: Some(result_id),
+                items,
+            },
+        }),
+    })
+}
+
+/// A finding at its place, which comes second. An error in a file that is not open, such as a macro of
+/// another package, is shown at the call that led there as well: that is the text the author has changed.
+fn shown(places: &mut Places<'_>, report: &Report, finding: &Finding) -> (Option<Shown>, Option<Shown>) {
+    let own = diagnostic(places, finding).map(|own| (report.path(finding.span.file).to_path_buf(), own));
+    let state = places.state;
+    let open = |file| state.documents.contains_key(report.path(file));
+    if finding.severity != Severity::Error || open(finding.span.file) {
+        return (None, own);
+    }
+    let call = finding.related.iter().find(|related| related.is_call && open(related.span.file));
+    let at_call = call.zip(own.as_ref()).and_then(|(call, (_, own))| {
+        let place = places.location(finding.span)?;
+        let cause = DiagnosticRelatedInformation { location: place, message: "caused here".to_owned() };
+        let related = std::iter::once(cause).chain(own.related_information.clone().unwrap_or_default());
+        let at_call = Diagnostic {
+            range: places.location(call.span)?.range,
+            related_information: Some(related.take(RELATED).collect()),
+            data: None,
+            ..own.clone()
+        };
+        Some((report.path(call.span.file).to_path_buf(), at_call))
+    });
+    (at_call, own)
+}
+
+pub fn diagnostic(places: &mut Places<'_>, finding: &Finding) -> Option<Diagnostic> {
+    let place = places.location(finding.span)?;
+    let related = finding.related.iter().take(RELATED).filter_map(|related| {
+        let location = places.location(related.span)?;
+        Some(DiagnosticRelatedInformation { location, message: related.message.clone() })
+    });
+    let related: Vec<_> = related.collect();
+    let message = match &finding.help {
+        Some(help) => format!("{}\n{help}", finding.message),
+        None => finding.message.clone(),
+    };
+    Some(Diagnostic {
+        range: place.range,
+        severity: Some(severity(finding.severity)),
+        code: Some(NumberOrString::String(finding.rule.name.to_owned())),
+        code_description: page(finding.rule.name).map(|href| CodeDescription { href }),
+        source: Some("xacro".to_owned()),
+        message,
+        related_information: (!related.is_empty()).then_some(related),
+        tags: tags(finding.rule.name),
+        data: fix_data(places, finding),
+    })
+}
+
+/// The edits of a fix, so that a code action needs no new analysis.
+fn fix_data(places: &mut Places<'_>, finding: &Finding) -> Option<serde_json::Value> {
+    let fix = finding.fix.as_ref()?;
+    let edits: Option<Vec<_>> = fix
+        .edits
+        .iter()
+        .map(|edit| {
+            let place = places.location(edit.span)?;
+            Some(serde_json::json!({ "uri": place.uri, "range": place.range, "newText": edit.content }))
+        })
+        .collect();
+    Some(serde_json::json!({ "title": fix.message, "safety": fix.safety.name(), "edits": edits? }))
 }
 
 /// Says that there are more findings than are shown.

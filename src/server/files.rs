@@ -1,5 +1,8 @@
 //! F29: files that are made, renamed and deleted in the editor.
 
+use crate::documents::refresh;
+use crate::requests::navigation::asked;
+use crate::requests::rename::{is_ours, workspace_edit};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -9,10 +12,10 @@ use lsp_types::{
     TextEdit, Url, WorkspaceEdit, WorkspaceFileOperationsServerCapabilities,
 };
 
-use super::convert;
-use super::engine::Engine;
-use super::failure::Failure;
-use super::tokens::start_of;
+use crate::convert;
+use crate::failure::Failure;
+use crate::requests::tokens::start_of;
+use crate::state::State;
 use base::CancelFlag;
 use base::limits::REWRITTEN_MESH_BYTES;
 use ide::{self, Move};
@@ -42,94 +45,92 @@ pub(super) fn offered() -> WorkspaceFileOperationsServerCapabilities {
     }
 }
 
-impl Engine {
-    /// The edits that keep all names of files right.
-    pub fn will_rename_files(
-        &mut self,
-        params: RenameFilesParams,
-        cancel: &CancelFlag,
-    ) -> Result<Option<WorkspaceEdit>, Failure> {
-        let path = |uri: &str| Url::parse(uri).ok()?.to_file_path().ok();
-        let moves: Vec<Move> = params
-            .files
-            .iter()
-            .filter_map(|file| Some(Move { old: path(&file.old_uri)?, new: path(&file.new_uri)? }))
-            .collect();
-        self.world.scan(|| cancel.is_cancelled());
-        if !self.world.is_scanned() && !self.world.folders().is_empty() {
-            return Err(Failure::Cancelled);
-        }
-        let mut files: Vec<PathBuf> = self.world.known_files();
-        files.extend(self.documents.keys().cloned());
-        files.sort();
-        files.dedup();
-        let mut edits: BTreeMap<Url, Vec<TextEdit>> = BTreeMap::new();
-        files.retain(|file| self.is_ours(file) && self.may_name(file, &moves));
-        for file in files {
-            let Some(uri) = self.uri(&file) else { continue };
-            let asked = self.asked(&start_of(TextDocumentIdentifier { uri: uri.clone() }), cancel)?;
-            let session = self.world.session();
-            let settings = session.settings(&file);
-            let found = ide::renamed_files(&asked.cx(), session.surroundings(&settings.config), &moves);
-            let edit = |(range, text)| {
-                TextEdit::new(convert::range(&asked.source.document, range, self.encoding), text)
-            };
-            if !found.is_empty() {
-                edits.insert(uri, found.into_iter().map(edit).collect());
-            }
-        }
-        Ok((!edits.is_empty()).then(|| self.workspace_edit(edits)))
+/// The edits that keep all names of files right.
+pub fn will_rename_files(
+    state: &mut State,
+    params: RenameFilesParams,
+    cancel: &CancelFlag,
+) -> Result<Option<WorkspaceEdit>, Failure> {
+    let path = |uri: &str| Url::parse(uri).ok()?.to_file_path().ok();
+    let moves: Vec<Move> = params
+        .files
+        .iter()
+        .filter_map(|file| Some(Move { old: path(&file.old_uri)?, new: path(&file.new_uri)? }))
+        .collect();
+    state.world.scan(|| cancel.is_cancelled());
+    if !state.world.is_scanned() && !state.world.folders().is_empty() {
+        return Err(Failure::Cancelled);
     }
-
-    /// Whether a file moves itself, or its text holds the name of something that does.
-    fn may_name(&self, file: &Path, moves: &[Move]) -> bool {
-        let Some(source) = self.world.document(file) else { return false };
-        let text = source.document.text();
-        let holds = |path: &Path| {
-            let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
-            name.is_some_and(|name| text.contains(&name))
+    let mut files: Vec<PathBuf> = state.world.known_files();
+    files.extend(state.documents.keys().cloned());
+    files.sort();
+    files.dedup();
+    let mut edits: BTreeMap<Url, Vec<TextEdit>> = BTreeMap::new();
+    files.retain(|file| is_ours(state, file) && may_name(state, file, &moves));
+    for file in files {
+        let Some(uri) = state.uri(&file) else { continue };
+        let asked = asked(state, &start_of(TextDocumentIdentifier { uri: uri.clone() }), cancel)?;
+        let session = state.world.session();
+        let settings = session.settings(&file);
+        let found = ide::renamed_files(&asked.cx(), session.surroundings(&settings.config), &moves);
+        let edit = |(range, text)| {
+            TextEdit::new(convert::range(&asked.source.document, range, state.encoding), text)
         };
-        // a package is named by its manifest, not by its folder
-        let is_folder = |path: &Path| path.extension().is_none();
-        moves.iter().any(|each| file.starts_with(&each.old) || holds(&each.old) || is_folder(&each.old))
-    }
-
-    /// Write a mesh of the workspace as binary STL whose header is not taken for text.
-    pub fn rewrite_mesh(&mut self, mesh: &TextDocumentIdentifier) -> Result<(), Failure> {
-        let path = self.path(&mesh.uri);
-        let refuse = |message: String| Failure::Refused(format!("`{}` {message}", path.display()));
-        let is_stl = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("stl"));
-        if !is_stl || !self.is_ours(&path) {
-            return Err(refuse("is no STL file of the workspace".to_owned()));
+        if !found.is_empty() {
+            edits.insert(uri, found.into_iter().map(edit).collect());
         }
-        let bytes = self.world.session().vfs.bytes(&path, REWRITTEN_MESH_BYTES);
-        let bytes = bytes.map_err(|error| refuse(format!("cannot be read: {}", error.reason())))?;
-        let Some(new) = plain_stl(&bytes) else { return Err(refuse("needs no change".to_owned())) };
-        write_atomically(&path, &new).map_err(|error| refuse(format!("cannot be written: {error}")))?;
-        self.world.changed_on_disk(&[path]);
-        self.schedule();
-        self.refresh();
-        Ok(())
     }
+    Ok((!edits.is_empty()).then(|| workspace_edit(state, edits)))
+}
 
-    pub fn files_renamed(&mut self, params: RenameFilesParams) {
-        let both = params.files.into_iter().flat_map(|file| [file.old_uri, file.new_uri]);
-        self.files_changed(both.collect());
-    }
+/// Whether a file moves itself, or its text holds the name of something that does.
+fn may_name(state: &State, file: &Path, moves: &[Move]) -> bool {
+    let Some(source) = state.world.document(file) else { return false };
+    let text = source.document.text();
+    let holds = |path: &Path| {
+        let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
+        name.is_some_and(|name| text.contains(&name))
+    };
+    // a package is named by its manifest, not by its folder
+    let is_folder = |path: &Path| path.extension().is_none();
+    moves.iter().any(|each| file.starts_with(&each.old) || holds(&each.old) || is_folder(&each.old))
+}
 
-    pub fn files_created(&mut self, params: CreateFilesParams) {
-        self.files_changed(params.files.into_iter().map(|file| file.uri).collect());
+/// Write a mesh of the workspace as binary STL whose header is not taken for text.
+pub fn rewrite_mesh(state: &mut State, mesh: &TextDocumentIdentifier) -> Result<(), Failure> {
+    let path = state.path(&mesh.uri);
+    let refuse = |message: String| Failure::Refused(format!("`{}` {message}", path.display()));
+    let is_stl = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("stl"));
+    if !is_stl || !is_ours(state, &path) {
+        return Err(refuse("is no STL file of the workspace".to_owned()));
     }
+    let bytes = state.world.session().vfs.bytes(&path, REWRITTEN_MESH_BYTES);
+    let bytes = bytes.map_err(|error| refuse(format!("cannot be read: {}", error.reason())))?;
+    let Some(new) = plain_stl(&bytes) else { return Err(refuse("needs no change".to_owned())) };
+    write_atomically(&path, &new).map_err(|error| refuse(format!("cannot be written: {error}")))?;
+    state.world.changed_on_disk(&[path]);
+    state.schedule();
+    refresh(state);
+    Ok(())
+}
 
-    pub fn files_deleted(&mut self, params: DeleteFilesParams) {
-        self.files_changed(params.files.into_iter().map(|file| file.uri).collect());
-    }
+pub fn files_renamed(state: &mut State, params: RenameFilesParams) {
+    let both = params.files.into_iter().flat_map(|file| [file.old_uri, file.new_uri]);
+    files_changed(state, both.collect());
+}
 
-    fn files_changed(&mut self, uris: Vec<String>) {
-        let paths: Vec<PathBuf> =
-            uris.iter().filter_map(|uri| Url::parse(uri).ok()?.to_file_path().ok()).collect();
-        self.world.changed_on_disk(&paths);
-        self.schedule();
-        self.refresh();
-    }
+pub fn files_created(state: &mut State, params: CreateFilesParams) {
+    files_changed(state, params.files.into_iter().map(|file| file.uri).collect());
+}
+
+pub fn files_deleted(state: &mut State, params: DeleteFilesParams) {
+    files_changed(state, params.files.into_iter().map(|file| file.uri).collect());
+}
+
+fn files_changed(state: &mut State, uris: Vec<String>) {
+    let paths: Vec<PathBuf> =
+        uris.iter().filter_map(|uri| Url::parse(uri).ok()?.to_file_path().ok()).collect();
+    state.world.changed_on_disk(&paths);
+    state.schedule();
+    refresh(state);
 }

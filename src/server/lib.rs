@@ -1,56 +1,39 @@
 //! The language server: the protocol around the analysis.
 //!
-//! Nothing outside of this folder names the protocol's types. Handlers only post jobs (`letterbox`); one thread
-//! owns all state and works them off (`engine`); what goes out unasked leaves through the `outbox`.
+//! Nothing outside of this folder names the protocol's types. Handlers only post jobs (`queue`); one thread
+//! owns all state and works them off (`state`); what goes out unasked leaves through the `outbox`.
 
-mod actions;
-mod calls;
 mod capabilities;
 mod client;
-mod colour;
-mod commands;
-mod completion;
 mod convert;
 mod diagnostics;
-mod engine;
+mod documents;
 mod exit;
-mod expand_at;
-mod expansion;
 mod failure;
 mod files;
-mod formatting;
 mod framing;
 mod handlers;
-mod hints;
-mod hover;
-mod lenses;
-mod letterbox;
 mod lifecycle;
-mod links;
+mod main_loop;
 mod mapping;
 mod markup;
-mod navigation;
 mod outbox;
 mod preview;
 mod publishing;
-mod refactorings;
-mod references;
-mod rename;
+mod queue;
+mod requests;
 mod roots;
-mod structure;
-mod sync;
-mod tokens;
+mod state;
 mod transport;
-mod workspace_symbols;
 
 use tokio::runtime::Builder;
 use tower_lsp::LspService;
 
-use engine::Engine;
 use exit::{Shutdown, Watched};
 use expand::spawn_on_large_stack;
 use handlers::Handlers;
 use outbox::Outbox;
+use state::State;
 use transport::Outgoing;
 use vfs::Environment;
 
@@ -72,18 +55,18 @@ pub fn reframe(input: &[u8]) -> Vec<u8> {
 
 async fn serve(env: Environment) -> u8 {
     let shutdown = Shutdown::default();
-    let (letterbox, jobs, pressure) = letterbox::letterbox();
+    let (queue, jobs, status) = queue::queue();
     let (outbox, notifications, questions) = Outbox::new();
-    let announced = pressure.clone();
-    let mut engine = Engine::new(env, outbox, pressure);
-    engine.letterbox = Some(letterbox.clone());
-    if spawn_on_large_stack("analysis", move || engine.run(&jobs)).is_err() {
+    let announced = status.clone();
+    let mut state = State::new(env, outbox, status);
+    state.queue = Some(queue.clone());
+    if spawn_on_large_stack("analysis", move || main_loop::run(state, &jobs)).is_err() {
         return 1;
     }
-    let (post, exit) = (letterbox.clone(), shutdown.clone());
+    let (post, exit) = (queue.clone(), shutdown.clone());
     let service = LspService::build(move |client| {
         tokio::spawn(outbox::ask_all(client, post.clone(), questions));
-        Handlers { letterbox: post, shutdown: exit }
+        Handlers { queue: post, shutdown: exit }
     })
     .custom_method("xacro/expand", Handlers::expand)
     .custom_method("xacro/expandAt", Handlers::expand_at)

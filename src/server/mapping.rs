@@ -1,13 +1,15 @@
 //! `xacro/toSource` and `xacro/toExpanded`: jumping between the expanded text and its sources.
 
+use crate::convert::location;
+use crate::requests::expansion::chosen;
 use std::sync::Arc;
 
 use lsp_types::{Location, Position, Range, TextDocumentIdentifier, TextDocumentPositionParams, Url};
 use serde::{Deserialize, Serialize};
 
-use super::engine::Engine;
-use super::expansion::Root;
-use super::failure::Failure;
+use crate::failure::Failure;
+use crate::requests::expansion::Root;
+use crate::state::State;
 use analysis::{Analyzed, RootChoice};
 use base::{CancelFlag, TextRange};
 use expand::{FrameId, FrameKind, MapKind, Origin};
@@ -54,99 +56,101 @@ pub(super) struct Instance {
     pub label: String,
 }
 
-impl Engine {
-    pub fn sources_of(&mut self, params: ToSourceParams, cancel: &CancelFlag) -> Result<Sources, Failure> {
-        let document = TextDocumentIdentifier { uri: params.root };
-        let (_, analyzed) = self.shown_under(&document, None, cancel)?;
-        let written = analyzed.written();
-        let lines = Lines::of(&written.text, self.encoding);
-        let offset = lines.offset(params.position.line, params.position.character);
-        let mut locations = Vec::new();
-        let expansion = &analyzed.expansion;
-        if let Some(entry) = ide::entry_at(written, offset) {
-            let origin = ide::origin_of(expansion, entry);
-            locations.extend(self.mapped(&analyzed, origin, "origin"));
-            if entry.kind > MapKind::Attribute && origin != entry.origin {
-                // the value was given by a call: the place in the macro comes second
-                locations.extend(self.mapped(&analyzed, entry.origin, "argument"));
-            }
-            for (kind, call) in ide::steps(expansion, entry.origin) {
-                let role = if kind == FrameKind::Include { "include" } else { "call" };
-                locations.extend(self.mapped(&analyzed, call, role));
-            }
+pub fn sources_of(
+    state: &mut State,
+    params: ToSourceParams,
+    cancel: &CancelFlag,
+) -> Result<Sources, Failure> {
+    let document = TextDocumentIdentifier { uri: params.root };
+    let (_, analyzed) = shown_under(state, &document, None, cancel)?;
+    let written = analyzed.written();
+    let lines = Lines::of(&written.text, state.encoding);
+    let offset = lines.offset(params.position.line, params.position.character);
+    let mut locations = Vec::new();
+    let expansion = &analyzed.expansion;
+    if let Some(entry) = ide::entry_at(written, offset) {
+        let origin = ide::origin_of(expansion, entry);
+        locations.extend(mapped(state, &analyzed, origin, "origin"));
+        if entry.kind > MapKind::Attribute && origin != entry.origin {
+            // the value was given by a call: the place in the macro comes second
+            locations.extend(mapped(state, &analyzed, entry.origin, "argument"));
         }
-        Ok(Sources { locations })
+        for (kind, call) in ide::steps(expansion, entry.origin) {
+            let role = if kind == FrameKind::Include { "include" } else { "call" };
+            locations.extend(mapped(state, &analyzed, call, role));
+        }
     }
+    Ok(Sources { locations })
+}
 
-    fn mapped(&self, analyzed: &Analyzed, origin: Origin, role: &'static str) -> Option<SourceLocation> {
-        let place = analyzed.expansion.place(origin)?;
-        let file = analyzed.expansion.files.get(place.file.0 as usize)?.source.id;
-        let location = self.location(base::Span { file, range: place.range })?;
-        Some(SourceLocation { location, role })
-    }
+fn mapped(state: &State, analyzed: &Analyzed, origin: Origin, role: &'static str) -> Option<SourceLocation> {
+    let place = analyzed.expansion.place(origin)?;
+    let file = analyzed.expansion.files.get(place.file.0 as usize)?.source.id;
+    let location = location(state, base::Span { file, range: place.range })?;
+    Some(SourceLocation { location, role })
+}
 
-    pub fn instances_of(
-        &mut self,
-        params: ToExpandedParams,
-        cancel: &CancelFlag,
-    ) -> Result<Instances, Failure> {
-        let (root, analyzed) = self.shown_under(&params.at.text_document, params.root, cancel)?;
-        let (path, source) = self.source(&params.at.text_document.uri)?;
-        let offset = super::convert::offset(&source.document, params.at.position, self.encoding);
-        let written = analyzed.written();
-        let lines = Lines::of(&written.text, self.encoding);
-        let file = analyzed.expansion.files.iter().position(|file| *file.source.path == *path);
-        let file = file.map(|index| expand::FileIdx(index as u32));
-        let found =
-            file.map(|file| ide::instances(&analyzed.expansion, written, file, offset)).unwrap_or_default();
-        let instance = |(out, frame): (TextRange, FrameId)| Instance {
-            range: expanded_range(&lines, out),
-            label: self.label(&analyzed, frame),
-        };
-        Ok(Instances { root: self.named(&root)?, instances: found.into_iter().map(instance).collect() })
-    }
+pub fn instances_of(
+    state: &mut State,
+    params: ToExpandedParams,
+    cancel: &CancelFlag,
+) -> Result<Instances, Failure> {
+    let (root, analyzed) = shown_under(state, &params.at.text_document, params.root, cancel)?;
+    let (path, source) = state.source(&params.at.text_document.uri)?;
+    let offset = crate::convert::offset(&source.document, params.at.position, state.encoding);
+    let written = analyzed.written();
+    let lines = Lines::of(&written.text, state.encoding);
+    let file = analyzed.expansion.files.iter().position(|file| *file.source.path == *path);
+    let file = file.map(|index| expand::FileIdx(index as u32));
+    let found =
+        file.map(|file| ide::instances(&analyzed.expansion, written, file, offset)).unwrap_or_default();
+    let instance = |(out, frame): (TextRange, FrameId)| Instance {
+        range: expanded_range(&lines, out),
+        label: label(state, &analyzed, frame),
+    };
+    Ok(Instances { root: named(state, &root)?, instances: found.into_iter().map(instance).collect() })
+}
 
-    /// A call in a few words: `unit @ robot.urdf.xacro:7`.
-    pub fn label(&self, analyzed: &Analyzed, frame: FrameId) -> String {
-        let Some(frame) = analyzed.expansion.frames.get(frame.0 as usize) else { return String::new() };
-        let Some(place) = analyzed.expansion.place(frame.call) else { return frame.name.to_string() };
-        let Some(file) = analyzed.expansion.files.get(place.file.0 as usize) else {
-            return frame.name.to_string();
-        };
-        let line = file.source.document.line_col(place.range.start, self.encoding).line + 1;
-        let name = file.source.path.file_name().unwrap_or_default().to_string_lossy();
-        format!("{} @ {name}:{line}", frame.name)
-    }
+/// A call in a few words: `unit @ robot.urdf.xacro:7`.
+pub fn label(state: &State, analyzed: &Analyzed, frame: FrameId) -> String {
+    let Some(frame) = analyzed.expansion.frames.get(frame.0 as usize) else { return String::new() };
+    let Some(place) = analyzed.expansion.place(frame.call) else { return frame.name.to_string() };
+    let Some(file) = analyzed.expansion.files.get(place.file.0 as usize) else {
+        return frame.name.to_string();
+    };
+    let line = file.source.document.line_col(place.range.start, state.encoding).line + 1;
+    let name = file.source.path.file_name().unwrap_or_default().to_string_lossy();
+    format!("{} @ {name}:{line}", frame.name)
+}
 
-    /// A root as the protocol names it.
-    pub fn named(&self, root: &RootChoice) -> Result<Root, Failure> {
-        let uri = self.uri(&root.file).ok_or_else(|| Failure::Invalid("the root has no name".to_owned()))?;
-        Ok(Root { uri, args: root.args.iter().cloned().collect(), preset: root.preset.clone() })
-    }
+/// A root as the protocol names it.
+pub fn named(state: &State, root: &RootChoice) -> Result<Root, Failure> {
+    let uri = state.uri(&root.file).ok_or_else(|| Failure::Invalid("the root has no name".to_owned()))?;
+    Ok(Root { uri, args: root.args.iter().cloned().collect(), preset: root.preset.clone() })
+}
 
-    /// The root that a request names or that the file is shown under, expanded.
-    pub fn shown_under(
-        &mut self,
-        document: &TextDocumentIdentifier,
-        root: Option<Root>,
-        cancel: &CancelFlag,
-    ) -> Result<(RootChoice, Arc<Analyzed>), Failure> {
-        let (path, _) = self.source(&document.uri)?;
-        let root = match root {
-            Some(root) => self.chosen(root)?,
-            None => self.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path)),
-        };
-        let analyzed = self.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
-        Ok((root, analyzed))
-    }
+/// The root that a request names or that the file is shown under, expanded.
+pub fn shown_under(
+    state: &mut State,
+    document: &TextDocumentIdentifier,
+    root: Option<Root>,
+    cancel: &CancelFlag,
+) -> Result<(RootChoice, Arc<Analyzed>), Failure> {
+    let (path, _) = state.source(&document.uri)?;
+    let root = match root {
+        Some(root) => chosen(state, root)?,
+        None => state.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path)),
+    };
+    let analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+    Ok((root, analyzed))
+}
 
-    /// The source map of an expansion, its files named by URI.
-    pub fn map_of(&self, analyzed: &Analyzed) -> SourceMap {
-        let name = |file: &expand::FileUse| {
-            self.uri(&file.source.path).map_or_else(|| file.name.clone(), |uri| uri.to_string())
-        };
-        ide::source_map(&analyzed.expansion, analyzed.written(), self.encoding, name)
-    }
+/// The source map of an expansion, its files named by URI.
+pub fn map_of(state: &State, analyzed: &Analyzed) -> SourceMap {
+    let name = |file: &expand::FileUse| {
+        state.uri(&file.source.path).map_or_else(|| file.name.clone(), |uri| uri.to_string())
+    };
+    ide::source_map(&analyzed.expansion, analyzed.written(), state.encoding, name)
 }
 
 pub(super) fn expanded_range(lines: &Lines<'_>, range: TextRange) -> Range {

@@ -3,6 +3,7 @@
 //! Notifications are written as they are: made into bytes once, by who sends them. Requests go through tower-lsp, which
 //! knows whose the replies are.
 
+use crate::lifecycle::{configured, progress_created};
 use std::time::Duration;
 
 use lsp_types::notification::{LogMessage, Notification, ShowMessage};
@@ -14,9 +15,8 @@ use serde::Serialize;
 use tokio::sync::mpsc::{UnboundedReceiver, UnboundedSender, unbounded_channel};
 use tower_lsp::Client;
 
-use super::engine::Engine;
-use super::framing::framed;
-use super::letterbox::Letterbox;
+use crate::framing::framed;
+use crate::queue::Queue;
 
 /// A request to the client.
 pub(super) enum Question {
@@ -106,21 +106,17 @@ pub(super) fn notification(method: &str, params: &impl Serialize) -> Vec<u8> {
 }
 
 /// Send requests until the process ends. What waits for an answer does not hold up what follows.
-pub(super) async fn ask_all(
-    client: Client,
-    letterbox: Letterbox,
-    mut questions: UnboundedReceiver<Question>,
-) {
+pub(super) async fn ask_all(client: Client, queue: Queue, mut questions: UnboundedReceiver<Question>) {
     while let Some(question) = questions.recv().await {
-        let asked = ask(client.clone(), letterbox.clone(), question);
+        let asked = ask(client.clone(), queue.clone(), question);
         drop(tokio::spawn(tokio::time::timeout(PATIENCE, asked)));
     }
 }
 
-async fn ask(client: Client, letterbox: Letterbox, question: Question) {
+async fn ask(client: Client, queue: Queue, question: Question) {
     match question {
         Question::Register(registrations) => drop(client.register_capability(registrations).await),
-        Question::Configuration(scopes) => configuration(&client, &letterbox, scopes).await,
+        Question::Configuration(scopes) => configuration(&client, &queue, scopes).await,
         Question::Refresh(what) => refresh(&client, what).await,
         Question::ShowDocument(uri, range) => {
             let selection = Some(range);
@@ -137,18 +133,18 @@ async fn ask(client: Client, letterbox: Letterbox, question: Question) {
             let token = lsp_types::NumberOrString::String(token);
             let params = lsp_types::WorkDoneProgressCreateParams { token };
             let created = client.send_request::<lsp_types::request::WorkDoneProgressCreate>(params).await;
-            letterbox.tell(created.is_ok(), Engine::progress_created);
+            queue.notify(created.is_ok(), progress_created);
         }
     }
 }
 
-async fn configuration(client: &Client, letterbox: &Letterbox, scopes: Vec<Option<Url>>) {
+async fn configuration(client: &Client, queue: &Queue, scopes: Vec<Option<Url>>) {
     let items = scopes.iter().map(|scope| lsp_types::ConfigurationItem {
         scope_uri: scope.clone(),
         section: Some("xacro".to_owned()),
     });
     if let Ok(values) = client.configuration(items.collect()).await {
-        letterbox.tell((scopes, values), Engine::configured);
+        queue.notify((scopes, values), configured);
     }
 }
 

@@ -3,6 +3,8 @@
 //! Clients with requests of their own subscribe and pass messages on to the viewer; all others open the address that
 //! the command answers. Models are made when no job waits, so that a burst of edits costs one of them.
 
+use crate::mapping::named;
+use crate::requests::expansion::chosen;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -11,12 +13,12 @@ use lsp_types::{TextDocumentIdentifier, Url};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use super::convert;
-use super::engine::Engine;
-use super::expansion::Root;
-use super::failure::Failure;
+use crate::convert;
+use crate::failure::Failure;
 #[cfg(feature = "preview")]
-use super::outbox::Question;
+use crate::outbox::Question;
+use crate::requests::expansion::Root;
+use crate::state::State;
 use analysis::RootChoice;
 use base::limits::VIEWS;
 use base::{CancelFlag, Encoding};
@@ -79,7 +81,7 @@ pub(super) struct SelectParams {
     pub location: Option<Location>,
 }
 
-/// How the client names files, taken out of the engine.
+/// How the client names files, taken out of the state.
 struct ClientNames {
     uris: BTreeMap<PathBuf, String>,
     encoding: Encoding,
@@ -96,173 +98,174 @@ impl ClientNames {
     }
 }
 
-impl Engine {
-    pub fn subscribe(&mut self, params: SubscribeParams, _: &CancelFlag) -> Result<Subscribed, Failure> {
-        let id = self.open_view(params)?;
-        self.previews.subscribed.insert(id);
-        Ok(Subscribed { id })
-    }
+pub fn subscribe(state: &mut State, params: SubscribeParams, _: &CancelFlag) -> Result<Subscribed, Failure> {
+    let id = open_view(state, params)?;
+    state.previews.subscribed.insert(id);
+    Ok(Subscribed { id })
+}
 
-    pub fn unsubscribe(&mut self, params: ViewParams, _: &CancelFlag) -> Result<Value, Failure> {
-        self.previews.subscribed.remove(&params.id);
-        if !self.previews.views.close(params.id) {
-            return Err(no_view(params.id));
-        }
-        #[cfg(feature = "preview")]
-        if let Some(hub) = &self.previews.hub {
-            hub.close(params.id);
-        }
-        Ok(Value::Null)
+pub fn unsubscribe(state: &mut State, params: ViewParams, _: &CancelFlag) -> Result<Value, Failure> {
+    state.previews.subscribed.remove(&params.id);
+    if !state.previews.views.close(params.id) {
+        return Err(no_view(params.id));
     }
-
-    pub fn show_root(&mut self, params: ShowParams, _: &CancelFlag) -> Result<Value, Failure> {
-        let root = self.chosen(params.root)?;
-        let compare = params.compare.map(|root| self.chosen(root)).transpose()?;
-        let compares = compare.is_some();
-        if !self.previews.views.show(params.id, root, compare) {
-            return Err(no_view(params.id));
-        }
-        #[cfg(feature = "preview")]
-        if let Some(hub) = self.previews.hub.as_ref().filter(|_| !compares) {
-            hub.end_compare(params.id);
-        }
-        let _ = compares;
-        self.previews.due = true;
-        Ok(Value::Null)
-    }
-
-    pub fn preview_mesh(&mut self, params: MeshParams, _: &CancelFlag) -> Result<Mesh, Failure> {
-        let mesh = self.previews.views.mesh(&self.world, &params.mesh).map_err(Failure::Invalid)?;
-        let data = base64::engine::general_purpose::STANDARD.encode(mesh.bytes);
-        Ok(Mesh { name: mesh.name, data })
-    }
-
-    /// The client selects: the cursor moved, or a link was clicked in its viewer.
-    pub fn selected(&mut self, params: SelectParams) {
-        let names = self.client_names();
-        let ids = match params.id {
-            Some(id) => vec![id],
-            None => self.previews.views.ids(),
-        };
-        for id in ids {
-            let views = &self.previews.views;
-            let found = names.with(|names| match (&params.location, &params.link, &params.joint) {
-                (Some(location), None, None) => views.made_by(id, location, names),
-                _ => views.place_of(id, params.link.clone(), params.joint.clone(), names),
-            });
-            if let Some(selection) = found {
-                self.tell_selection(&selection);
-            }
-        }
-    }
-
-    fn tell_selection(&self, selection: &Selection) {
-        #[cfg(feature = "preview")]
-        if let Some(hub) = &self.previews.hub {
-            hub.select(selection);
-        }
-        if self.previews.subscribed.contains(&selection.id) {
-            let params = serde_json::to_value(selection).unwrap_or_default();
-            self.outbox.tell("xacro/preview/select", &params);
-        }
-    }
-
-    /// Make the models of what changed, and send them.
-    pub fn make_previews(&mut self) {
-        self.previews.due = false;
-        let names = self.client_names();
-        let cancel = self.pressure.background();
-        #[cfg(feature = "preview")]
-        let hub = self.previews.hub.clone();
-        let Previews { views, subscribed, .. } = &mut self.previews;
-        #[cfg(feature = "preview")]
-        let watched = |id| hub.as_ref().is_some_and(|hub| hub.is_watched(id));
-        #[cfg(not(feature = "preview"))]
-        let watched = |_| false;
-        let wanted = |id: u32| subscribed.contains(&id) || watched(id);
-        let (messages, finished) = names.with(|names| views.update(&mut self.world, names, &wanted, &cancel));
-        // given up because a job came in: after it
-        self.previews.due |= !finished;
-        for message in &messages {
-            self.tell_model(message);
-        }
-    }
-
-    fn tell_model(&self, message: &ModelMessage) {
-        #[cfg(feature = "preview")]
-        if let Some(hub) = &self.previews.hub {
-            hub.tell(message);
-        }
-        if self.previews.subscribed.contains(&message.id) {
-            let params = serde_json::to_value(message).unwrap_or_default();
-            self.outbox.tell("xacro/preview/model", &params);
-        }
-    }
-
-    fn open_view(&mut self, params: SubscribeParams) -> Result<u32, Failure> {
-        let root = self.view_root(params)?;
-        if self.previews.views.ids().len() >= VIEWS {
-            return Err(Failure::Refused(format!("{VIEWS} previews are open: close one first")));
-        }
-        self.previews.due = true;
-        Ok(self.previews.views.open(root))
-    }
-
-    /// The root that is asked for: named, or that of a document.
-    fn view_root(&mut self, params: SubscribeParams) -> Result<RootChoice, Failure> {
-        match (params.root, params.text_document) {
-            (Some(root), _) => self.chosen(root),
-            (None, Some(document)) => {
-                let (path, _) = self.source(&document.uri)?;
-                Ok(self.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path)))
-            }
-            (None, None) => Err(Failure::Invalid("name a `root` or a `textDocument`".to_owned())),
-        }
-    }
-
-    fn client_names(&self) -> ClientNames {
-        let open = self.documents.iter();
-        let uris = open.map(|(path, document)| (path.clone(), document.uri.to_string())).collect();
-        ClientNames { uris, encoding: self.encoding }
-    }
-
-    /// The command `xacro.preview`: the address of a page that shows a robot.
     #[cfg(feature = "preview")]
-    pub fn preview_page(&mut self, argument: Value) -> Result<Value, Failure> {
-        let params = match argument {
-            Value::String(uri) => json!({ "textDocument": { "uri": uri } }),
-            other => other,
-        };
-        let shown = params.get("show") == Some(&Value::Bool(true));
-        let params: SubscribeParams =
-            serde_json::from_value(params).map_err(|error| Failure::Invalid(error.to_string()))?;
-        let hub = self.hub()?;
-        let root = self.view_root(params)?;
-        let views = &self.previews.views;
-        let same = |id: &u32| views.root(*id) == Some(&root) && hub.has(*id);
-        let known = views.ids().into_iter().find(same);
-        let id = match known {
-            Some(id) => id,
-            None => {
-                let root = self.named(&root)?;
-                self.open_view(SubscribeParams { root: Some(root), text_document: None })?
-            }
-        };
-        hub.open(id);
-        let url = hub.url(id);
-        if shown && self.client.shows_documents {
-            let page = Url::parse(&url).map_err(|error| Failure::Invalid(error.to_string()))?;
-            self.outbox.ask(Question::ShowPage(page));
-        }
-        Ok(json!({ "url": url, "id": id }))
+    if let Some(hub) = &state.previews.hub {
+        hub.close(params.id);
     }
+    Ok(Value::Null)
+}
 
-    /// There is no server for browsers in this build.
-    #[cfg(not(feature = "preview"))]
-    pub fn preview_page(&mut self, _: Value) -> Result<Value, Failure> {
-        Err(Failure::Refused("this build has no preview: build it with the feature `preview`".to_owned()))
+pub fn show_root(state: &mut State, params: ShowParams, _: &CancelFlag) -> Result<Value, Failure> {
+    let root = chosen(state, params.root)?;
+    let compare = params.compare.map(|root| chosen(state, root)).transpose()?;
+    let compares = compare.is_some();
+    if !state.previews.views.show(params.id, root, compare) {
+        return Err(no_view(params.id));
+    }
+    #[cfg(feature = "preview")]
+    if let Some(hub) = state.previews.hub.as_ref().filter(|_| !compares) {
+        hub.end_compare(params.id);
+    }
+    let _ = compares;
+    state.previews.due = true;
+    Ok(Value::Null)
+}
+
+pub fn preview_mesh(state: &mut State, params: MeshParams, _: &CancelFlag) -> Result<Mesh, Failure> {
+    let mesh = state.previews.views.mesh(&state.world, &params.mesh).map_err(Failure::Invalid)?;
+    let data = base64::engine::general_purpose::STANDARD.encode(mesh.bytes);
+    Ok(Mesh { name: mesh.name, data })
+}
+
+/// The client selects: the cursor moved, or a link was clicked in its viewer.
+pub fn selected(state: &mut State, params: SelectParams) {
+    let names = client_names(state);
+    let ids = match params.id {
+        Some(id) => vec![id],
+        None => state.previews.views.ids(),
+    };
+    for id in ids {
+        let views = &state.previews.views;
+        let found = names.with(|names| match (&params.location, &params.link, &params.joint) {
+            (Some(location), None, None) => views.made_by(id, location, names),
+            _ => views.place_of(id, params.link.clone(), params.joint.clone(), names),
+        });
+        if let Some(selection) = found {
+            tell_selection(state, &selection);
+        }
     }
 }
+
+fn tell_selection(state: &State, selection: &Selection) {
+    #[cfg(feature = "preview")]
+    if let Some(hub) = &state.previews.hub {
+        hub.select(selection);
+    }
+    if state.previews.subscribed.contains(&selection.id) {
+        let params = serde_json::to_value(selection).unwrap_or_default();
+        state.outbox.tell("xacro/preview/select", &params);
+    }
+}
+
+/// Make the models of what changed, and send them.
+pub fn make_previews(state: &mut State) {
+    state.previews.due = false;
+    let names = client_names(state);
+    let cancel = state.status.background();
+    #[cfg(feature = "preview")]
+    let hub = state.previews.hub.clone();
+    let Previews { views, subscribed, .. } = &mut state.previews;
+    #[cfg(feature = "preview")]
+    let watched = |id| hub.as_ref().is_some_and(|hub| hub.is_watched(id));
+    #[cfg(not(feature = "preview"))]
+    let watched = |_| false;
+    let wanted = |id: u32| subscribed.contains(&id) || watched(id);
+    let (messages, finished) = names.with(|names| views.update(&mut state.world, names, &wanted, &cancel));
+    // given up because a job came in: after it
+    state.previews.due |= !finished;
+    for message in &messages {
+        tell_model(state, message);
+    }
+}
+
+fn tell_model(state: &State, message: &ModelMessage) {
+    #[cfg(feature = "preview")]
+    if let Some(hub) = &state.previews.hub {
+        hub.tell(message);
+    }
+    if state.previews.subscribed.contains(&message.id) {
+        let params = serde_json::to_value(message).unwrap_or_default();
+        state.outbox.tell("xacro/preview/model", &params);
+    }
+}
+
+fn open_view(state: &mut State, params: SubscribeParams) -> Result<u32, Failure> {
+    let root = view_root(state, params)?;
+    if state.previews.views.ids().len() >= VIEWS {
+        return Err(Failure::Refused(format!("{VIEWS} previews are open: close one first")));
+    }
+    state.previews.due = true;
+    Ok(state.previews.views.open(root))
+}
+
+/// The root that is asked for: named, or that of a document.
+fn view_root(state: &mut State, params: SubscribeParams) -> Result<RootChoice, Failure> {
+    match (params.root, params.text_document) {
+        (Some(root), _) => chosen(state, root),
+        (None, Some(document)) => {
+            let (path, _) = state.source(&document.uri)?;
+            Ok(state.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path)))
+        }
+        (None, None) => Err(Failure::Invalid("name a `root` or a `textDocument`".to_owned())),
+    }
+}
+
+fn client_names(state: &State) -> ClientNames {
+    let open = state.documents.iter();
+    let uris = open.map(|(path, document)| (path.clone(), document.uri.to_string())).collect();
+    ClientNames { uris, encoding: state.encoding }
+}
+
+/// The command `xacro.preview`: the address of a page that shows a robot.
+#[cfg(feature = "preview")]
+pub fn preview_page(state: &mut State, argument: Value) -> Result<Value, Failure> {
+    let params = match argument {
+        Value::String(uri) => json!({ "textDocument": { "uri": uri } }),
+        other => other,
+    };
+    let shown = params.get("show") == Some(&Value::Bool(true));
+    let params: SubscribeParams =
+        serde_json::from_value(params).map_err(|error| Failure::Invalid(error.to_string()))?;
+    let hub = hub(state)?;
+    let root = view_root(state, params)?;
+    let views = &state.previews.views;
+    let same = |id: &u32| views.root(*id) == Some(&root) && hub.has(*id);
+    let known = views.ids().into_iter().find(same);
+    let id = match known {
+        Some(id) => id,
+        None => {
+            let root = named(state, &root)?;
+            open_view(state, SubscribeParams { root: Some(root), text_document: None })?
+        }
+    };
+    hub.open(id);
+    let url = hub.url(id);
+    if shown && state.client.shows_documents {
+        let page = Url::parse(&url).map_err(|error| Failure::Invalid(error.to_string()))?;
+        state.outbox.ask(Question::ShowPage(page));
+    }
+    Ok(json!({ "url": url, "id": id }))
+}
+
+/// There is no server for browsers in this build.
+#[cfg(not(feature = "preview"))]
+pub fn preview_page(state: &mut State, _: Value) -> Result<Value, Failure> {
+    Err(Failure::Refused("this build has no preview: build it with the feature `preview`".to_owned()))
+}
+
+#[cfg(feature = "preview")]
+use pages::hub;
 
 #[cfg(feature = "preview")]
 mod pages {
@@ -270,70 +273,69 @@ mod pages {
 
     use std::sync::Arc;
 
-    use super::super::outbox::Question;
-    use super::{Engine, Failure, Location, Root, ShowParams, Url, convert};
+    use super::{
+        Failure, Location, Root, ShowParams, State, Url, client_names, convert, show_root, tell_selection,
+    };
+    use crate::outbox::Question;
     use base::CancelFlag;
     use preview::{FromViewer, Hub, Received, RootName};
 
-    impl Engine {
-        /// The server for browsers, started when it is needed first.
-        pub(super) fn hub(&mut self) -> Result<Arc<Hub>, Failure> {
-            if let Some(hub) = &self.previews.hub {
-                return Ok(hub.clone());
-            }
-            let Some(letterbox) = self.letterbox.clone() else {
-                return Err(Failure::Refused("the preview cannot be started here".to_owned()));
-            };
-            let files = self.previews.views.files().clone();
-            let vfs = self.world.session().vfs.clone();
-            let receive = move |received| letterbox.tell(received, Engine::page_said);
-            let hub = Hub::start(files, vfs, receive)
-                .map_err(|error| Failure::Refused(format!("the preview cannot be started: {error}")))?;
-            self.previews.hub = Some(hub.clone());
-            Ok(hub)
+    /// The server for browsers, started when it is needed first.
+    pub(super) fn hub(state: &mut State) -> Result<Arc<Hub>, Failure> {
+        if let Some(hub) = &state.previews.hub {
+            return Ok(hub.clone());
         }
+        let Some(queue) = state.queue.clone() else {
+            return Err(Failure::Refused("the preview cannot be started here".to_owned()));
+        };
+        let files = state.previews.views.files().clone();
+        let vfs = state.world.session().vfs.clone();
+        let receive = move |received| queue.notify(received, page_said);
+        let hub = Hub::start(files, vfs, receive)
+            .map_err(|error| Failure::Refused(format!("the preview cannot be started: {error}")))?;
+        state.previews.hub = Some(hub.clone());
+        Ok(hub)
+    }
 
-        /// A page said something.
-        pub fn page_said(&mut self, received: Received) {
-            let id = received.id;
-            match received.message {
-                FromViewer::Ready => self.previews.due = true,
-                FromViewer::Select { link, joint, location } => {
-                    let names = self.client_names();
-                    let views = &self.previews.views;
-                    let Some(mut selection) = names.with(|names| views.place_of(id, link, joint, names))
-                    else {
-                        return;
-                    };
-                    selection.location = location.or(selection.location);
-                    self.show_location(selection.location.as_ref());
-                    self.tell_selection(&selection);
-                }
-                FromViewer::Open { location } => self.show_location(Some(&location)),
-                FromViewer::Root { root, compare } => {
-                    let named = |name: RootName| {
-                        let uri = Url::parse(&name.uri).ok()?;
-                        Some(Root { uri, args: name.args, preset: name.preset })
-                    };
-                    let Some(root) = named(root) else { return };
-                    let params = ShowParams { id, root, compare: compare.and_then(named) };
-                    if let Err(Failure::Invalid(why)) = self.show_root(params, &CancelFlag::default()) {
-                        self.outbox.log(format!("the preview cannot show that: {why}"));
-                    }
-                }
-                // pages ask for files in another way
-                FromViewer::Mesh { .. } => {}
+    /// A page said something.
+    pub fn page_said(state: &mut State, received: Received) {
+        let id = received.id;
+        match received.message {
+            FromViewer::Ready => state.previews.due = true,
+            FromViewer::Select { link, joint, location } => {
+                let names = client_names(state);
+                let views = &state.previews.views;
+                let Some(mut selection) = names.with(|names| views.place_of(id, link, joint, names)) else {
+                    return;
+                };
+                selection.location = location.or(selection.location);
+                show_location(state, selection.location.as_ref());
+                tell_selection(state, &selection);
             }
+            FromViewer::Open { location } => show_location(state, Some(&location)),
+            FromViewer::Root { root, compare } => {
+                let named = |name: RootName| {
+                    let uri = Url::parse(&name.uri).ok()?;
+                    Some(Root { uri, args: name.args, preset: name.preset })
+                };
+                let Some(root) = named(root) else { return };
+                let params = ShowParams { id, root, compare: compare.and_then(named) };
+                if let Err(Failure::Invalid(why)) = show_root(state, params, &CancelFlag::default()) {
+                    state.outbox.log(format!("the preview cannot show that: {why}"));
+                }
+            }
+            // pages ask for files in another way
+            FromViewer::Mesh { .. } => {}
         }
+    }
 
-        /// Have the editor show a place.
-        fn show_location(&self, location: Option<&Location>) {
-            let uri = location.and_then(|location| Url::parse(&location.uri).ok());
-            let (Some(location), Some(uri)) = (location, uri) else { return };
-            if self.client.shows_documents && self.may_read(&convert::path(&uri)) {
-                let range = lsp_types::Range::new(point(location.range.start), point(location.range.end));
-                self.outbox.ask(Question::ShowDocument(uri, range));
-            }
+    /// Have the editor show a place.
+    fn show_location(state: &State, location: Option<&Location>) {
+        let uri = location.and_then(|location| Url::parse(&location.uri).ok());
+        let (Some(location), Some(uri)) = (location, uri) else { return };
+        if state.client.shows_documents && state.may_read(&convert::path(&uri)) {
+            let range = lsp_types::Range::new(point(location.range.start), point(location.range.end));
+            state.outbox.ask(Question::ShowDocument(uri, range));
         }
     }
 

@@ -1,14 +1,19 @@
 //! `xacro/roots`, `xacro/setRoot` and `xacro/tree`: contexts and the kinematic tree.
 
+use crate::convert::location;
+use crate::documents::refresh;
+use crate::mapping::{named, shown_under};
+use crate::requests::expand_at::pinned_label;
+use crate::requests::expansion::{chosen, errors};
 use std::collections::BTreeMap;
 
 use lsp_types::{Location, TextDocumentIdentifier};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use super::engine::Engine;
-use super::expansion::{ExpandError, Root};
-use super::failure::Failure;
+use crate::failure::Failure;
+use crate::requests::expansion::{ExpandError, Root};
+use crate::state::State;
 use analysis::{Analyzed, Context, RootChoice};
 use base::CancelFlag;
 use expand::Origin;
@@ -91,147 +96,145 @@ pub(super) struct TreeNode {
     pub mass: Option<f64>,
 }
 
-impl Engine {
-    pub fn roots(&mut self, params: RootsParams, cancel: &CancelFlag) -> Result<Roots, Failure> {
-        let (path, _) = self.source(&params.text_document.uri)?;
-        let context = self.world.context(&path);
-        let mut args = Vec::new();
-        if let Some(root) = &context.root {
-            let analyzed = self.world.analyzed(root, cancel).ok_or(Failure::Cancelled)?;
-            let known = analyzed.expansion.arguments.iter();
-            args.extend(known.map(|(name, value)| {
-                let declared = ide::declared_argument(&analyzed.expansion, name);
-                let (default, doc) = declared.unwrap_or_default();
-                Argument { name: name.to_string(), value: value.to_string(), default, doc }
-            }));
-        }
-        let text = self.context_text(&path, &context, cancel);
-        let candidates = context.candidates.iter().filter_map(|(root, distance)| {
-            Some(Candidate { root: self.named(root).ok()?, distance: *distance })
-        });
-        Ok(Roots {
-            active: context.root.as_ref().and_then(|root| self.named(root).ok()),
-            text,
-            reason: context.reason.text(),
-            candidates: candidates.collect(),
-            args,
-        })
+pub fn roots(state: &mut State, params: RootsParams, cancel: &CancelFlag) -> Result<Roots, Failure> {
+    let (path, _) = state.source(&params.text_document.uri)?;
+    let context = state.world.context(&path);
+    let mut args = Vec::new();
+    if let Some(root) = &context.root {
+        let analyzed = state.world.analyzed(root, cancel).ok_or(Failure::Cancelled)?;
+        let known = analyzed.expansion.arguments.iter();
+        args.extend(known.map(|(name, value)| {
+            let declared = ide::declared_argument(&analyzed.expansion, name);
+            let (default, doc) = declared.unwrap_or_default();
+            Argument { name: name.to_string(), value: value.to_string(), default, doc }
+        }));
     }
+    let text = context_text(state, &path, &context, cancel);
+    let candidates = context.candidates.iter().filter_map(|(root, distance)| {
+        Some(Candidate { root: named(state, root).ok()?, distance: *distance })
+    });
+    Ok(Roots {
+        active: context.root.as_ref().and_then(|root| named(state, root).ok()),
+        text,
+        reason: context.reason.text(),
+        candidates: candidates.collect(),
+        args,
+    })
+}
 
-    pub fn set_root(&mut self, params: SetRootParams, cancel: &CancelFlag) -> Result<Value, Failure> {
-        let root = params.root.map(|root| self.chosen(root)).transpose()?;
-        match &params.text_document {
-            Some(document) => {
-                let path = self.path(&document.uri);
-                self.world.pick(&path, root);
+pub fn set_root(state: &mut State, params: SetRootParams, cancel: &CancelFlag) -> Result<Value, Failure> {
+    let root = params.root.map(|root| chosen(state, root)).transpose()?;
+    match &params.text_document {
+        Some(document) => {
+            let path = state.path(&document.uri);
+            state.world.pick(&path, root);
+        }
+        None => state.world.pick_all(root),
+    }
+    context_changed(state, cancel);
+    Ok(Value::Null)
+}
+
+/// Run the active root of a file with other values of some arguments for as long as the server lives; none:
+/// back to those of the configuration. Answers with what holds then.
+pub fn set_args(state: &mut State, params: SetArgsParams, cancel: &CancelFlag) -> Result<Roots, Failure> {
+    let (path, _) = state.source(&params.text_document.uri)?;
+    if let Some(args) = params.args {
+        let mut root = state.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path));
+        let file = root.file.clone();
+        root.args.retain(|(known, _)| !args.contains_key(known));
+        let taken_back = args.is_empty();
+        root.args.extend(args);
+        // all files of the robot are seen with these values
+        for open in state.documents.keys().chain([&path]) {
+            if state.world.context(open).root.is_some_and(|other| other.file == file) {
+                state.world.pick(open, (!taken_back).then(|| root.clone()));
             }
-            None => self.world.pick_all(root),
         }
-        self.context_changed(cancel);
-        Ok(Value::Null)
+        context_changed(state, cancel);
     }
+    let text_document = TextDocumentIdentifier { uri: params.text_document.uri };
+    roots(state, RootsParams { text_document }, cancel)
+}
 
-    /// Run the active root of a file with other values of some arguments for as long as the server lives; none:
-    /// back to those of the configuration. Answers with what holds then.
-    pub fn set_args(&mut self, params: SetArgsParams, cancel: &CancelFlag) -> Result<Roots, Failure> {
-        let (path, _) = self.source(&params.text_document.uri)?;
-        if let Some(args) = params.args {
-            let mut root = self.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path));
-            let file = root.file.clone();
-            root.args.retain(|(known, _)| !args.contains_key(known));
-            let taken_back = args.is_empty();
-            root.args.extend(args);
-            // all files of the robot are seen with these values
-            for open in self.documents.keys().chain([&path]) {
-                if self.world.context(open).root.is_some_and(|other| other.file == file) {
-                    self.world.pick(open, (!taken_back).then(|| root.clone()));
-                }
-            }
-            self.context_changed(cancel);
+/// The user sees files in another way now.
+pub fn context_changed(state: &mut State, cancel: &CancelFlag) {
+    tell_contexts(state, cancel);
+    state.schedule();
+    refresh(state);
+}
+
+/// Tell the client under which root each open file is shown, where that is news.
+pub fn tell_contexts(state: &mut State, cancel: &CancelFlag) {
+    if !state.client.own.context_changed {
+        return;
+    }
+    let open: Vec<_> = state.documents.keys().cloned().collect();
+    for path in open {
+        tell_context(state, &path, cancel);
+    }
+}
+
+/// Tell the client under which root a file is shown now.
+fn tell_context(state: &mut State, path: &std::path::Path, cancel: &CancelFlag) {
+    let context = state.world.context(path);
+    let Some(uri) = state.uri(path) else { return };
+    let active = context.root.as_ref().and_then(|root| named(state, root).ok());
+    let text = context_text(state, path, &context, cancel);
+    let params = json!({ "textDocument": { "uri": uri }, "active": active, "text": text });
+    if state.told.insert(path.to_path_buf(), params.clone()).as_ref() == Some(&params) {
+        return;
+    }
+    state.outbox.tell("xacro/contextChanged", &params);
+}
+
+/// The call that was picked, or else the root with its arguments, or else why there is none.
+fn context_text(state: &mut State, path: &std::path::Path, context: &Context, cancel: &CancelFlag) -> String {
+    let Some(root) = &context.root else { return context.reason.text().to_owned() };
+    pinned_label(state, path, root, cancel).unwrap_or_else(|| root.label())
+}
+
+pub fn tree(state: &mut State, params: TreeParams, cancel: &CancelFlag) -> Result<Tree, Failure> {
+    let asked = params.root.as_ref().map(|root| TextDocumentIdentifier { uri: root.uri.clone() });
+    let Some(document) = params.text_document.or(asked) else {
+        return Err(Failure::Invalid("name a `root` or a `textDocument`".to_owned()));
+    };
+    let (_, analyzed) = shown_under(state, &document, params.root, cancel)?;
+    Ok(Tree { nodes: nodes(state, &analyzed), problems: errors(state, &analyzed.expansion) })
+}
+
+/// The links of a robot, each with its joint, roots first.
+fn nodes(state: &State, analyzed: &Analyzed) -> Vec<TreeNode> {
+    let (Some(robot), Some(kinematics)) = (&analyzed.robot, &analyzed.kinematics) else {
+        return Vec::new();
+    };
+    let mut nodes = Vec::new();
+    let mut open: Vec<usize> = kinematics.roots(robot).into_iter().rev().collect();
+    let mut seen = vec![false; robot.links.len()];
+    while let Some(index) = open.pop() {
+        let Some(link) = robot.links.get(index) else { continue };
+        if seen.get_mut(index).is_none_or(|seen| std::mem::replace(seen, true)) {
+            continue;
         }
-        let text_document = TextDocumentIdentifier { uri: params.text_document.uri };
-        self.roots(RootsParams { text_document }, cancel)
+        let joint = kinematics.up(index).first().and_then(|&joint| robot.joints.get(joint));
+        let parent = joint.and_then(|joint| joint.parent.as_ref());
+        let origin = link.name.as_ref().map(|name| name.origin);
+        let location = origin.and_then(|origin| origin_location(state, analyzed, origin));
+        nodes.extend(location.map(|location| TreeNode {
+            link: link.shown().to_owned(),
+            joint: joint.map(|joint| joint.shown().to_owned()),
+            parent: parent.map(|parent| parent.value.to_string()),
+            location,
+            mass: link.inertial.as_ref().and_then(|inertial| inertial.mass()),
+        }));
+        let below = kinematics.down(index).iter().rev();
+        open.extend(below.filter_map(|&joint| Some(kinematics.ends(joint)?.1)));
     }
+    nodes
+}
 
-    /// The user sees files in another way now.
-    pub fn context_changed(&mut self, cancel: &CancelFlag) {
-        self.tell_contexts(cancel);
-        self.schedule();
-        self.refresh();
-    }
-
-    /// Tell the client under which root each open file is shown, where that is news.
-    pub fn tell_contexts(&mut self, cancel: &CancelFlag) {
-        if !self.client.own.context_changed {
-            return;
-        }
-        let open: Vec<_> = self.documents.keys().cloned().collect();
-        for path in open {
-            self.tell_context(&path, cancel);
-        }
-    }
-
-    /// Tell the client under which root a file is shown now.
-    fn tell_context(&mut self, path: &std::path::Path, cancel: &CancelFlag) {
-        let context = self.world.context(path);
-        let Some(uri) = self.uri(path) else { return };
-        let active = context.root.as_ref().and_then(|root| self.named(root).ok());
-        let text = self.context_text(path, &context, cancel);
-        let params = json!({ "textDocument": { "uri": uri }, "active": active, "text": text });
-        if self.told.insert(path.to_path_buf(), params.clone()).as_ref() == Some(&params) {
-            return;
-        }
-        self.outbox.tell("xacro/contextChanged", &params);
-    }
-
-    /// The call that was picked, or else the root with its arguments, or else why there is none.
-    fn context_text(&mut self, path: &std::path::Path, context: &Context, cancel: &CancelFlag) -> String {
-        let Some(root) = &context.root else { return context.reason.text().to_owned() };
-        self.pinned_label(path, root, cancel).unwrap_or_else(|| root.label())
-    }
-
-    pub fn tree(&mut self, params: TreeParams, cancel: &CancelFlag) -> Result<Tree, Failure> {
-        let asked = params.root.as_ref().map(|root| TextDocumentIdentifier { uri: root.uri.clone() });
-        let Some(document) = params.text_document.or(asked) else {
-            return Err(Failure::Invalid("name a `root` or a `textDocument`".to_owned()));
-        };
-        let (_, analyzed) = self.shown_under(&document, params.root, cancel)?;
-        Ok(Tree { nodes: self.nodes(&analyzed), problems: self.errors(&analyzed.expansion) })
-    }
-
-    /// The links of a robot, each with its joint, roots first.
-    fn nodes(&self, analyzed: &Analyzed) -> Vec<TreeNode> {
-        let (Some(robot), Some(kinematics)) = (&analyzed.robot, &analyzed.kinematics) else {
-            return Vec::new();
-        };
-        let mut nodes = Vec::new();
-        let mut open: Vec<usize> = kinematics.roots(robot).into_iter().rev().collect();
-        let mut seen = vec![false; robot.links.len()];
-        while let Some(index) = open.pop() {
-            let Some(link) = robot.links.get(index) else { continue };
-            if seen.get_mut(index).is_none_or(|seen| std::mem::replace(seen, true)) {
-                continue;
-            }
-            let joint = kinematics.up(index).first().and_then(|&joint| robot.joints.get(joint));
-            let parent = joint.and_then(|joint| joint.parent.as_ref());
-            let origin = link.name.as_ref().map(|name| name.origin);
-            let location = origin.and_then(|origin| self.origin_location(analyzed, origin));
-            nodes.extend(location.map(|location| TreeNode {
-                link: link.shown().to_owned(),
-                joint: joint.map(|joint| joint.shown().to_owned()),
-                parent: parent.map(|parent| parent.value.to_string()),
-                location,
-                mass: link.inertial.as_ref().and_then(|inertial| inertial.mass()),
-            }));
-            let below = kinematics.down(index).iter().rev();
-            open.extend(below.filter_map(|&joint| Some(kinematics.ends(joint)?.1)));
-        }
-        nodes
-    }
-
-    fn origin_location(&self, analyzed: &Analyzed, origin: Origin) -> Option<Location> {
-        let place = analyzed.expansion.place(origin)?;
-        let file = analyzed.expansion.files.get(place.file.0 as usize)?.source.id;
-        self.location(base::Span { file, range: place.range })
-    }
+fn origin_location(state: &State, analyzed: &Analyzed, origin: Origin) -> Option<Location> {
+    let place = analyzed.expansion.place(origin)?;
+    let file = analyzed.expansion.files.get(place.file.0 as usize)?.source.id;
+    location(state, base::Span { file, range: place.range })
 }

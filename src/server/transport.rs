@@ -20,8 +20,8 @@ use tower::Service;
 use tower_lsp::ClientSocket;
 use tower_lsp::jsonrpc::{Request, Response};
 
-use super::exit::Shutdown;
-use super::framing::{self, Incoming};
+use crate::exit::Shutdown;
+use crate::framing::{self, Incoming};
 use vfs::unbuffered_stdout;
 
 /// Handlers only wait, so there may be many of them: a slow answer never holds back an edit.

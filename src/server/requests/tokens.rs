@@ -1,5 +1,6 @@
 //! F28: semantic tokens, all, changed or of a range.
 
+use super::navigation::asked;
 use std::path::{Path, PathBuf};
 
 use lsp_types::{
@@ -10,9 +11,9 @@ use lsp_types::{
     WorkDoneProgressOptions,
 };
 
-use super::convert;
-use super::engine::Engine;
-use super::failure::Failure;
+use crate::convert;
+use crate::failure::Failure;
+use crate::state::State;
 use base::{CancelFlag, Encoding, TextRange};
 use ide::{self, Token, TokenKind};
 
@@ -36,13 +37,13 @@ const KINDS: &[(TokenKind, SemanticTokenType)] = &[
 
 /// What was sent last for a file.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Sent {
+pub(crate) struct Sent {
     number: u64,
     data: Vec<SemanticToken>,
 }
 
 /// What the server offers.
-pub(super) fn offered() -> SemanticTokensOptions {
+pub(crate) fn offered() -> SemanticTokensOptions {
     // in the order of the bits of `Modifiers`
     let modifiers = vec![
         SemanticTokenModifier::DECLARATION,
@@ -62,74 +63,70 @@ pub(super) fn offered() -> SemanticTokensOptions {
     }
 }
 
-impl Engine {
-    pub fn tokens(
-        &mut self,
-        params: SemanticTokensParams,
-        cancel: &CancelFlag,
-    ) -> Result<Option<SemanticTokensResult>, Failure> {
-        let (path, data) = self.token_data(params.text_document, cancel)?;
-        let result_id = Some(self.remember(&path, &data));
-        Ok(Some(SemanticTokensResult::Tokens(SemanticTokens { result_id, data })))
-    }
+pub fn tokens(
+    state: &mut State,
+    params: SemanticTokensParams,
+    cancel: &CancelFlag,
+) -> Result<Option<SemanticTokensResult>, Failure> {
+    let (path, data) = token_data(state, params.text_document, cancel)?;
+    let result_id = Some(remember(state, &path, &data));
+    Ok(Some(SemanticTokensResult::Tokens(SemanticTokens { result_id, data })))
+}
 
-    pub fn tokens_delta(
-        &mut self,
-        params: SemanticTokensDeltaParams,
-        cancel: &CancelFlag,
-    ) -> Result<Option<SemanticTokensFullDeltaResult>, Failure> {
-        let (path, data) = self.token_data(params.text_document, cancel)?;
-        let known = self.sent_tokens.get(&path);
-        let known = known.filter(|sent| sent.number.to_string() == params.previous_result_id);
-        let edits = known.map(|sent| difference(&sent.data, &data));
-        let result_id = Some(self.remember(&path, &data));
-        Ok(Some(match edits {
-            Some(edits) => {
-                SemanticTokensFullDeltaResult::TokensDelta(SemanticTokensDelta { result_id, edits })
-            }
-            None => SemanticTokensFullDeltaResult::Tokens(SemanticTokens { result_id, data }),
-        }))
-    }
+pub fn tokens_delta(
+    state: &mut State,
+    params: SemanticTokensDeltaParams,
+    cancel: &CancelFlag,
+) -> Result<Option<SemanticTokensFullDeltaResult>, Failure> {
+    let (path, data) = token_data(state, params.text_document, cancel)?;
+    let known = state.sent_tokens.get(&path);
+    let known = known.filter(|sent| sent.number.to_string() == params.previous_result_id);
+    let edits = known.map(|sent| difference(&sent.data, &data));
+    let result_id = Some(remember(state, &path, &data));
+    Ok(Some(match edits {
+        Some(edits) => SemanticTokensFullDeltaResult::TokensDelta(SemanticTokensDelta { result_id, edits }),
+        None => SemanticTokensFullDeltaResult::Tokens(SemanticTokens { result_id, data }),
+    }))
+}
 
-    pub fn tokens_range(
-        &mut self,
-        params: SemanticTokensRangeParams,
-        cancel: &CancelFlag,
-    ) -> Result<Option<SemanticTokensRangeResult>, Failure> {
-        let (_, source) = self.source(&params.text_document.uri)?;
-        let range = convert::text_range(&source.document, params.range, self.encoding);
-        let asked = self.asked(&start_of(params.text_document), cancel)?;
-        let mut tokens = ide::tokens(&asked.cx());
-        tokens.retain(|token| token.range.start < range.end && range.start < token.range.end);
-        let data = encoded(&asked.source.document.text(), &tokens, self.encoding);
-        Ok(Some(SemanticTokensRangeResult::Tokens(SemanticTokens { result_id: None, data })))
-    }
+pub fn tokens_range(
+    state: &mut State,
+    params: SemanticTokensRangeParams,
+    cancel: &CancelFlag,
+) -> Result<Option<SemanticTokensRangeResult>, Failure> {
+    let (_, source) = state.source(&params.text_document.uri)?;
+    let range = convert::text_range(&source.document, params.range, state.encoding);
+    let asked = asked(state, &start_of(params.text_document), cancel)?;
+    let mut tokens = ide::tokens(&asked.cx());
+    tokens.retain(|token| token.range.start < range.end && range.start < token.range.end);
+    let data = encoded(&asked.source.document.text(), &tokens, state.encoding);
+    Ok(Some(SemanticTokensRangeResult::Tokens(SemanticTokens { result_id: None, data })))
+}
 
-    fn token_data(
-        &mut self,
-        document: TextDocumentIdentifier,
-        cancel: &CancelFlag,
-    ) -> Result<(PathBuf, Vec<SemanticToken>), Failure> {
-        let asked = self.asked(&start_of(document), cancel)?;
-        let tokens = ide::tokens(&asked.cx());
-        let data = encoded(&asked.source.document.text(), &tokens, self.encoding);
-        Ok((asked.source.path.to_path_buf(), data))
-    }
+fn token_data(
+    state: &mut State,
+    document: TextDocumentIdentifier,
+    cancel: &CancelFlag,
+) -> Result<(PathBuf, Vec<SemanticToken>), Failure> {
+    let asked = asked(state, &start_of(document), cancel)?;
+    let tokens = ide::tokens(&asked.cx());
+    let data = encoded(&asked.source.document.text(), &tokens, state.encoding);
+    Ok((asked.source.path.to_path_buf(), data))
+}
 
-    /// Keep what is sent; its name.
-    fn remember(&mut self, path: &Path, data: &[SemanticToken]) -> String {
-        // files that are closed are not asked about again
-        let documents = &self.documents;
-        self.sent_tokens.retain(|path, _| documents.contains_key(path));
-        let sent = self.sent_tokens.entry(path.to_path_buf()).or_default();
-        sent.number += 1;
-        sent.data = data.to_vec();
-        sent.number.to_string()
-    }
+/// Keep what is sent; its name.
+fn remember(state: &mut State, path: &Path, data: &[SemanticToken]) -> String {
+    // files that are closed are not asked about again
+    let documents = &state.documents;
+    state.sent_tokens.retain(|path, _| documents.contains_key(path));
+    let sent = state.sent_tokens.entry(path.to_path_buf()).or_default();
+    sent.number += 1;
+    sent.data = data.to_vec();
+    sent.number.to_string()
 }
 
 /// The start of a document, for questions about all of it.
-pub(super) fn start_of(text_document: TextDocumentIdentifier) -> TextDocumentPositionParams {
+pub(crate) fn start_of(text_document: TextDocumentIdentifier) -> TextDocumentPositionParams {
     TextDocumentPositionParams { text_document, position: lsp_types::Position::default() }
 }
 

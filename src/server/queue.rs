@@ -1,4 +1,4 @@
-//! Between the protocol and the analysis: handlers post jobs, one thread works them off in order.
+//! Between the protocol and the analysis: handlers add jobs, one thread works them off in order.
 //!
 //! A handler may not touch state. It sends its job as its first statement and then only waits, so jobs are
 //! worked off in the order in which their messages arrived.
@@ -10,32 +10,32 @@ use std::sync::{Arc, Mutex, PoisonError};
 use tokio::sync::oneshot;
 use tower_lsp::jsonrpc;
 
-use super::engine::Engine;
-use super::failure::Failure;
+use crate::failure::Failure;
+use crate::state::State;
 use base::CancelFlag;
 
 /// Work for the analysis thread.
-pub(super) type Job = Box<dyn FnOnce(&mut Engine) + Send>;
+pub(super) type Job = Box<dyn FnOnce(&mut State) + Send>;
 
-/// Where handlers post their jobs.
+/// Where handlers add their jobs.
 #[derive(Clone)]
-pub(super) struct Letterbox {
+pub(super) struct Queue {
     jobs: Sender<Job>,
-    pressure: Pressure,
+    status: QueueStatus,
 }
 
 /// How many jobs wait, and what is done meanwhile.
 #[derive(Clone, Default)]
-pub(super) struct Pressure {
+pub(super) struct QueueStatus {
     waiting: Arc<AtomicUsize>,
-    /// Edits that were read and are not posted yet.
+    /// Edits that were read and are not in the queue yet.
     announced: Arc<AtomicUsize>,
     background: Arc<Mutex<CancelFlag>>,
 }
 
-impl Pressure {
+impl QueueStatus {
     /// Whether a job waits.
-    pub fn is_high(&self) -> bool {
+    pub fn has_waiting(&self) -> bool {
         self.waiting.load(Ordering::Acquire) > 0
     }
 
@@ -43,13 +43,13 @@ impl Pressure {
     pub fn background(&self) -> CancelFlag {
         let flag = CancelFlag::default();
         *self.background.lock().unwrap_or_else(PoisonError::into_inner) = flag.clone();
-        if self.is_high() {
+        if self.has_waiting() {
             flag.cancel();
         }
         flag
     }
 
-    /// An edit was read: its job will be posted in a moment, so what is said of the text now would be out of date.
+    /// An edit was read: its job will be added in a moment, so what is said of the text now would be out of date.
     pub fn announce_edit(&self) {
         self.announced.fetch_add(1, Ordering::AcqRel);
     }
@@ -76,41 +76,41 @@ impl Pressure {
     }
 }
 
-/// A new letterbox, and its other end.
-pub(super) fn letterbox() -> (Letterbox, Receiver<Job>, Pressure) {
+/// A new queue, and its other end.
+pub(super) fn queue() -> (Queue, Receiver<Job>, QueueStatus) {
     let (jobs, taken) = mpsc::channel();
-    let pressure = Pressure::default();
-    (Letterbox { jobs, pressure: pressure.clone() }, taken, pressure)
+    let status = QueueStatus::default();
+    (Queue { jobs, status: status.clone() }, taken, status)
 }
 
-impl Letterbox {
-    /// Post a job.
-    pub fn post(&self, job: Job) {
-        self.pressure.waiting.fetch_add(1, Ordering::AcqRel);
-        self.pressure.background.lock().unwrap_or_else(PoisonError::into_inner).cancel();
+impl Queue {
+    /// Add a job.
+    pub fn send(&self, job: Job) {
+        self.status.waiting.fetch_add(1, Ordering::AcqRel);
+        self.status.background.lock().unwrap_or_else(PoisonError::into_inner).cancel();
         // the other end is gone only when the process ends
         let _ = self.jobs.send(job);
     }
 
-    /// Post an edit.
-    pub fn tell_edit<P: Send + 'static>(&self, params: P, work: fn(&mut Engine, P)) {
-        self.post(Box::new(move |engine| {
-            // said by who works it off: said by who posts it, it could come too late, and would be waited for
-            engine.pressure.edit_arrived();
-            work(engine, params);
+    /// Add an edit.
+    pub fn notify_edit<P: Send + 'static>(&self, params: P, work: fn(&mut State, P)) {
+        self.send(Box::new(move |state| {
+            // said here and not by the sender, whose word could come too late: it would be waited for
+            state.status.edit_arrived();
+            work(state, params);
         }));
     }
 
-    /// Post a notification.
-    pub fn tell<P: Send + 'static>(&self, params: P, work: fn(&mut Engine, P)) {
-        self.post(Box::new(move |engine| work(engine, params)));
+    /// Add a notification.
+    pub fn notify<P: Send + 'static>(&self, params: P, work: fn(&mut State, P)) {
+        self.send(Box::new(move |state| work(state, params)));
     }
 
-    /// Post a request and wait for its answer. Dropping the future cancels the work.
-    pub async fn ask<P, R>(
+    /// Add a request and wait for its answer. Dropping the future cancels the work.
+    pub async fn request<P, R>(
         &self,
         params: P,
-        work: fn(&mut Engine, P, &CancelFlag) -> Result<R, Failure>,
+        work: fn(&mut State, P, &CancelFlag) -> Result<R, Failure>,
     ) -> jsonrpc::Result<R>
     where
         P: Send + 'static,
@@ -119,9 +119,9 @@ impl Letterbox {
         let (answer, wait) = oneshot::channel();
         let cancel = CancelOnDrop(CancelFlag::default());
         let flag = cancel.0.clone();
-        self.post(Box::new(move |engine| {
+        self.send(Box::new(move |state| {
             if !flag.is_cancelled() {
-                let _ = answer.send(work(engine, params, &flag));
+                let _ = answer.send(work(state, params, &flag));
             }
         }));
         match wait.await {

@@ -1,0 +1,112 @@
+//! Text of open documents.
+
+use crate::lifecycle::ask_for_settings;
+use crate::publishing::withdraw;
+use lsp_types::{
+    DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidChangeWorkspaceFoldersParams,
+    DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams,
+};
+
+use crate::convert;
+use crate::framing::NO_VERSION;
+use crate::outbox::{Question, Refresh};
+use crate::state::{OpenDocument, State};
+
+pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
+    let document = params.text_document;
+    let path = state.path(&document.uri);
+    state.world.set_text(&path, document.text);
+    let open = OpenDocument { uri: document.uri, version: version(document.version) };
+    state.documents.insert(path, open);
+    // what there is to say of a file should not wait for a pause in typing
+    state.due = Some(std::time::Instant::now());
+}
+
+pub fn changed(state: &mut State, params: DidChangeTextDocumentParams) {
+    let path = state.path(&params.text_document.uri);
+    let Some(open) = state.documents.get_mut(&path) else {
+        return state
+            .outbox
+            .log(format!("changes of `{}`, which is not open, are ignored", params.text_document.uri));
+    };
+    open.version = version(params.text_document.version);
+    for change in params.content_changes {
+        match (change.range, state.world.document(&path)) {
+            (Some(range), Some(source)) => {
+                let range = convert::edited_range(&source.document, range, state.encoding);
+                state.world.edit(&path, range, &change.text);
+            }
+            _ => state.world.set_text(&path, change.text),
+        }
+    }
+    state.schedule();
+}
+
+pub fn saved(state: &mut State, _: DidSaveTextDocumentParams) {
+    state.schedule();
+}
+
+pub fn closed(state: &mut State, params: DidCloseTextDocumentParams) {
+    let path = state.path(&params.text_document.uri);
+    state.told.remove(&path);
+    if let Some(open) = state.documents.remove(&path) {
+        state.world.close(&path);
+        withdraw(state, &path, open.uri);
+    }
+    state.schedule();
+}
+
+pub fn watched(state: &mut State, params: DidChangeWatchedFilesParams) {
+    let paths: Vec<_> = params.changes.iter().map(|change| state.path(&change.uri)).collect();
+    state.world.changed_on_disk(&paths);
+    state.schedule();
+    refresh(state);
+}
+
+pub fn folders_changed(state: &mut State, params: DidChangeWorkspaceFoldersParams) {
+    let removed: Vec<_> = params.event.removed.iter().map(|folder| state.path(&folder.uri)).collect();
+    let mut folders: Vec<_> = state.world.folders().to_vec();
+    folders.retain(|folder| !removed.contains(folder));
+    for folder in params.event.added {
+        let path = state.path(&folder.uri);
+        if !folders.contains(&path) {
+            folders.push(path);
+        }
+    }
+    state.world.set_folders(folders);
+    ask_for_settings(state);
+    state.schedule();
+    refresh(state);
+}
+
+/// Something came in that is no message.
+pub fn bad_message(state: &mut State, params: serde_json::Value) {
+    let reason = params.get("reason").and_then(serde_json::Value::as_str).unwrap_or("");
+    state.outbox.log(format!("a message was passed over: {reason}"));
+}
+
+/// Have the client ask again for what it has asked for before.
+pub fn refresh(state: &State) {
+    refresh_others(state);
+    refresh_when(state, state.client.refreshes_tokens, &[Refresh::SemanticTokens]);
+    refresh_when(state, state.client.refreshes_lenses, &[Refresh::CodeLens]);
+}
+
+/// After an edit: clients ask again for the file they changed, but findings and values in the other
+/// open files may be different now too.
+pub fn refresh_others(state: &State) {
+    let pulls = state.client.pulls_diagnostics && state.client.refreshes_diagnostics;
+    refresh_when(state, pulls, &[Refresh::Diagnostics]);
+    refresh_when(state, state.client.refreshes_hints, &[Refresh::InlayHints]);
+}
+
+fn refresh_when(state: &State, supported: bool, what: &'static [Refresh]) {
+    if supported && state.initialized {
+        state.outbox.ask(Question::Refresh(what));
+    }
+}
+
+/// The version that a client gives, if it gives one.
+fn version(given: i32) -> Option<i32> {
+    (given != NO_VERSION).then_some(given)
+}

@@ -1,0 +1,82 @@
+//! The analysis thread: it alone owns the state, and works off one job after the other.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::mpsc::{Receiver, RecvTimeoutError};
+use std::time::{Duration, Instant};
+
+use lsp_types::MessageType;
+
+use crate::diagnostics::make_diagnostics;
+use crate::failure::Failure;
+use crate::lifecycle::scan;
+use crate::preview::make_previews;
+use crate::queue::Job;
+use crate::state::State;
+
+/// How long an edit takes at most from its message to its job.
+const ON_ITS_WAY: Duration = Duration::from_millis(2);
+
+/// Work off jobs until nobody can post one any more.
+pub(super) fn run(mut state: State, jobs: &Receiver<Job>) {
+    loop {
+        let job = match pause(&state) {
+            None => jobs.recv().map_err(|_| RecvTimeoutError::Disconnected),
+            Some(pause) => jobs.recv_timeout(pause),
+        };
+        match job {
+            Ok(job) => {
+                state.status.taken();
+                guarded(&mut state, job);
+            }
+            Err(RecvTimeoutError::Timeout) => {
+                state.status.forget_announced();
+                guarded(&mut state, Box::new(idle));
+            }
+            Err(RecvTimeoutError::Disconnected) => return,
+        }
+    }
+}
+
+/// How long to wait for a job before idle work; none: for ever.
+fn pause(state: &State) -> Option<Duration> {
+    if state.previews.due && !state.previews.views.is_empty() {
+        return Some(Duration::ZERO);
+    }
+    if let Some(due) = state.due {
+        let rest = due.saturating_duration_since(Instant::now());
+        return Some(if state.status.is_edit_announced() { rest.max(ON_ITS_WAY) } else { rest });
+    }
+    (state.initialized && !state.world.is_scanned()).then_some(Duration::ZERO)
+}
+
+/// What is done when nobody waits for anything.
+fn idle(state: &mut State) {
+    if state.previews.due && !state.previews.views.is_empty() {
+        return make_previews(state);
+    }
+    if state.due.is_some_and(|due| due <= Instant::now()) {
+        return make_diagnostics(state);
+    }
+    if state.due.is_none() && state.initialized && !state.world.is_scanned() {
+        scan(state);
+    }
+}
+
+/// Run a job; a panic in it is logged and ends that job only.
+fn guarded(state: &mut State, job: Job) {
+    let Err(panic) = catch_unwind(AssertUnwindSafe(|| job(state))) else { return };
+    let text = panic.downcast_ref::<String>().map(String::as_str);
+    let text = text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("unknown fault");
+    let message = format!("internal fault: {text}; please report it with the file that caused it");
+    state.outbox.log_as(MessageType::ERROR, message.clone());
+    if !std::mem::replace(&mut state.fault_shown, true) {
+        state.outbox.show(MessageType::ERROR, message);
+    }
+}
+
+/// Fail as a fault of ours would.
+#[cfg(debug_assertions)]
+#[allow(clippy::panic, reason = "that is what it is for")]
+pub(super) fn fail(_: &mut State, (): (), _: &base::CancelFlag) -> Result<serde_json::Value, Failure> {
+    panic!("this job was asked to fail")
+}

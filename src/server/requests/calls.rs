@@ -1,0 +1,101 @@
+//! F27: which macro calls which.
+
+use super::navigation::asked;
+use crate::convert::location;
+use lsp_types::{
+    CallHierarchyIncomingCall, CallHierarchyIncomingCallsParams, CallHierarchyItem,
+    CallHierarchyOutgoingCall, CallHierarchyOutgoingCallsParams, CallHierarchyPrepareParams, SymbolKind,
+    TextDocumentIdentifier, TextDocumentPositionParams,
+};
+
+use super::navigation::Asked;
+use crate::failure::Failure;
+use crate::state::State;
+use base::{CancelFlag, Span};
+use ide::{self, Caller};
+
+pub fn prepare_calls(
+    state: &mut State,
+    params: CallHierarchyPrepareParams,
+    cancel: &CancelFlag,
+) -> Result<Option<Vec<CallHierarchyItem>>, Failure> {
+    let asked = asked(state, &params.text_document_position_params, cancel)?;
+    let found = ide::macro_at(&asked.cx(), asked.offset);
+    Ok(found.and_then(|id| call_item(state, &asked, &Caller::Macro(id))).map(|item| vec![item]))
+}
+
+pub fn incoming_calls(
+    state: &mut State,
+    params: CallHierarchyIncomingCallsParams,
+    cancel: &CancelFlag,
+) -> Result<Option<Vec<CallHierarchyIncomingCall>>, Failure> {
+    let (asked, caller) = asked_about(state, &params.item, cancel)?;
+    let Some(Caller::Macro(id)) = caller else { return Ok(Some(Vec::new())) };
+    let calls = ide::incoming(&asked.cx(), id).into_iter().filter_map(|calls| {
+        Some(CallHierarchyIncomingCall {
+            from: call_item(state, &asked, &calls.other)?,
+            from_ranges: ranges(state, calls.at),
+        })
+    });
+    Ok(Some(calls.collect()))
+}
+
+pub fn outgoing_calls(
+    state: &mut State,
+    params: CallHierarchyOutgoingCallsParams,
+    cancel: &CancelFlag,
+) -> Result<Option<Vec<CallHierarchyOutgoingCall>>, Failure> {
+    let (asked, caller) = asked_about(state, &params.item, cancel)?;
+    let Some(caller) = caller else { return Ok(Some(Vec::new())) };
+    let calls = ide::outgoing(&asked.cx(), &caller).into_iter().filter_map(|calls| {
+        Some(CallHierarchyOutgoingCall {
+            to: call_item(state, &asked, &calls.other)?,
+            from_ranges: ranges(state, calls.at),
+        })
+    });
+    Ok(Some(calls.collect()))
+}
+
+/// The macro or file that an item stands for, as things are now.
+fn asked_about(
+    state: &mut State,
+    item: &CallHierarchyItem,
+    cancel: &CancelFlag,
+) -> Result<(Asked, Option<Caller>), Failure> {
+    let text_document = TextDocumentIdentifier { uri: item.uri.clone() };
+    let at = TextDocumentPositionParams { text_document, position: item.selection_range.start };
+    let asked = asked(state, &at, cancel)?;
+    let caller = match item.kind {
+        SymbolKind::FILE => Some(Caller::File(asked.source.id)),
+        _ => ide::macro_at(&asked.cx(), asked.offset).map(Caller::Macro),
+    };
+    Ok((asked, caller))
+}
+
+fn call_item(state: &State, asked: &Asked, caller: &Caller) -> Option<CallHierarchyItem> {
+    let cx = asked.cx();
+    let target = ide::caller_target(&cx, caller)?;
+    let (whole, name) = (location(state, target.whole)?, location(state, target.name)?);
+    let path = state.world.session().vfs.path(target.whole.file);
+    let file = path.file_name()?.to_string_lossy().into_owned();
+    let (name_text, kind, detail) = match caller {
+        Caller::Macro(id) => {
+            (cx.expansion.symbols.get(*id)?.name.to_string(), SymbolKind::FUNCTION, Some(file))
+        }
+        Caller::File(_) => (file, SymbolKind::FILE, None),
+    };
+    Some(CallHierarchyItem {
+        name: name_text,
+        kind,
+        tags: None,
+        detail,
+        uri: whole.uri,
+        range: whole.range,
+        selection_range: name.range,
+        data: None,
+    })
+}
+
+fn ranges(state: &State, spans: Vec<Span>) -> Vec<lsp_types::Range> {
+    spans.into_iter().filter_map(|span| Some(location(state, span)?.range)).collect()
+}

@@ -1,0 +1,77 @@
+//! The operations of our own protocol as commands, for clients without custom requests.
+
+use super::actions::apply_offered;
+use super::expand_at::{expand_at, set_instance};
+use super::expansion::expand;
+use super::lenses::calls_of;
+use crate::files::rewrite_mesh;
+use crate::preview::preview_page;
+use crate::roots::{set_args, set_root, tree};
+use lsp_types::ExecuteCommandParams;
+use serde_json::Value;
+
+use crate::client::ClientFacts;
+use crate::failure::Failure;
+use crate::state::State;
+use base::CancelFlag;
+
+/// Makes the edits of an action, for clients that take actions as commands only.
+pub(crate) const APPLY: &str = "xacro.applyEdit";
+
+/// The commands for all clients.
+const NAMES: &[&str] = &[
+    "xacro.expand",
+    "xacro.expandAt",
+    "xacro.preview",
+    "xacro.restartAnalysis",
+    "xacro.rewriteMesh",
+    "xacro.selectInstance",
+    "xacro.selectRoot",
+    "xacro.setArgs",
+    "xacro.showReferences",
+    "xacro.tree",
+];
+
+/// The commands that a client may run.
+pub(crate) fn offered(client: &ClientFacts) -> impl Iterator<Item = &'static str> + use<> {
+    let apply = (client.applies_edits && !client.action_literals).then_some(APPLY);
+    NAMES.iter().copied().chain(apply)
+}
+
+pub fn command(
+    state: &mut State,
+    params: ExecuteCommandParams,
+    cancel: &CancelFlag,
+) -> Result<Option<Value>, Failure> {
+    let argument = params.arguments.into_iter().next().unwrap_or(Value::Null);
+    match params.command.as_str() {
+        APPLY => apply_offered(state, parsed(argument)?).map(|()| None),
+        "xacro.expand" => {
+            expand(state, parsed(argument)?, cancel).map(|answer| serde_json::to_value(answer).ok())
+        }
+        "xacro.expandAt" => {
+            expand_at(state, parsed(argument)?, cancel).map(|answer| serde_json::to_value(answer).ok())
+        }
+        "xacro.rewriteMesh" => rewrite_mesh(state, &parsed(argument)?).map(|()| None),
+        "xacro.selectInstance" => set_instance(state, parsed(argument)?, cancel).map(Some),
+        "xacro.setArgs" => {
+            set_args(state, parsed(argument)?, cancel).map(|roots| serde_json::to_value(roots).ok())
+        }
+        "xacro.showReferences" => {
+            calls_of(state, &parsed(argument)?, cancel).map(|(_, places)| serde_json::to_value(places).ok())
+        }
+        "xacro.selectRoot" => set_root(state, parsed(argument)?, cancel).map(Some),
+        "xacro.tree" => tree(state, parsed(argument)?, cancel).map(|tree| serde_json::to_value(tree).ok()),
+        "xacro.preview" => preview_page(state, argument).map(Some),
+        "xacro.restartAnalysis" => {
+            state.world.reload();
+            state.schedule();
+            Ok(None)
+        }
+        other => Err(Failure::Invalid(format!("there is no command `{other}`"))),
+    }
+}
+
+fn parsed<T: serde::de::DeserializeOwned>(argument: Value) -> Result<T, Failure> {
+    serde_json::from_value(argument).map_err(|error| Failure::Invalid(error.to_string()))
+}

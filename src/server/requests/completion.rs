@@ -1,0 +1,209 @@
+//! What helps while somebody types: completion, signatures, end tags and indentation.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use lsp_types::{
+    CompletionItem, CompletionItemKind, CompletionItemLabelDetails, CompletionList, CompletionParams,
+    CompletionResponse, CompletionTextEdit, DocumentOnTypeFormattingParams, InsertReplaceEdit,
+    InsertTextFormat, ParameterInformation, ParameterLabel, SignatureHelp, SignatureHelpParams,
+    SignatureInformation, TextEdit, Url,
+};
+use serde::{Deserialize, Serialize};
+
+use crate::convert;
+use crate::failure::Failure;
+use crate::state::State;
+use analysis::{Analyzed, RootChoice};
+use base::{CancelFlag, TextRange};
+use ide::{self, Completion, Completions, ItemKind, Scope, Signature, Sources, Topic};
+use vfs::SourceFile;
+
+/// What comes back when an item is looked at.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Origin {
+    uri: Url,
+    topic: Topic,
+}
+
+/// What an answer is taken from, kept alive.
+struct Kept {
+    source: Arc<SourceFile>,
+    root: RootChoice,
+    analyzed: Vec<Arc<Analyzed>>,
+    roots: Vec<PathBuf>,
+}
+
+pub fn completion(
+    state: &mut State,
+    params: CompletionParams,
+    cancel: &CancelFlag,
+) -> Result<Option<CompletionResponse>, Failure> {
+    let at = params.text_document_position;
+    let kept = kept(state, &at.text_document.uri, cancel)?;
+    let document = &kept.source.document;
+    let offset = convert::offset(document, at.position, state.encoding);
+    let trigger = params.context.and_then(|context| context.trigger_character);
+    let trigger = trigger.and_then(|text| text.chars().next());
+    let found = scoped(state, &kept, |scope| ide::completions(scope, offset, trigger));
+    let item = |(place, item): (usize, &Completion)| {
+        completion_item(state, &kept, &found, place, item, &at.text_document.uri)
+    };
+    let items = found.items.iter().enumerate().map(item).collect();
+    Ok(Some(CompletionResponse::List(CompletionList { is_incomplete: found.more, items })))
+}
+
+/// The file with everything that names in it are taken from.
+fn kept(state: &mut State, uri: &Url, cancel: &CancelFlag) -> Result<Kept, Failure> {
+    let (path, source) = state.source(uri)?;
+    let context = state.world.context(&path);
+    let root = context.root.unwrap_or_else(|| RootChoice::plain(&path));
+    let analyzed = state.world.while_typing(&root, &path, cancel);
+    if cancel.is_cancelled() {
+        return Err(Failure::Cancelled);
+    }
+    let mut roots: Vec<PathBuf> = context.candidates.into_iter().map(|(root, _)| root.file).collect();
+    roots.dedup();
+    Ok(Kept { source, root, analyzed, roots })
+}
+
+fn scoped<T>(state: &State, kept: &Kept, work: impl FnOnce(&Scope<'_>) -> T) -> T {
+    let expansions: Vec<_> =
+        kept.analyzed.iter().map(|known| (&known.expansion, known.robot.as_ref())).collect();
+    let session = state.world.session();
+    work(&Scope::new(Sources {
+        source: &kept.source,
+        root: &kept.root.file,
+        expansions: &expansions,
+        vfs: &session.vfs,
+        packages: &session.packages,
+        folders: state.world.folders(),
+        roots: &kept.roots,
+    }))
+}
+
+fn completion_item(
+    state: &State,
+    kept: &Kept,
+    all: &Completions,
+    place: usize,
+    item: &Completion,
+    uri: &Url,
+) -> CompletionItem {
+    let snippet = item.snippet.as_ref().filter(|_| state.client.snippets && state.snippets);
+    let text = snippet.unwrap_or(&item.text).clone();
+    let range = |range: TextRange| convert::range(&kept.source.document, range, state.encoding);
+    let edit = match state.client.insert_replace {
+        true => CompletionTextEdit::InsertAndReplace(InsertReplaceEdit {
+            new_text: text,
+            insert: range(all.insert),
+            replace: range(all.replace),
+        }),
+        false => CompletionTextEdit::Edit(TextEdit::new(range(all.insert), text)),
+    };
+    let note = Some(item.note.clone()).filter(|note| !note.is_empty());
+    let detail = Some(item.detail.clone()).filter(|detail| !detail.is_empty());
+    let details =
+        note.clone().map(|note| CompletionItemLabelDetails { detail: None, description: Some(note) });
+    let topic = item.topic.clone().map(|topic| Origin { uri: uri.clone(), topic });
+    CompletionItem {
+        label: item.label.clone(),
+        label_details: details.filter(|_| state.client.label_details),
+        kind: Some(kind(item.kind)),
+        detail: detail.or_else(|| note.filter(|_| !state.client.label_details)),
+        sort_text: Some(format!("{}{place:04}", item.rank)),
+        insert_text_format: snippet.map(|_| InsertTextFormat::SNIPPET),
+        text_edit: Some(edit),
+        data: topic.and_then(|origin| serde_json::to_value(origin).ok()),
+        ..CompletionItem::default()
+    }
+}
+
+/// The item with its documentation. What comes back need not be what was sent: an item whose data says nothing
+/// stays as it is.
+pub fn resolve_completion(
+    state: &mut State,
+    mut item: CompletionItem,
+    cancel: &CancelFlag,
+) -> Result<CompletionItem, Failure> {
+    let origin = item.data.clone().and_then(|data| serde_json::from_value::<Origin>(data).ok());
+    let Some(origin) = origin.filter(|_| item.documentation.is_none()) else { return Ok(item) };
+    let Ok(kept) = kept(state, &origin.uri, cancel) else { return Ok(item) };
+    let text = scoped(state, &kept, |scope| ide::documentation(scope, &origin.topic));
+    item.documentation = text.map(|text| state.client.item_docs.documentation(text));
+    Ok(item)
+}
+
+pub fn signature_help(
+    state: &mut State,
+    params: SignatureHelpParams,
+    cancel: &CancelFlag,
+) -> Result<Option<SignatureHelp>, Failure> {
+    let at = params.text_document_position_params;
+    let kept = kept(state, &at.text_document.uri, cancel)?;
+    let offset = convert::offset(&kept.source.document, at.position, state.encoding);
+    let found = scoped(state, &kept, |scope| ide::signature_help(scope, offset));
+    Ok(found.map(|found| SignatureHelp {
+        active_signature: Some(0),
+        active_parameter: found.active,
+        signatures: vec![signature(state, found)],
+    }))
+}
+
+fn signature(state: &State, found: Signature) -> SignatureInformation {
+    let width = |end: u32| found.label.get(..end as usize).unwrap_or("").encode_utf16().count() as u32;
+    let parameter = |range: &TextRange| ParameterInformation {
+        label: match state.client.label_offsets {
+            true => ParameterLabel::LabelOffsets([width(range.start), width(range.end)]),
+            false => ParameterLabel::Simple(range.slice(&found.label).to_owned()),
+        },
+        documentation: None,
+    };
+    let docs = Some(found.docs).filter(|docs| !docs.is_empty());
+    SignatureInformation {
+        parameters: Some(found.parameters.iter().map(parameter).collect()),
+        documentation: docs.map(|docs| state.client.signature_docs.documentation(docs)),
+        active_parameter: found.active,
+        label: found.label,
+    }
+}
+
+pub fn on_type(
+    state: &mut State,
+    params: DocumentOnTypeFormattingParams,
+    _: &CancelFlag,
+) -> Result<Option<Vec<TextEdit>>, Failure> {
+    let at = params.text_document_position;
+    let (_, source) = state.source(&at.text_document.uri)?;
+    let offset = convert::offset(&source.document, at.position, state.encoding);
+    let Some(character) = params.ch.chars().next() else { return Ok(None) };
+    let unit = match params.options.insert_spaces {
+        true => " ".repeat(params.options.tab_size.min(16) as usize),
+        false => "\t".to_owned(),
+    };
+    let edit = ide::on_type(&source.document, offset, character, &unit);
+    Ok(edit.map(|edit| {
+        vec![TextEdit::new(convert::range(&source.document, edit.range, state.encoding), edit.text)]
+    }))
+}
+
+fn kind(kind: ItemKind) -> CompletionItemKind {
+    match kind {
+        ItemKind::Element => CompletionItemKind::STRUCT,
+        ItemKind::Directive => CompletionItemKind::KEYWORD,
+        ItemKind::Macro | ItemKind::Function => CompletionItemKind::FUNCTION,
+        ItemKind::Attribute => CompletionItemKind::FIELD,
+        ItemKind::Choice => CompletionItemKind::ENUM_MEMBER,
+        ItemKind::Link => CompletionItemKind::CLASS,
+        ItemKind::Joint => CompletionItemKind::EVENT,
+        ItemKind::Color => CompletionItemKind::COLOR,
+        ItemKind::Property | ItemKind::Constant => CompletionItemKind::CONSTANT,
+        ItemKind::Parameter | ItemKind::Argument => CompletionItemKind::VARIABLE,
+        ItemKind::Block | ItemKind::Snippet => CompletionItemKind::SNIPPET,
+        ItemKind::Module | ItemKind::Package => CompletionItemKind::MODULE,
+        ItemKind::Key => CompletionItemKind::PROPERTY,
+        ItemKind::File => CompletionItemKind::FILE,
+        ItemKind::Folder => CompletionItemKind::FOLDER,
+    }
+}

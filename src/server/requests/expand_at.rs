@@ -1,0 +1,105 @@
+//! F34: what one place expands to, and which call of a macro is looked at.
+
+use super::expansion::chosen;
+use super::navigation::asked;
+use crate::mapping::label;
+use crate::roots::context_changed;
+use std::path::Path;
+
+use lsp_types::{Range, TextDocumentPositionParams};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use super::expansion::Root;
+use super::navigation::Asked;
+use crate::convert;
+use crate::failure::Failure;
+use crate::state::State;
+use analysis::RootChoice;
+use base::CancelFlag;
+
+#[derive(Clone, Debug, Deserialize)]
+pub(crate) struct ExpandAtParams {
+    #[serde(flatten)]
+    pub at: TextDocumentPositionParams,
+    pub root: Option<Root>,
+    /// Which of the ways that lead there, from 0.
+    pub instance: Option<usize>,
+}
+
+/// What a place expands to.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct ExpandedPlace {
+    pub kind: &'static str,
+    pub title: String,
+    pub range: Range,
+    pub expanded: String,
+    pub instances: usize,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+pub(crate) struct SetInstanceParams {
+    #[serde(flatten)]
+    pub at: TextDocumentPositionParams,
+    /// Which call of the macro, from 0; none: all of them again.
+    pub instance: Option<usize>,
+}
+
+pub fn expand_at(
+    state: &mut State,
+    params: ExpandAtParams,
+    cancel: &CancelFlag,
+) -> Result<Option<ExpandedPlace>, Failure> {
+    let mut asked = asked(state, &params.at, cancel)?;
+    if let Some(root) = params.root {
+        let root = chosen(state, root)?;
+        let analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+        asked = Asked { analyzed, pinned: None, ..asked };
+    }
+    let found = ide::expand_at(&asked.cx(), asked.analyzed.written(), asked.offset, params.instance);
+    Ok(found.map(|found| ExpandedPlace {
+        kind: found.kind,
+        title: found.title,
+        range: convert::range(&asked.source.document, found.range, state.encoding),
+        expanded: found.expanded,
+        instances: found.instances,
+    }))
+}
+
+pub fn set_instance(
+    state: &mut State,
+    params: SetInstanceParams,
+    cancel: &CancelFlag,
+) -> Result<Value, Failure> {
+    let asked = asked(state, &params.at, cancel)?;
+    let root = asked.analyzed.root.file.clone();
+    match params.instance {
+        None => {
+            state.pins.remove(&root);
+        }
+        Some(index) => {
+            let pin = ide::pin(&asked.cx(), asked.offset, index).map_err(|count| {
+                Failure::Invalid(match count {
+                    0 => "no macro that is called stands here".to_owned(),
+                    _ => format!("there is no instance {index}: the macro is called {count} times"),
+                })
+            })?;
+            state.pins.insert(root, pin);
+        }
+    }
+    context_changed(state, cancel);
+    Ok(Value::Null)
+}
+
+/// The call that was picked under a root, when it is a call of a macro of the file.
+pub fn pinned_label(
+    state: &mut State,
+    path: &Path,
+    root: &RootChoice,
+    cancel: &CancelFlag,
+) -> Option<String> {
+    let pin = state.pins.get(&root.file).filter(|pin| pin.file == path)?.clone();
+    let analyzed = state.world.analyzed(root, cancel)?;
+    let frame = ide::pinned(&analyzed.expansion, &pin)?;
+    Some(label(state, &analyzed, frame))
+}

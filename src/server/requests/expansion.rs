@@ -1,0 +1,136 @@
+//! `xacro/expand`: the expanded document of a root.
+
+use crate::convert::location;
+use crate::mapping::{map_of, named};
+use std::collections::BTreeMap;
+use std::time::Instant;
+
+use lsp_types::{Location, TextDocumentIdentifier, Url};
+use serde::{Deserialize, Serialize};
+
+use crate::failure::Failure;
+use crate::state::State;
+use analysis::{RootChoice, World};
+use base::{CancelFlag, Span};
+use expand::{Expansion, Place, Severity};
+use ide::SourceMap;
+
+/// A root as the protocol names it.
+#[derive(Clone, Debug, Serialize, Deserialize, PartialEq, Eq)]
+pub(crate) struct Root {
+    pub uri: Url,
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub args: BTreeMap<String, String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub preset: Option<String>,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct ExpandParams {
+    pub text_document: TextDocumentIdentifier,
+    pub root: Option<Root>,
+    #[serde(default)]
+    pub args: BTreeMap<String, String>,
+    #[serde(default)]
+    pub source_map: bool,
+    /// Expand what is on the disk instead of what is open, with these texts in place of some files: an earlier
+    /// version to compare with.
+    pub texts: Option<BTreeMap<Url, String>>,
+}
+
+/// The expanded document, and what kept it from being complete.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Expanded {
+    pub ok: bool,
+    pub urdf: String,
+    pub root: Root,
+    /// All arguments with the values they had.
+    pub args: BTreeMap<String, String>,
+    pub errors: Vec<ExpandError>,
+    #[serde(rename = "sourceMap", skip_serializing_if = "Option::is_none")]
+    pub source_map: Option<SourceMap>,
+    /// How long it took, in milliseconds.
+    pub ms: f64,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct ExpandError {
+    pub message: String,
+    pub code: String,
+    pub location: Location,
+    pub stack: Vec<StackEntry>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct StackEntry {
+    pub name: String,
+    pub location: Location,
+}
+
+pub fn expand(state: &mut State, params: ExpandParams, cancel: &CancelFlag) -> Result<Expanded, Failure> {
+    let begin = Instant::now();
+    let (path, _) = state.source(&params.text_document.uri)?;
+    let mut root = match params.root {
+        Some(root) => chosen(state, root)?,
+        None => state.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path)),
+    };
+    for (name, value) in params.args {
+        root.args.retain(|(known, _)| *known != name);
+        root.args.push((name, value));
+    }
+    let other = params.texts.is_some();
+    let analyzed = match params.texts {
+        Some(texts) => earlier(state, texts).analyzed(&root, cancel),
+        None => state.world.analyzed(&root, cancel),
+    };
+    let analyzed = analyzed.ok_or(Failure::Cancelled)?;
+    let expansion = &analyzed.expansion;
+    Ok(Expanded {
+        ok: !expansion.has_errors() && expansion.root_error.is_none(),
+        urdf: analyzed.written().text.clone(),
+        root: named(state, &root)?,
+        args: expansion.arguments.iter().map(|(n, v)| (n.to_string(), v.to_string())).collect(),
+        // places in texts that nobody sees lead nowhere
+        errors: if other { Vec::new() } else { errors(state, expansion) },
+        source_map: (params.source_map && !other).then(|| map_of(state, &analyzed)),
+        ms: begin.elapsed().as_secs_f64() * 1e3,
+    })
+}
+
+/// The files on the disk, with other texts for some.
+fn earlier(state: &State, texts: BTreeMap<Url, String>) -> World {
+    let mut world = state.world.on_disk();
+    for (uri, text) in texts {
+        world.set_text(&state.path(&uri), text);
+    }
+    world
+}
+
+/// A root that the client names.
+pub fn chosen(state: &State, root: Root) -> Result<RootChoice, Failure> {
+    let (file, _) = state.source(&root.uri)?;
+    Ok(RootChoice { file, args: root.args.into_iter().collect(), preset: root.preset })
+}
+
+pub fn errors(state: &State, expansion: &Expansion) -> Vec<ExpandError> {
+    let place = |place: Place| {
+        let file = expansion.files.get(place.file.0 as usize)?.source.id;
+        location(state, Span { file, range: place.range })
+    };
+    let problems = expansion.problems.iter().filter(|p| p.severity == Severity::Error && !p.probed);
+    let error = problems.filter_map(|problem| {
+        let stack = problem
+            .trace
+            .iter()
+            .filter_map(|step| Some(StackEntry { name: step.message.clone(), location: place(step.place)? }));
+        let code = rules::by_code(problem.code).map_or(problem.code, |rule| rule.name);
+        Some(ExpandError {
+            message: problem.message.clone(),
+            code: code.to_owned(),
+            location: place(problem.place)?,
+            stack: stack.collect(),
+        })
+    });
+    error.collect()
+}

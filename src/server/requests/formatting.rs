@@ -1,0 +1,50 @@
+//! Formatting of documents and ranges.
+
+use std::path::Path;
+
+use lsp_types::{DocumentFormattingParams, DocumentRangeFormattingParams, FormattingOptions, TextEdit};
+
+use crate::convert;
+use crate::failure::Failure;
+use crate::state::State;
+use base::{CancelFlag, TextRange};
+use ide::{self, Indent};
+use workspace::config::Format;
+use xml::Document;
+
+pub fn format(
+    state: &mut State,
+    params: DocumentFormattingParams,
+    _: &CancelFlag,
+) -> Result<Option<Vec<TextEdit>>, Failure> {
+    let (path, source) = state.source(&params.text_document.uri)?;
+    let edits = ide::format(&source.document, &indent(&params.options), &format_options(state, &path));
+    Ok(Some(text_edits(state, &source.document, edits)))
+}
+
+pub fn format_range(
+    state: &mut State,
+    params: DocumentRangeFormattingParams,
+    _: &CancelFlag,
+) -> Result<Option<Vec<TextEdit>>, Failure> {
+    let (path, source) = state.source(&params.text_document.uri)?;
+    let document = &source.document;
+    let range = convert::text_range(document, params.range, state.encoding);
+    let edits = ide::format_range(document, range, &indent(&params.options), &format_options(state, &path));
+    Ok(Some(text_edits(state, document, edits)))
+}
+
+fn format_options(state: &State, path: &Path) -> Format {
+    state.world.session().settings(path).config.format.clone()
+}
+
+fn text_edits(state: &State, document: &Document, edits: Vec<(TextRange, String)>) -> Vec<TextEdit> {
+    let edit = |(range, text)| TextEdit::new(convert::range(document, range, state.encoding), text);
+    edits.into_iter().map(edit).collect()
+}
+
+/// The steps of indentation that an editor asks for.
+fn indent(options: &FormattingOptions) -> Indent {
+    let columns = options.tab_size.min(16) as usize;
+    if options.insert_spaces { Indent::blanks(columns) } else { Indent::tabs(columns) }
+}

@@ -1,0 +1,57 @@
+//! F4: what is shown under the pointer.
+
+use super::navigation::asked;
+use lsp_types::{HoverContents, HoverParams, TextDocumentPositionParams};
+
+use super::navigation::Asked;
+use crate::convert;
+use crate::failure::Failure;
+use crate::state::State;
+use base::CancelFlag;
+use ide::{self, Cx, Hover};
+use vfs::SourceFile;
+
+pub fn hover(
+    state: &mut State,
+    params: HoverParams,
+    cancel: &CancelFlag,
+) -> Result<Option<lsp_types::Hover>, Failure> {
+    if let Some(found) = hover_while_typing(state, &params.text_document_position_params)? {
+        return Ok(Some(found));
+    }
+    let asked = asked(state, &params.text_document_position_params, cancel)?;
+    Ok(hover_at(state, &asked, asked.offset).map(|hover| hover_answer(state, &asked.source, hover)))
+}
+
+/// What can be said of a name in a large robot that was edited, without expanding it anew.
+fn hover_while_typing(
+    state: &mut State,
+    at: &TextDocumentPositionParams,
+) -> Result<Option<lsp_types::Hover>, Failure> {
+    let (path, source) = state.source(&at.text_document.uri)?;
+    let Some(before) = state.world.before_typing(&path) else { return Ok(None) };
+    let cx = Cx {
+        source: &source,
+        expansion: &before.expansion,
+        robot: before.robot.as_ref(),
+        kinematics: before.kinematics.as_ref(),
+        pinned: None,
+    };
+    let offset = convert::offset(&source.document, at.position, state.encoding);
+    let found = ide::hover_while_typing(&cx, offset, |path| state.world.document(path));
+    Ok(found.map(|hover| hover_answer(state, &source, hover)))
+}
+
+fn hover_answer(state: &State, source: &SourceFile, hover: Hover) -> lsp_types::Hover {
+    lsp_types::Hover {
+        range: Some(convert::range(&source.document, hover.range, state.encoding)),
+        contents: HoverContents::Markup(state.client.hover.contents(hover.markdown)),
+    }
+}
+
+/// What there is to say about an offset of a file.
+pub fn hover_at(state: &State, asked: &Asked, offset: u32) -> Option<Hover> {
+    let session = state.world.session();
+    let settings = session.settings(&asked.source.path);
+    ide::hover(&asked.cx(), session.surroundings(&settings.config), offset)
+}

@@ -1,0 +1,159 @@
+//! F23: lines above macros and the robot: how often it is called, commands.
+
+use super::navigation::asked;
+use crate::convert::location;
+use std::collections::BTreeMap;
+
+use lsp_types::{
+    CodeLens, CodeLensParams, Command, Location, TextDocumentIdentifier, TextDocumentPositionParams, Url,
+};
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+use super::navigation::Asked;
+use super::tokens::start_of;
+use crate::convert;
+use crate::failure::Failure;
+use crate::state::State;
+use base::{CancelFlag, TextRange};
+
+/// The macro whose calls a lens counts.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct CallsOf {
+    uri: Url,
+    position: lsp_types::Position,
+    /// Which macro it was when the lens was made: text above it may have moved it since.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    of: Option<Named>,
+}
+
+/// A macro of a file: its name, and how many of that name stand in front of it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+struct Named {
+    name: String,
+    before: usize,
+}
+
+pub fn lenses(
+    state: &mut State,
+    params: CodeLensParams,
+    cancel: &CancelFlag,
+) -> Result<Option<Vec<CodeLens>>, Failure> {
+    if !state.client.shows_lenses() {
+        return Ok(None);
+    }
+    let text_document = params.text_document.clone();
+    let asked = asked(state, &start_of(params.text_document), cancel)?;
+    let document = &asked.source.document;
+    let mut found = Vec::new();
+    if asked.analyzed.root.file == *asked.source.path
+        && let Some(root) = document.root().filter(|_| asked.analyzed.robot.is_some())
+    {
+        let range = convert::range(document, root.name_range(), state.encoding);
+        found.extend(root_lenses(state, &text_document, &asked.analyzed.expansion.arguments, range));
+    }
+    if !state.client.own.lens_commands {
+        return Ok(Some(found));
+    }
+    for (of, name) in macros(&asked) {
+        let range = convert::range(document, name, state.encoding);
+        let calls = CallsOf { uri: text_document.uri.clone(), position: range.start, of: Some(of) };
+        found.push(CodeLens { range, command: None, data: serde_json::to_value(&calls).ok() });
+        let here = json!({ "textDocument": text_document, "position": range.start });
+        found.push(lens(range, "expand", "xacro.expandAt", here));
+    }
+    Ok(Some(found))
+}
+
+fn root_lenses(
+    state: &State,
+    document: &TextDocumentIdentifier,
+    arguments: &[(ecow::EcoString, ecow::EcoString)],
+    range: lsp_types::Range,
+) -> Vec<CodeLens> {
+    const MOST: usize = 3;
+    let here = json!({ "textDocument": document });
+    if !state.client.own.lens_commands {
+        // the only command whose result the server itself can have shown
+        let shown = json!({ "textDocument": document, "show": true });
+        return vec![lens(range, "Preview", "xacro.preview", shown)];
+    }
+    let mut found = vec![lens(range, "Preview", "xacro.preview", here.clone())];
+    found.push(lens(range, "Expand", "xacro.expand", here.clone()));
+    for (name, value) in arguments.iter().take(MOST) {
+        found.push(lens(range, &format!("{name}:={value} ▾"), "xacro.setArgs", here.clone()));
+    }
+    found
+}
+
+/// The lens with the number of calls.
+pub fn resolve_lens(state: &mut State, mut lens: CodeLens, cancel: &CancelFlag) -> Result<CodeLens, Failure> {
+    let calls: Option<CallsOf> = lens.data.clone().and_then(|data| serde_json::from_value(data).ok());
+    let Some(calls) = calls else { return Ok(lens) };
+    let calls = where_now(state, calls, cancel)?;
+    let (root, places) = calls_of(state, &calls, cancel)?;
+    let number = places.len();
+    let plural = if number == 1 { "" } else { "s" };
+    let arguments = vec![json!(calls), json!(places)];
+    lens.command = Some(Command {
+        title: format!("{number} call{plural} in {root}"),
+        command: "xacro.showReferences".to_owned(),
+        arguments: Some(arguments),
+    });
+    Ok(lens)
+}
+
+/// The same macro at the place where it stands now.
+fn where_now(state: &mut State, calls: CallsOf, cancel: &CancelFlag) -> Result<CallsOf, Failure> {
+    let Some(of) = calls.of else { return Ok(calls) };
+    let asked = asked(state, &start_of(TextDocumentIdentifier { uri: calls.uri.clone() }), cancel)?;
+    let found = macros(&asked).find(|(known, _)| *known == of);
+    let (_, name) = found.ok_or(Failure::Outdated)?;
+    let position = convert::position(&asked.source.document, name.start, state.encoding);
+    Ok(CallsOf { uri: calls.uri, position, of: None })
+}
+
+/// The calls of a macro, and the roots they were looked for in.
+pub fn calls_of(
+    state: &mut State,
+    of: &CallsOf,
+    cancel: &CancelFlag,
+) -> Result<(String, Vec<Location>), Failure> {
+    let text_document = TextDocumentIdentifier { uri: of.uri.clone() };
+    let at = TextDocumentPositionParams { text_document, position: of.position };
+    let asked = asked(state, &at, cancel)?;
+    let cx = asked.cx();
+    let calls = ide::macro_at(&cx, asked.offset).map(|id| ide::calls_of(&cx, id)).unwrap_or_default();
+    let places = calls.into_iter().filter_map(|span| location(state, span)).collect();
+    let candidates = state.world.context(&asked.source.path).candidates;
+    // of several roots, only the active one is counted
+    let root = match candidates.len() {
+        0 | 1 => "1 root".to_owned(),
+        _ => asked.analyzed.root.file.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+    };
+    Ok((root, places))
+}
+
+/// The macros of a file, and where their names stand.
+fn macros(asked: &Asked) -> impl Iterator<Item = (Named, TextRange)> {
+    let mut seen: BTreeMap<String, usize> = BTreeMap::new();
+    ide::macros_of(&asked.cx()).into_iter().map(move |(_, range)| {
+        let name = asked.source.document.slice(range);
+        let count = seen.entry(name.clone()).or_default();
+        let before = std::mem::replace(count, *count + 1);
+        (Named { name, before }, range)
+    })
+}
+
+/// A lens with a command.
+fn lens(range: lsp_types::Range, title: &str, command: &str, argument: Value) -> CodeLens {
+    CodeLens {
+        range,
+        command: Some(Command {
+            title: title.to_owned(),
+            command: command.to_owned(),
+            arguments: Some(vec![argument]),
+        }),
+        data: None,
+    }
+}

@@ -1,0 +1,32 @@
+//! F22: names of files as links.
+
+use super::navigation::asked;
+use lsp_types::{DocumentLink, DocumentLinkParams};
+
+use super::tokens::start_of;
+use crate::convert;
+use crate::failure::Failure;
+use crate::state::State;
+use base::CancelFlag;
+use ide::{self, FileName, FileTarget};
+
+pub fn links(
+    state: &mut State,
+    params: DocumentLinkParams,
+    cancel: &CancelFlag,
+) -> Result<Option<Vec<DocumentLink>>, Failure> {
+    let asked = asked(state, &start_of(params.text_document), cancel)?;
+    let session = state.world.session();
+    let settings = session.settings(&asked.source.path);
+    let names = ide::file_names(&asked.cx(), session.surroundings(&settings.config));
+    let link = |FileName { range, target, .. }: FileName| {
+        let FileTarget::Found(path) = target else { return None };
+        Some(DocumentLink {
+            range: convert::range(&asked.source.document, range, state.encoding),
+            target: Some(state.uri(&path)?),
+            tooltip: Some(path.to_string_lossy().into_owned()),
+            data: None,
+        })
+    };
+    Ok(Some(names.into_iter().filter_map(link).collect()))
+}

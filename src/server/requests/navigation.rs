@@ -1,0 +1,235 @@
+//! Going to definitions, finding references.
+
+use crate::convert::location;
+use std::sync::Arc;
+
+use lsp_types::{
+    DocumentHighlight, DocumentHighlightKind, DocumentHighlightParams, GotoDefinitionParams,
+    GotoDefinitionResponse, Location, LocationLink, Range, TextDocumentPositionParams, Url,
+};
+
+use crate::convert;
+use crate::failure::Failure;
+use crate::state::State;
+use analysis::{Analyzed, RootChoice};
+use base::{CancelFlag, Span, TextRange};
+use expand::FrameId;
+use ide::{self, Cx, FilePlace, Target};
+use vfs::SourceFile;
+
+/// A place in a file under its active root.
+pub(crate) struct Asked {
+    pub source: Arc<SourceFile>,
+    pub analyzed: Arc<Analyzed>,
+    /// Bytes from the start of the file.
+    pub offset: u32,
+    /// The call that the user picked under this root.
+    pub pinned: Option<FrameId>,
+}
+
+impl Asked {
+    /// The file in the expansion of its root.
+    pub fn cx(&self) -> Cx<'_> {
+        Cx {
+            source: &self.source,
+            expansion: &self.analyzed.expansion,
+            robot: self.analyzed.robot.as_ref(),
+            kinematics: self.analyzed.kinematics.as_ref(),
+            pinned: self.pinned,
+        }
+    }
+}
+
+/// A position of a request, under the active root of its file; a file that no root reaches is expanded by
+/// itself.
+pub fn asked(
+    state: &mut State,
+    at: &TextDocumentPositionParams,
+    cancel: &CancelFlag,
+) -> Result<Asked, Failure> {
+    let (path, source) = state.source(&at.text_document.uri)?;
+    let offset = convert::offset(&source.document, at.position, state.encoding);
+    let root = state.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path));
+    let mut analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+    if !analyzed.includes(&path) {
+        // the root reaches the file on paper only: a condition keeps it out
+        analyzed = state.world.analyzed(&RootChoice::plain(&path), cancel).ok_or(Failure::Cancelled)?;
+    }
+    let pin = state.pins.get(&analyzed.root.file);
+    let pinned = pin.and_then(|pin| ide::pinned(&analyzed.expansion, pin));
+    Ok(Asked { source, analyzed, offset, pinned })
+}
+
+pub fn definition(
+    state: &mut State,
+    params: GotoDefinitionParams,
+    cancel: &CancelFlag,
+) -> Result<Option<GotoDefinitionResponse>, Failure> {
+    let asked = asked(state, &params.text_document_position_params, cancel)?;
+    // a name of xacro comes first, then a file, then the link or joint that the whole text names
+    let is_symbol = asked.cx().symbol_at(asked.offset).is_some();
+    let file = if is_symbol { None } else { about_files(state, &asked, ide::file_definition) };
+    if let Some((origin, place)) = file {
+        return Ok(file_target(state, &asked, origin, &place, state.client.links.definition));
+    }
+    let Some((origin, targets)) = ide::definitions(&asked.cx(), asked.offset) else { return Ok(None) };
+    let origin = convert::range(&asked.source.document, origin, state.encoding);
+    Ok(places_of(state, origin, &targets, state.client.links.definition))
+}
+
+pub fn declaration(
+    state: &mut State,
+    params: GotoDefinitionParams,
+    cancel: &CancelFlag,
+) -> Result<Option<GotoDefinitionResponse>, Failure> {
+    let asked = asked(state, &params.text_document_position_params, cancel)?;
+    let Some((origin, target)) = ide::declaration(&asked.cx(), asked.offset) else { return Ok(None) };
+    let origin = convert::range(&asked.source.document, origin, state.encoding);
+    Ok(places_of(state, origin, &[target], state.client.links.declaration))
+}
+
+pub fn type_definition(
+    state: &mut State,
+    params: GotoDefinitionParams,
+    cancel: &CancelFlag,
+) -> Result<Option<GotoDefinitionResponse>, Failure> {
+    let asked = asked(state, &params.text_document_position_params, cancel)?;
+    let found = about_files(state, &asked, ide::type_definition);
+    let links = state.client.links.type_definition;
+    Ok(found.and_then(|(origin, place)| file_target(state, &asked, origin, &place, links)))
+}
+
+/// What a macro makes, in the expanded text; none for a client that could not open it.
+pub fn implementation(
+    state: &mut State,
+    params: GotoDefinitionParams,
+    cancel: &CancelFlag,
+) -> Result<Option<GotoDefinitionResponse>, Failure> {
+    if !state.client.own.expanded_documents {
+        return Ok(None);
+    }
+    let asked = asked(state, &params.text_document_position_params, cancel)?;
+    let written = asked.analyzed.written();
+    let Some((origin, found)) = ide::implementations(&asked.cx(), written, asked.offset) else {
+        return Ok(None);
+    };
+    let Some(uri) = expanded_uri(state, &asked.analyzed.root) else { return Ok(None) };
+    let origin = convert::range(&asked.source.document, origin, state.encoding);
+    let lines = ide::Lines::of(&written.text, state.encoding);
+    let links = found.into_iter().map(|range| {
+        let range = crate::mapping::expanded_range(&lines, range);
+        LocationLink {
+            origin_selection_range: Some(origin),
+            target_uri: uri.clone(),
+            target_range: range,
+            target_selection_range: range,
+        }
+    });
+    Ok(links_or_places(links.collect(), state.client.links.implementation))
+}
+
+/// The name of the expanded text of a root.
+fn expanded_uri(state: &State, root: &RootChoice) -> Option<Url> {
+    let stem = root.file.file_name()?.to_string_lossy().into_owned();
+    let stem = stem.split('.').next().unwrap_or("").to_owned();
+    let mut uri = Url::parse(&format!("xacro-expanded:/{stem}.urdf")).ok()?;
+    uri.query_pairs_mut().append_pair("root", state.uri(&root.file)?.as_str());
+    Some(uri)
+}
+
+/// What an answer about files says of a place.
+pub fn about_files<T>(
+    state: &State,
+    asked: &Asked,
+    answer: impl Fn(&Cx<'_>, rules::Surroundings<'_>, u32) -> Option<T>,
+) -> Option<T> {
+    let session = state.world.session();
+    let settings = session.settings(&asked.source.path);
+    answer(&asked.cx(), session.surroundings(&settings.config), asked.offset)
+}
+
+fn file_target(
+    state: &State,
+    asked: &Asked,
+    origin: TextRange,
+    place: &FilePlace,
+    links: bool,
+) -> Option<GotoDefinitionResponse> {
+    let origin = convert::range(&asked.source.document, origin, state.encoding);
+    let file = state.world.session().vfs.file_id(&place.path);
+    let range = match place.range == TextRange::default() || !ide::is_text(&place.path) {
+        true => Range::default(),
+        false => location(state, Span { file, range: place.range })?.range,
+    };
+    let link = LocationLink {
+        origin_selection_range: Some(origin),
+        target_uri: state.uri(&place.path)?,
+        target_range: range,
+        target_selection_range: range,
+    };
+    links_or_places(vec![link], links)
+}
+
+fn places_of(
+    state: &State,
+    origin: Range,
+    targets: &[Target],
+    links: bool,
+) -> Option<GotoDefinitionResponse> {
+    let found = targets.iter().filter_map(|target| link(state, origin, target));
+    links_or_places(found.collect(), links)
+}
+
+fn link(state: &State, origin: Range, target: &Target) -> Option<LocationLink> {
+    let name = location(state, target.name)?;
+    Some(LocationLink {
+        origin_selection_range: Some(origin),
+        target_uri: name.uri,
+        target_range: location(state, target.whole)?.range,
+        target_selection_range: name.range,
+    })
+}
+
+pub fn highlights(
+    state: &mut State,
+    params: DocumentHighlightParams,
+    cancel: &CancelFlag,
+) -> Result<Option<Vec<DocumentHighlight>>, Failure> {
+    let asked = asked(state, &params.text_document_position_params, cancel)?;
+    let document = &asked.source.document;
+    let highlight = |range: TextRange, kind| DocumentHighlight {
+        range: convert::range(document, range, state.encoding),
+        kind: Some(kind),
+    };
+    if let Some(tags) = ide::matching_tags(document, asked.offset) {
+        // conditions come in numbers; their ends are found by folding
+        let name = tags.first().map(|tag| document.slice(*tag)).unwrap_or_default();
+        if matches!(name.as_str(), "xacro:if" | "xacro:unless") {
+            return Ok(Some(Vec::new()));
+        }
+        let tags = tags.into_iter().map(|tag| highlight(tag, DocumentHighlightKind::TEXT));
+        return Ok(Some(tags.collect()));
+    }
+    let uses = ide::occurrences(&asked.cx(), asked.offset).into_iter();
+    let own = uses.filter(|used| used.span.file == asked.source.id).map(|used| {
+        let kind = match used.is_definition {
+            true => DocumentHighlightKind::WRITE,
+            false => DocumentHighlightKind::READ,
+        };
+        let Span { range, .. } = used.span;
+        highlight(range, kind)
+    });
+    Ok(Some(own.collect()))
+}
+
+/// Targets as links, or as plain places for a request whose answers the client takes as such only.
+fn links_or_places(found: Vec<LocationLink>, links: bool) -> Option<GotoDefinitionResponse> {
+    if found.is_empty() {
+        return None;
+    }
+    if links {
+        return Some(GotoDefinitionResponse::Link(found));
+    }
+    let plain = found.into_iter().map(|link| Location::new(link.target_uri, link.target_selection_range));
+    Some(GotoDefinitionResponse::Array(plain.collect()))
+}

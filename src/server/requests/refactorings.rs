@@ -1,0 +1,242 @@
+//! Refactorings: what is offered at a place, and the edits of what was picked.
+//!
+//! A client that asks for edits when an action is picked gets none before. They are worked out for the text as it is
+//! then; when that is another one, the client is told to ask anew.
+
+use super::navigation::asked;
+use super::rename::is_ours;
+use std::path::Path;
+
+use lsp_types::{
+    CodeAction, CodeActionDisabled, CodeActionParams, CodeActionTriggerKind, CreateFile,
+    DocumentChangeOperation, DocumentChanges, OneOf, OptionalVersionedTextDocumentIdentifier, Range,
+    ResourceOp, TextDocumentEdit, TextDocumentPositionParams, TextEdit, Url, WorkspaceEdit,
+};
+use serde::{Deserialize, Serialize};
+
+use super::actions::code_action;
+use super::actions::kind;
+use super::navigation::Asked;
+use crate::convert;
+use crate::failure::Failure;
+use crate::state::State;
+use base::limits::QUICK_PROOF_EXPANSIONS;
+use base::{CancelFlag, TextRange};
+use facts::{MentionKind, facts};
+use ide::{self, Action, ActionKind};
+use vfs::SourceFile;
+use xml::Document;
+
+/// Robots of fewer nodes are expanded in a few milliseconds.
+const SMALL: usize = 5_000;
+
+/// Where an action was offered, so that its edits can be made later.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+struct Offered {
+    uri: Url,
+    range: Range,
+    /// The version of the text; none when the file was not open.
+    version: Option<i32>,
+}
+
+/// Whether it is tried out what a robot would be with a macro's text in the place of a call.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Inline {
+    /// Nobody wants to know.
+    No,
+    /// Nobody asked, the editor wants to show a sign: in a large robot that would hold up what is typed.
+    InSmallRobots,
+    /// Whatever it takes.
+    Yes,
+}
+
+/// The refactorings at a place, with their edits unless the client asks for these later.
+pub fn refactor_actions(
+    state: &mut State,
+    params: &CodeActionParams,
+    inlines: bool,
+    cancel: &CancelFlag,
+) -> Result<Vec<CodeAction>, Failure> {
+    let (uri, range) = (&params.text_document.uri, params.range);
+    let later = state.client.resolves_actions;
+    let version = state.documents.get(&state.path(uri)).and_then(|open| open.version);
+    let data = serde_json::to_value(Offered { uri: uri.clone(), range, version }).ok();
+    let is_automatic = params.context.trigger_kind == Some(CodeActionTriggerKind::AUTOMATIC);
+    let inline = match (inlines, is_automatic) {
+        (false, _) => Inline::No,
+        (true, true) => Inline::InSmallRobots,
+        (true, false) => Inline::Yes,
+    };
+    let mut found = all_refactorings(state, uri, range, inline, cancel)?;
+    for action in found.iter_mut().filter(|action| later && action.edit.is_some()) {
+        (action.edit, action.data) = (None, data.clone());
+    }
+    Ok(found)
+}
+
+/// Those that change text, those that make files, and those that cannot be made, with the reason.
+fn all_refactorings(
+    state: &mut State,
+    uri: &Url,
+    range: Range,
+    inline: Inline,
+    cancel: &CancelFlag,
+) -> Result<Vec<CodeAction>, Failure> {
+    let (path, source) = state.source(uri)?;
+    let selection = convert::text_range(&source.document, range, state.encoding);
+    let document = lsp_types::TextDocumentIdentifier { uri: uri.clone() };
+    let asked = asked(state, &TextDocumentPositionParams::new(document, range.start), cancel)?;
+    let mut found: Vec<CodeAction> =
+        inlined_macro(state, &asked, selection.start, inline, cancel)?.into_iter().collect();
+    let actions = refactorings(state, &asked, selection, cancel)?;
+    found.extend(actions.into_iter().filter_map(|action| code_action(state, action, None)));
+    found.extend(moved_to_file(state, &path, &source, selection));
+    found.extend(refused(state, &asked, selection));
+    Ok(found)
+}
+
+/// The text of a macro in the place of its call. That it leaves the robot the same has to be tried out: where it
+/// does not, it cannot be made.
+fn inlined_macro(
+    state: &mut State,
+    asked: &Asked,
+    offset: u32,
+    inline: Inline,
+    cancel: &CancelFlag,
+) -> Result<Option<CodeAction>, Failure> {
+    let is_tried = match inline {
+        Inline::No => false,
+        Inline::InSmallRobots => asked.analyzed.expansion.tree.len() < SMALL,
+        Inline::Yes => true,
+    };
+    let Some(action) = ide::inline_macro(&asked.cx(), offset).filter(|_| is_tried) else {
+        return Ok(None);
+    };
+    if stays_the_same(state, asked, &action, cancel)? {
+        return Ok(code_action(state, action, None));
+    }
+    let reason = "the robot would not stay the same: what the call passes means something else there";
+    Ok(state.client.disabled_actions.then(|| disabled(action.title, action.kind, reason.to_owned())))
+}
+
+/// The same action with its edits.
+pub fn resolve_action(
+    state: &mut State,
+    action: CodeAction,
+    cancel: &CancelFlag,
+) -> Result<CodeAction, Failure> {
+    let offered = action.data.clone().and_then(|data| serde_json::from_value::<Offered>(data).ok());
+    let Some(Offered { uri, range, version }) = offered.filter(|_| action.edit.is_none()) else {
+        return Ok(action);
+    };
+    if state.documents.get(&state.path(&uri)).and_then(|open| open.version) != version {
+        return Err(Failure::Outdated);
+    }
+    let inlines = action.kind.as_ref() == Some(&kind(ActionKind::Inline));
+    let inline = if inlines { Inline::Yes } else { Inline::No };
+    let all = all_refactorings(state, &uri, range, inline, cancel)?;
+    let same = |known: &CodeAction| known.title == action.title && known.kind == action.kind;
+    let edit = all.into_iter().find(same).and_then(|known| known.edit).ok_or(Failure::Outdated)?;
+    Ok(CodeAction { edit: Some(edit), ..action })
+}
+
+/// Whether every robot is the same with the edits of an action, which are all in the file that was asked about.
+fn stays_the_same(
+    state: &State,
+    asked: &Asked,
+    action: &Action,
+    cancel: &CancelFlag,
+) -> Result<bool, Failure> {
+    let edits = action.edits.iter().map(|edit| (edit.span.range, edit.content.clone())).collect();
+    let effort = state.world.effort(&asked.source.path, QUICK_PROOF_EXPANSIONS, cancel);
+    let is_same = state.world.session().stays_the_same(&asked.source.path, edits, &effort);
+    if cancel.is_cancelled() { Err(Failure::Cancelled) } else { Ok(is_same) }
+}
+
+/// What cannot be made, for clients that show it.
+fn refused(state: &State, asked: &Asked, selection: TextRange) -> Option<CodeAction> {
+    if !state.client.disabled_actions || !asked.source.document.errors().is_empty() {
+        return None;
+    }
+    let session = state.world.session();
+    let settings = session.settings(&asked.source.path);
+    let world = session.surroundings(&settings.config);
+    let ide::Refused { title, reason } = ide::of_mesh(&asked.cx(), world, selection.start).err()?;
+    Some(disabled(title, ActionKind::Rewrite, reason))
+}
+
+fn refactorings(
+    state: &mut State,
+    asked: &Asked,
+    selection: TextRange,
+    cancel: &CancelFlag,
+) -> Result<Vec<Action>, Failure> {
+    let session = state.world.session();
+    let settings = session.settings(&asked.source.path);
+    let world = session.surroundings(&settings.config);
+    let mut actions = ide::refactorings(&asked.cx(), world, selection);
+    if let Some((_, name)) = ide::inlinable(&asked.cx(), selection.start) {
+        // files of other robots may read the property
+        state.world.scan(|| cancel.is_cancelled());
+        if !state.world.is_scanned() {
+            return Err(Failure::Cancelled);
+        }
+        let others = state.world.known_files().into_iter().filter(|file| !asked.analyzed.includes(file));
+        let reads =
+            |file: &Path| state.world.document(file).is_some_and(|own| mentions(&own.document, &name));
+        if others.into_iter().any(|file| reads(&file)) {
+            actions.retain(|action| action.kind != ActionKind::Inline);
+        }
+    }
+    Ok(actions)
+}
+
+/// Elements moved to a file of their own, for clients that make files.
+fn moved_to_file(
+    state: &State,
+    path: &Path,
+    source: &SourceFile,
+    selection: TextRange,
+) -> Option<CodeAction> {
+    if !state.client.creates_files || !is_ours(state, path) {
+        return None;
+    }
+    let folder = path.parent()?;
+    let vfs = &state.world.session().vfs;
+    let (action, file) = ide::move_to_file(source, selection, |name| vfs.exists(&folder.join(name)))?;
+    let uri = Url::from_file_path(folder.join(&file.name)).ok()?;
+    let mut operations = vec![
+        DocumentChangeOperation::Op(ResourceOp::Create(CreateFile {
+            uri: uri.clone(),
+            options: None,
+            annotation_id: None,
+        })),
+        DocumentChangeOperation::Edit(TextDocumentEdit {
+            text_document: OptionalVersionedTextDocumentIdentifier { uri, version: None },
+            edits: vec![OneOf::Left(TextEdit::new(Range::default(), file.text))],
+        }),
+    ];
+    let made = code_action(state, action, None)?;
+    if let Some(DocumentChanges::Edits(edits)) = made.edit.as_ref()?.document_changes.clone() {
+        operations.extend(edits.into_iter().map(DocumentChangeOperation::Edit));
+    }
+    let changes = Some(DocumentChanges::Operations(operations));
+    let edit = WorkspaceEdit { document_changes: changes, ..WorkspaceEdit::default() };
+    Some(CodeAction { edit: Some(edit), ..made })
+}
+
+/// An action that cannot be made, and why.
+fn disabled(title: String, of: ActionKind, reason: String) -> CodeAction {
+    CodeAction {
+        title,
+        kind: Some(kind(of)),
+        disabled: Some(CodeActionDisabled { reason }),
+        ..CodeAction::default()
+    }
+}
+
+/// Whether an expression of a document reads a name.
+fn mentions(document: &Document, name: &str) -> bool {
+    let reads = |mention: &facts::Mention| mention.kind == MentionKind::Name && mention.name == name;
+    facts(document).any(|(_, facts)| facts.mentions().any(reads))
+}

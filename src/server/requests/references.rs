@@ -1,0 +1,130 @@
+//! All uses of a name: in the robot that the file is shown under, in the others that share it, and in YAML files.
+
+use super::navigation::asked;
+use crate::convert::places;
+use std::path::PathBuf;
+
+use lsp_types::{Location, ReferenceParams};
+
+use super::navigation::Asked;
+use crate::failure::Failure;
+use crate::state::State;
+use analysis::Analyzed;
+use base::limits::RENAME_ROBOTS;
+use base::{CancelFlag, Span, TextRange};
+use expand::Read;
+use ide::{self, Cx, NameUse, RobotThing};
+use vfs::SourceFile;
+use yaml::{Kind, Node};
+
+pub fn references(
+    state: &mut State,
+    params: ReferenceParams,
+    cancel: &CancelFlag,
+) -> Result<Option<Vec<Location>>, Failure> {
+    let asked = asked(state, &params.text_document_position, cancel)?;
+    let with_definition = params.context.include_declaration;
+    let mut uses = ide::occurrences(&asked.cx(), asked.offset);
+    let is_symbol = asked.cx().symbol_at(asked.offset).is_some();
+    let thing = ide::robot_name_at(&asked.cx(), asked.offset).filter(|_| !is_symbol);
+    let mut robots = vec![asked.analyzed.clone()];
+    robots.extend(sharing(state, &asked, &mut uses, thing.as_ref(), cancel)?);
+    let uses = uses.into_iter().filter(|used| with_definition || !used.is_definition);
+    let mut spans: Vec<Span> = uses.map(|used| used.span).collect();
+    if let Some(thing) = &thing {
+        for place in robots.iter().flat_map(|robot| in_yaml(state, robot, thing)) {
+            if !spans.contains(&place) {
+                spans.push(place);
+            }
+        }
+    }
+    let mut places = places(state);
+    Ok(Some(spans.into_iter().filter_map(|span| places.location(span)).collect()))
+}
+
+/// The other robots that read the text which gives a name; their uses are added.
+fn sharing(
+    state: &mut State,
+    asked: &Asked,
+    uses: &mut Vec<NameUse>,
+    thing: Option<&RobotThing>,
+    cancel: &CancelFlag,
+) -> Result<Vec<std::sync::Arc<Analyzed>>, Failure> {
+    let given: Vec<Span> = uses.iter().filter(|used| used.is_definition).map(|used| used.span).collect();
+    let mut roots = Vec::new();
+    for span in &given {
+        let path = state.world.session().vfs.path(span.file);
+        for (root, _) in state.world.context(&path).candidates {
+            if root != asked.analyzed.root && !roots.contains(&root) {
+                roots.push(root);
+            }
+        }
+    }
+    let mut robots = Vec::new();
+    for root in roots.into_iter().take(RENAME_ROBOTS) {
+        let analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+        let found = in_robot(&analyzed, &given, thing);
+        if !found.is_empty() {
+            robots.push(analyzed);
+        }
+        for used in found {
+            if !uses.iter().any(|known| known.span == used.span) {
+                uses.push(used);
+            }
+        }
+    }
+    Ok(robots)
+}
+
+/// The values of the YAML files that a robot reads which are the name.
+fn in_yaml(state: &State, robot: &Analyzed, thing: &RobotThing) -> Vec<Span> {
+    let vfs = &state.world.session().vfs;
+    let is_yaml = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "yaml" || ending == "yml");
+    let mut found = Vec::new();
+    for read in robot.expansion.record.iter() {
+        let Read::File(path, _) = read else { continue };
+        let Some(file) = Some(path).filter(|path| is_yaml(path)).and_then(|path| vfs.yaml(path, "").ok())
+        else {
+            continue;
+        };
+        let mut places = Vec::new();
+        if let Ok(root) = &file.value {
+            values(root, &thing.name, &mut places);
+        }
+        let id = vfs.file_id(path);
+        found.extend(places.into_iter().map(|range| Span { file: id, range }));
+    }
+    found
+}
+
+/// The uses of a name in another robot, when the text that gives it gives it there too.
+fn in_robot(robot: &Analyzed, given: &[Span], thing: Option<&RobotThing>) -> Vec<NameUse> {
+    let expansion = &robot.expansion;
+    let source = |span: &Span| -> Option<&SourceFile> {
+        let file = expansion.files.iter().find(|file| file.source.id == span.file)?;
+        Some(&file.source)
+    };
+    for span in given {
+        let Some(source) = source(span) else { continue };
+        let (kinematics, robot) = (robot.kinematics.as_ref(), robot.robot.as_ref());
+        let cx = Cx { source, expansion, robot, kinematics, pinned: None };
+        let found = match thing {
+            Some(thing) => ide::uses_of(&cx, thing),
+            None => ide::occurrences(&cx, span.range.start),
+        };
+        if found.iter().any(|used| used.is_definition && used.span == *span) {
+            return found;
+        }
+    }
+    Vec::new()
+}
+
+/// The places of the texts of a YAML value that are a name; keys are none.
+fn values(node: &Node, name: &str, found: &mut Vec<TextRange>) {
+    match &node.kind {
+        Kind::Str(text) if *text == name => found.push(node.range),
+        Kind::List(items) => items.iter().for_each(|item| values(item, name, found)),
+        Kind::Map(entries) => entries.iter().for_each(|(_, value)| values(value, name, found)),
+        _ => {}
+    }
+}
