@@ -62,6 +62,18 @@ impl Solid {
         Self::of(points, triangles)
     }
 
+    /// A cylinder along z around the origin, with half spheres at its ends.
+    pub fn capsule(radius: f64, length: f64) -> Self {
+        let mut capsule = Self::sphere(radius);
+        // the triangles at the equator of the sphere become the sides of the cylinder
+        for (i, [_, _, z]) in capsule.points.iter_mut().enumerate() {
+            let ring = (i as u32).saturating_sub(2) / SIDES + 1;
+            let is_upper = i == 0 || i > 1 && ring < RINGS / 2;
+            *z += if is_upper { length / 2.0 } else { -length / 2.0 };
+        }
+        capsule
+    }
+
     /// A sphere around the origin.
     pub fn sphere(radius: f64) -> Self {
         let mut points = vec![[0.0, 0.0, radius], [0.0, 0.0, -radius]];
