@@ -17,7 +17,8 @@ impl Version {
 
     /// The version that a text names as urdfdom reads it: two numbers with a point between, nothing behind them.
     pub fn parse(text: &str) -> Option<Self> {
-        let number = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit()).then(|| text.parse().ok())?;
+        let number =
+            |text: &str| text.bytes().all(|byte| byte.is_ascii_digit()).then(|| text.parse().ok())?;
         let (major, minor) = text.trim_start().split_once('.')?;
         Some(Self(number(major)?, number(minor)?))
     }

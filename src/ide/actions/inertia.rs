@@ -102,8 +102,8 @@ fn capsule(r: f64, l: f64) -> [f64; 3] {
     let round = 4.0 * r / (3.0 * l + 4.0 * r);
     let straight = 1.0 - round;
     let along = straight * r * r / 2.0 + round * 0.4 * r * r;
-    let across = straight * (r * r / 4.0 + l * l / 12.0)
-        + round * (0.4 * r * r + l * l / 4.0 + 3.0 * l * r / 8.0);
+    let across =
+        straight * (r * r / 4.0 + l * l / 12.0) + round * (0.4 * r * r + l * l / 4.0 + 3.0 * l * r / 8.0);
     [across, across, along]
 }
 

@@ -8,6 +8,7 @@ mod urdf;
 use std::sync::LazyLock;
 
 use base::FastMap;
+use model::Version;
 
 /// An element below certain parents. Elements of one name below different parents have entries of their own.
 #[derive(Clone, Copy, Debug)]

@@ -25,7 +25,12 @@ const SHAPES: &[&str] = &["geometry"];
 pub(super) static ROBOT: ElementSpec =
     el("robot", &[], "The description of a robot: links, and the joints between them").with(&[
         at("name", Name, "The name of the robot").required(),
-        at("version", Choice(VERSIONS), "The version of the URDF format; readers before urdfdom 5.1 take 1.0 only").default("1.0"),
+        at(
+            "version",
+            Choice(VERSIONS),
+            "The version of the URDF format; readers before urdfdom 5.1 take 1.0 only",
+        )
+        .default("1.0"),
     ]);
 
 /// The elements inside of it, parents before children.
@@ -69,8 +74,7 @@ pub(super) static ELEMENTS: &[ElementSpec] = &[
     el("limit", &["joint"], "How far, how fast and how strongly the joint moves").with(&[
         at("lower", Number, "The lowest position").unit("rad or m").default("0"),
         at("upper", Number, "The highest position").unit("rad or m").default("0"),
-        at("effort", Number, "The greatest torque or force; required before URDF 1.2")
-            .unit("N m or N"),
+        at("effort", Number, "The greatest torque or force; required before URDF 1.2").unit("N m or N"),
         at("velocity", Number, "The greatest speed; required before URDF 1.2").unit("rad/s or m/s"),
         at("acceleration", Number, "The greatest acceleration; from URDF 1.2 on")
             .unit("rad/s² or m/s²")
@@ -78,9 +82,7 @@ pub(super) static ELEMENTS: &[ElementSpec] = &[
         at("deceleration", Number, "The greatest deceleration; from URDF 1.2 on")
             .unit("rad/s² or m/s²")
             .since(Version::V1_2),
-        at("jerk", Number, "The greatest jerk; from URDF 1.2 on")
-            .unit("rad/s³ or m/s³")
-            .since(Version::V1_2),
+        at("jerk", Number, "The greatest jerk; from URDF 1.2 on").unit("rad/s³ or m/s³").since(Version::V1_2),
     ]),
     el("dynamics", &["joint"], "Damping and friction of the joint, for simulators").with(&[
         at("damping", Number, "Viscous damping").unit("N m s/rad or N s/m").default("0"),
@@ -131,7 +133,11 @@ pub(super) static ELEMENTS: &[ElementSpec] = &[
         at("izz", Number, "Moment about z").unit("kg m²").required(),
     ]),
     el("origin", &["visual", "collision"], "Where the geometry stands in the link's frame").with(POSE),
-    el("geometry", &["visual", "collision"], "The shape: one of box, cylinder, sphere, mesh; capsule from URDF 1.1 on"),
+    el(
+        "geometry",
+        &["visual", "collision"],
+        "The shape: one of box, cylinder, sphere, mesh; capsule from URDF 1.1 on",
+    ),
     el(
         "material",
         &["visual"],
