@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::super::context::{DocumentCx, is_plain_urdf};
+use super::super::context::{DocumentCx, RootKind, is_plain_urdf};
 use super::super::edits::{source_text, speaks_xacro};
 use super::super::numbers::rewrite;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
@@ -94,7 +94,10 @@ fn blanks(cx: &DocumentCx<'_>, id: XId, name: &str, count: usize, text: &Text, o
 fn written(cx: &DocumentCx<'_>, text: &Text) -> Option<String> {
     let (file, _, source) = source_text(cx.expansion, text.origin)?;
     let path = &cx.expansion.files.get(file.0 as usize)?.source.path;
-    let is_plain = file == FileIdx(0) && is_plain_urdf(path) && !speaks_xacro(cx.expansion, text.origin);
+    let is_plain = cx.kind == RootKind::Robot
+        && file == FileIdx(0)
+        && is_plain_urdf(path)
+        && !speaks_xacro(cx.expansion, text.origin);
     (is_plain && text.is_literal()).then_some(source)
 }
 

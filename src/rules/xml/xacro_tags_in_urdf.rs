@@ -48,8 +48,13 @@ fn expressions(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         let attrs = numbers(node).filter_map(|attribute| node.attr(attribute.name));
         attrs.into_iter().find(|attr| attr.raw().contains("${")).map(|attr| (base, attr))
     });
-    let Some((base, attr)) = written else { return };
-    let is_declared = cx.root_attrs().any(|attr| attr.name().starts_with("xmlns:"));
+    let Some((base, attr)) = written.filter(|_| is_robot(cx)) else { return };
+    let is_for_xacro = cx.root_attrs().any(|attr| attr.name() == "xmlns:xacro");
+    let severity = match is_for_xacro {
+        true if reads_as_it_stands(cx) => Severity::Warning,
+        true => Severity::Info,
+        false => Severity::Error,
+    };
     out.report_in(
         cx.file,
         attr.value_range().shift(base),
@@ -58,9 +63,14 @@ fn expressions(cx: &FileCx<'_>, out: &mut Sink<'_>) {
             attr.raw()
         ),
     )
-    .severity(if is_declared { Severity::Warning } else { Severity::Error })
+    .severity(severity)
     .help("write the number, or rename the file to `.urdf.xacro`, and expand it")
     .done();
+}
+
+/// Whether a file stands on its own: others are for files that include them.
+fn is_robot(cx: &FileCx<'_>) -> bool {
+    cx.root_attrs().any(|attr| attr.name() == "name") && cx.elements().any(|(_, node)| node.name() == "link")
 }
 
 /// Whether something is lost when the tags are skipped: properties that no expression reads give nothing.
