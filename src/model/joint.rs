@@ -5,6 +5,7 @@ use ecow::EcoString;
 use super::pose::Pose;
 use super::source::child;
 use super::text::Text;
+use super::version::Version;
 use expand::{XId, XTree};
 
 /// A `joint` of the robot.
@@ -86,9 +87,14 @@ pub struct Limit {
     pub upper: Option<Text>,
     pub effort: Option<Text>,
     pub velocity: Option<Text>,
+    /// `acceleration`, `deceleration` and `jerk`; none in robots older than URDF 1.2, where nobody reads them.
+    pub dynamic: [Option<Text>; 3],
 }
 
 impl Limit {
+    /// The names of the entries of [`Limit::dynamic`].
+    pub const DYNAMIC: [&'static str; 3] = ["acceleration", "deceleration", "jerk"];
+
     /// `lower` and `upper`, zero where absent as in urdfdom; none when one is not known.
     pub fn range(&self) -> Option<(f64, f64)> {
         let bound = |text: &Option<Text>| text.as_ref().map_or(Some(0.0), Text::number);
@@ -143,7 +149,9 @@ impl Joint {
             limit: first("limit").map(|element| {
                 let text = text(element);
                 let (lower, upper) = (text("lower"), text("upper"));
-                Limit { element, lower, upper, effort: text("effort"), velocity: text("velocity") }
+                let (effort, velocity) = (text("effort"), text("velocity"));
+                let dynamic = Limit::DYNAMIC.map(|name| text(name).filter(|_| Version::V1_2.is_in(tree)));
+                Limit { element, lower, upper, effort, velocity, dynamic }
             }),
             dynamics: first("dynamics").map(|element| {
                 let text = text(element);

@@ -12,6 +12,7 @@ mod source;
 #[cfg(test)]
 mod tests;
 mod text;
+mod version;
 
 pub use blocks::{ControlJoint, Gazebo, Interface, Param, Ros2Control, Transmission};
 pub use canonical::same_robot;
@@ -26,3 +27,4 @@ pub use pose::{Pose, transform};
 pub use robot::Robot;
 pub use source::{attr_range, element_range, source_has_elements, source_mentions, tag_start};
 pub use text::{Text, decimal, is_decimal};
+pub use version::Version;

@@ -140,6 +140,13 @@ pub enum ShapeKind {
         /// Length.
         length: Option<Text>,
     },
+    /// `capsule` along z, centred: a cylinder with half spheres at its ends.
+    Capsule {
+        /// Radius.
+        radius: Option<Text>,
+        /// Length of the cylinder.
+        length: Option<Text>,
+    },
     /// `sphere`, centred.
     Sphere {
         /// Radius.
@@ -162,6 +169,7 @@ impl Shape {
         let kind = match tree.get(element).text.as_str() {
             "box" => ShapeKind::Box { size: text("size") },
             "cylinder" => ShapeKind::Cylinder { radius: text("radius"), length: text("length") },
+            "capsule" => ShapeKind::Capsule { radius: text("radius"), length: text("length") },
             "sphere" => ShapeKind::Sphere { radius: text("radius") },
             "mesh" => ShapeKind::Mesh { filename: text("filename"), scale: text("scale") },
             _ => ShapeKind::Other,

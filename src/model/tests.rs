@@ -1,4 +1,4 @@
-use super::{Kinematics, Robot, tag_start};
+use super::{Kinematics, Robot, ShapeKind, tag_start};
 use expand::{Expansion, Request, World, expand};
 use vfs::testing::Tree;
 use workspace::{PackageOptions, Packages};
@@ -133,4 +133,52 @@ fn tags_begin_in_the_source() {
     let (expansion, robot) = robot("\n  <link\n name='a'/>");
     let place = expansion.place(tag_start(&expansion, robot.links[0].element)).unwrap();
     assert_eq!(expansion.files[0].source.document.slice(place.range), "<link");
+}
+
+/// A robot of a version, a joint with an origin and a limit, a link with a capsule.
+fn versioned(version: &str, origin: &str) -> Robot {
+    let text = format!(
+        "<robot name='r'{version}><link name='a'><visual><geometry><capsule radius='1' length='2'/></geometry>\
+         </visual></link><joint name='j' type='revolute'><origin {origin}/>\
+         <limit lower='0' upper='1' acceleration='2' jerk='3'/></joint></robot>"
+    );
+    Robot::of(&expanded(&text)).unwrap()
+}
+
+#[test]
+fn quaternions_count_from_version_1_1_on() {
+    use std::f64::consts::FRAC_PI_2;
+    let table = [
+        ("", "quat_xyzw='0 0 1 1'", Some([0.0; 3])),
+        (" version='1.0'", "quat_xyzw='0 0 1 1' rpy='0 0 1'", Some([0.0, 0.0, 1.0])),
+        (" version='1.1'", "quat_xyzw='0 0 1 1'", Some([0.0, 0.0, FRAC_PI_2])),
+        (" version='1.2'", "quat_xyzw='3 0 0 3'", Some([FRAC_PI_2, 0.0, 0.0])),
+        (" version='1.1'", "quat_xyzw='0 0 0 0'", Some([0.0; 3])),
+        (" version='1.1'", "rpy='0 0 1'", Some([0.0, 0.0, 1.0])),
+        (" version='1.1'", "quat_xyzw='0 0 1 1' rpy='0 0 0'", None),
+        (" version='1.1'", "quat_xyzw='0 0 1'", None),
+    ];
+    for (version, origin, expected) in table {
+        let robot = versioned(version, origin);
+        let pose = robot.joints[0].origin.as_ref().unwrap();
+        let near = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12);
+        let found = pose.angles();
+        let is_same = found.zip(expected).map_or(found.is_none() && expected.is_none(), |(a, b)| near(a, b));
+        assert!(is_same, "{version} {origin}: {found:?}");
+        assert_eq!(pose.transform().is_some(), expected.is_some(), "{version} {origin}");
+    }
+}
+
+#[test]
+fn capsules_and_the_limits_of_version_1_2() {
+    for (version, expected) in [("", [false; 3]), (" version='1.2'", [true, false, true])] {
+        let robot = versioned(version, "");
+        let limit = robot.joints[0].limit.as_ref().unwrap();
+        assert_eq!(limit.dynamic.each_ref().map(Option::is_some), expected);
+        let ShapeKind::Capsule { radius, length } = &robot.links[0].visuals[0].shape().unwrap().kind else {
+            panic!("no capsule");
+        };
+        let number = |text: &Option<super::Text>| text.as_ref().and_then(super::Text::number);
+        assert_eq!((number(radius), number(length)), (Some(1.0), Some(2.0)));
+    }
 }

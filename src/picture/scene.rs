@@ -198,6 +198,7 @@ impl Solids<'_> {
         match shape {
             Shape::Box { size } => one(Solid::cuboid(*size)),
             Shape::Cylinder { radius, length } => one(Solid::cylinder(*radius, *length)),
+            Shape::Capsule { radius, length } => one(Solid::capsule(*radius, *length)),
             Shape::Sphere { radius } => one(Solid::sphere(*radius)),
             Shape::Unknown { problem } => Err(problem.clone()),
             Shape::Mesh { uri, scale, mesh, problem } => {

@@ -64,27 +64,40 @@ impl Solid {
 
     /// A sphere around the origin.
     pub fn sphere(radius: f64) -> Self {
-        let mut points = vec![[0.0, 0.0, radius], [0.0, 0.0, -radius]];
+        Self::round(radius, 0.0, (1..RINGS).collect())
+    }
+
+    /// A cylinder along z around the origin, with half spheres at its ends.
+    pub fn capsule(radius: f64, length: f64) -> Self {
+        // the cylinder stands between the two rings of the equator
+        Self::round(radius, length / 2.0, (1..=RINGS / 2).chain(RINGS / 2..RINGS).collect())
+    }
+
+    /// The rings of a sphere, those of the upper half moved up, the others down.
+    fn round(radius: f64, half: f64, rings: Vec<u32>) -> Self {
+        let mut points = vec![[0.0, 0.0, radius + half], [0.0, 0.0, -radius - half]];
         let mut triangles = Vec::new();
-        for ring in 1..RINGS {
+        let count = rings.len() as u32;
+        for (number, ring) in (1..).zip(rings) {
             let (out, up) = libm::sincos(PI * f64::from(ring) / f64::from(RINGS));
+            let z = radius * up + if number <= RINGS / 2 { half } else { -half };
             for i in 0..SIDES {
                 let (sin, cos) = libm::sincos(TAU * f64::from(i) / f64::from(SIDES));
-                points.push([radius * out * cos, radius * out * sin, radius * up]);
+                points.push([radius * out * cos, radius * out * sin, z]);
                 let next = (i + 1) % SIDES;
                 let at = |ring: u32, i: u32| 2 + (ring - 1) * SIDES + i;
-                if ring == 1 {
+                if number == 1 {
                     triangles.push([0, at(1, i), at(1, next)]);
                 } else {
                     triangles.extend(quad([
-                        at(ring - 1, i),
-                        at(ring, i),
-                        at(ring, next),
-                        at(ring - 1, next),
+                        at(number - 1, i),
+                        at(number, i),
+                        at(number, next),
+                        at(number - 1, next),
                     ]));
                 }
-                if ring == RINGS - 1 {
-                    triangles.push([1, at(ring, next), at(ring, i)]);
+                if number == count {
+                    triangles.push([1, at(number, next), at(number, i)]);
                 }
             }
         }

@@ -309,3 +309,48 @@ fn backgrounds() {
     );
     assert!(MOST_PIXELS < u64::from(u32::MAX));
 }
+
+#[test]
+fn a_capsule_is_a_cylinder_with_half_spheres() {
+    let capsule = visual("<capsule radius=\"1\" length=\"3\"/>", "1 1 1 1");
+    let drawn = scene(&Tree::new(), &chain(&[capsule], ""), &Content::default());
+    assert_eq!(drawn.problems, [""; 0]);
+    let bounds = model::Bounds::around(drawn.points().copied()).unwrap();
+    assert_eq!(bounds.size(), [2.0, 2.0, 5.0]);
+    let points = &drawn.parts[0].solid.points;
+    let off = |[x, y, z]: &[f64; 3]| (x.hypot(*y).hypot((z.abs() - 1.5).max(0.0)) - 1.0).abs();
+    assert!(points.iter().all(|point| off(point) < 1e-12));
+    // the straight part is there, and all sides look outwards
+    let rims = [-1.5, 1.5].map(|z| points.iter().filter(|point| (point[2] - z).abs() < 1e-12).count());
+    assert_eq!(rims, [64, 64]);
+    let solid = &drawn.parts[0].solid;
+    let volume: f64 = solid.triangles.iter().map(|&triangle| signed(solid.corners(triangle))).sum();
+    let exact = std::f64::consts::PI * (3.0 + 4.0 / 3.0);
+    assert!((volume / exact - 1.0).abs() < 0.01, "{volume} {exact}");
+}
+
+/// The volume between a triangle and the origin.
+fn signed([a, b, c]: [[f64; 3]; 3]) -> f64 {
+    let [a, b, c] = [a, b, c].map(nalgebra::Vector3::from);
+    a.dot(&b.cross(&c)) / 6.0
+}
+
+#[test]
+fn a_quaternion_turns_like_the_angles() {
+    let links = |version: &str, origin: &str| {
+        format!(
+            "<robot name=\"bot\" {version}><link name=\"a\"><visual><origin xyz=\"1 2 3\" {origin}/><geometry>\
+             <capsule radius=\"1\" length=\"3\"/></geometry></visual></link></robot>"
+        )
+    };
+    let points = |text: &str| -> Vec<[f64; 3]> {
+        scene(&Tree::new(), text, &Content::default()).points().copied().collect()
+    };
+    let turned = points(&links("version=\"1.1\"", "quat_xyzw=\"1 1 0 2\""));
+    let angles = nalgebra::UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(2.0, 1.0, 1.0, 0.0));
+    let (roll, pitch, yaw) = angles.euler_angles();
+    let expected = points(&links("", &format!("rpy=\"{roll} {pitch} {yaw}\"")));
+    let near = |(a, b): (&[f64; 3], &[f64; 3])| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9);
+    assert!(turned.len() == expected.len() && turned.iter().zip(&expected).all(near));
+    assert_ne!(points(&links("", "quat_xyzw=\"1 1 0 2\"")), turned);
+}

@@ -30,6 +30,13 @@ pub enum Shape {
         /// Length.
         length: f64,
     },
+    /// Along z, centred, with half spheres at its ends.
+    Capsule {
+        /// Radius.
+        radius: f64,
+        /// Length without the half spheres.
+        length: f64,
+    },
     /// Centred.
     Sphere {
         /// Radius.
@@ -131,6 +138,9 @@ impl<'a> Shapes<'a> {
             }
             ShapeKind::Cylinder { radius, length } => {
                 number(radius).zip(number(length)).map(|(radius, length)| Shape::Cylinder { radius, length })
+            }
+            ShapeKind::Capsule { radius, length } => {
+                number(radius).zip(number(length)).map(|(radius, length)| Shape::Capsule { radius, length })
             }
             ShapeKind::Sphere { radius } => number(radius).map(|radius| Shape::Sphere { radius }),
             ShapeKind::Mesh { filename, scale } => {

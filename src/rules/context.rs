@@ -9,7 +9,7 @@ use super::xacro::Mentions;
 use super::xml::{Numeric, Seen};
 use base::FastSet;
 use expand::{Expansion, FileIdx, XId};
-use model::{Joint, Kinematics, Link, Meshes, Robot};
+use model::{Joint, Kinematics, Link, Meshes, Robot, Version};
 use vfs::{SourceFile, Vfs};
 use workspace::Packages;
 use workspace::config::Config;
@@ -132,6 +132,12 @@ impl<'a> DocumentCx<'a> {
     /// The joints of the document.
     pub fn joints(&self) -> &[Joint] {
         self.robot.map_or(&[], |robot| &robot.joints)
+    }
+
+    /// Whether the robot is written in an older version of URDF; false where another file says which.
+    pub fn is_older_than(&self, version: Version) -> bool {
+        let own = || Version::of(&self.expansion.tree);
+        self.kind == RootKind::Robot && own().is_some_and(|own| own < version)
     }
 
     /// Whether every element of the document is there: nothing may be said about what is missing otherwise. In

@@ -93,6 +93,8 @@ impl Packages {
         if name.is_empty() {
             return malformed("no package name behind the two slashes");
         }
+        // readers put a slash between the folder and the path: a second one changes nothing
+        let path = path.trim_start_matches('/');
         let package = self.find(name, from_file);
         let mut places: Vec<PathBuf> =
             package.iter().map(|found| self.env.cwd.join(&found.path).join(path)).collect();

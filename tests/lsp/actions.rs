@@ -262,6 +262,7 @@ fn inertia_follows_from_the_geometry() {
     for (shape, expected) in [
         ("<box size=\"1 2 3\"/>", ["13", "10", "5"]),
         ("<cylinder radius=\"1\" length=\"2\"/>", ["7", "7", "6"]),
+        ("<capsule radius=\"1\" length=\"2\"/>", ["14.52", "14.52", "5.52"]),
         ("<sphere radius=\"0.5\"/>", ["1.2", "1.2", "1.2"]),
     ] {
         show(&mut client, &robot(&SOLID.replace("<box size=\"1 2 3\"/>", shape)));

@@ -42,6 +42,11 @@ export class Bodies {
         holder.add(new THREE.Mesh(geometry.rotateX(Math.PI / 2), material()));
         break;
       }
+      case 'capsule': {
+        const geometry = new THREE.CapsuleGeometry(shape.radius, shape.length, wire ? 5 : 12, wire ? 20 : 48);
+        holder.add(new THREE.Mesh(geometry.rotateX(Math.PI / 2), material()));
+        break;
+      }
       case 'mesh':
         return this.mesh(model, link, holder, body, wire);
       case 'unknown':

@@ -20,6 +20,8 @@ export interface Pose {
 export type Shape =
   | { kind: 'box'; size: [number, number, number] }
   | { kind: 'cylinder'; radius: number; length: number }
+  /** `length` is that of the cylinder, without the half spheres. */
+  | { kind: 'capsule'; radius: number; length: number }
   | { kind: 'sphere'; radius: number }
   /** `mesh` is the id of an entry of `Model.meshes`; without it `problem` says why there is none. */
   | { kind: 'mesh'; uri: string; scale: [number, number, number]; mesh?: string; problem?: string }

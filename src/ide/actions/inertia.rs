@@ -9,8 +9,8 @@ use model::{Body, Inertial, Link, ShapeKind, Text, element_range};
 use rules::Edit;
 use xml::Node;
 
-/// Write the inertia that follows from the geometry of the link at an offset: a box, a cylinder or a sphere with
-/// the mass that is given. The centre of mass is the centre of the shape. Nothing is offered where the numbers
+/// Write the inertia that follows from the geometry of the link at an offset: a box, a cylinder, a capsule or a sphere
+/// with the mass that is given. The centre of mass is the centre of the shape. Nothing is offered where the numbers
 /// differ from call to call.
 pub(super) fn from_geometry(cx: &Cx<'_>, offset: u32) -> Option<Action> {
     let document = &cx.source.document;
@@ -66,6 +66,7 @@ fn shape_name(body: &Body) -> Option<&'static str> {
     match body.shape()?.kind {
         ShapeKind::Box { .. } => Some("box"),
         ShapeKind::Cylinder { .. } => Some("cylinder"),
+        ShapeKind::Capsule { .. } => Some("capsule"),
         ShapeKind::Sphere { .. } => Some("sphere"),
         _ => None,
     }
@@ -85,6 +86,7 @@ fn solid(link: &Link) -> Option<[f64; 3]> {
             let across = r * r / 4.0 + l * l / 12.0;
             [across, across, r * r / 2.0]
         }
+        ShapeKind::Capsule { radius, length } => capsule(number(radius)?, number(length)?),
         ShapeKind::Sphere { radius } => {
             let r = number(radius)?;
             [0.4 * r * r; 3]
@@ -93,6 +95,16 @@ fn solid(link: &Link) -> Option<[f64; 3]> {
     };
     let inertia = [mass * x, mass * y, mass * z];
     inertia.iter().all(|entry| entry.is_finite() && *entry > 0.0).then_some(inertia)
+}
+
+/// The moments of a capsule for a mass of 1: those of its cylinder and of its half spheres, by their volumes.
+fn capsule(r: f64, l: f64) -> [f64; 3] {
+    let round = 4.0 * r / (3.0 * l + 4.0 * r);
+    let straight = 1.0 - round;
+    let along = straight * r * r / 2.0 + round * 0.4 * r * r;
+    let across =
+        straight * (r * r / 4.0 + l * l / 12.0) + round * (0.4 * r * r + l * l / 4.0 + 3.0 * l * r / 8.0);
+    [across, across, along]
 }
 
 /// The element `inertia` with these numbers.

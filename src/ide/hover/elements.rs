@@ -28,6 +28,11 @@ const NOTES: &[(&str, &str, &str)] = &[
     ("inertial", "inertia", "about the centre of mass, in the axes of the inertial frame"),
     ("geometry", "box", "centred at the origin"),
     ("geometry", "cylinder", "centred at the origin, along z"),
+    (
+        "geometry",
+        "capsule",
+        "centred at the origin, along z; `length` is that of the cylinder between the half spheres",
+    ),
     ("joint", "limit", "required for revolute and prismatic joints"),
 ];
 

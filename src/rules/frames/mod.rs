@@ -19,6 +19,7 @@ mod root_not_conventional;
 mod rpy_degrees;
 mod tool0_not_fixed;
 mod tool_frame_name;
+mod two_rotations;
 
 use super::registry::Rule;
 
@@ -41,4 +42,5 @@ pub(super) static RULES: &[Rule] = &[
     flange_tool0_offset::RULE,
     imu_frame_name::RULE,
     root_not_conventional::RULE,
+    two_rotations::RULE,
 ];

@@ -68,6 +68,10 @@ fn shape_bounds(cx: &DocumentCx<'_>, shape: &Shape) -> Option<Bounds> {
             let width = number(radius)? * 2.0;
             Bounds::centred([width, width, number(length)?])
         }
+        ShapeKind::Capsule { radius, length } => {
+            let width = number(radius)? * 2.0;
+            Bounds::centred([width, width, number(length)? + width])
+        }
         ShapeKind::Sphere { radius } => Bounds::centred([number(radius)? * 2.0; 3]),
         ShapeKind::Mesh { scale, .. } => mesh_bounds(cx.mesh(shape)?)?.scaled(factors(scale.as_ref())?),
         ShapeKind::Other => return None,
@@ -101,6 +105,10 @@ fn shape_volume(cx: &DocumentCx<'_>, shape: &Shape) -> Option<f64> {
     Some(match &shape.kind {
         ShapeKind::Box { size } => size.as_ref()?.numbers::<3>()?.into_iter().product(),
         ShapeKind::Cylinder { radius, length } => PI * number(radius)?.powi(2) * number(length)?,
+        ShapeKind::Capsule { radius, length } => {
+            let radius = number(radius)?;
+            PI * radius.powi(2) * (number(length)? + 4.0 / 3.0 * radius)
+        }
         ShapeKind::Sphere { radius } => 4.0 / 3.0 * PI * number(radius)?.powi(3),
         ShapeKind::Mesh { scale, .. } => {
             let surface = cx.mesh(shape)?.surface.filter(|surface| surface.edges.closed)?;

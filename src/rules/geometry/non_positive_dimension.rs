@@ -23,7 +23,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         for shape in body.geometry.iter().flat_map(|geometry| &geometry.shapes) {
             let lengths: Vec<(&str, &Text, Vec<f64>)> = match &shape.kind {
                 ShapeKind::Box { size } => length("size", size, |text| Some(text.numbers::<3>()?.to_vec())),
-                ShapeKind::Cylinder { radius, length: along } => {
+                ShapeKind::Cylinder { radius, length: along }
+                | ShapeKind::Capsule { radius, length: along } => {
                     let mut found = length("radius", radius, |text| Some(vec![text.number()?]));
                     found.extend(length("length", along, |text| Some(vec![text.number()?])));
                     found

@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::bodies;
-use model::{ShapeKind, tag_start};
+use model::{ShapeKind, Version, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO016",
@@ -28,18 +28,26 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let name = cx.expansion.tree.get(shape.element).text.as_str();
             let extension =
                 name.contains(':') || cx.world.config.allow_elements.iter().any(|known| known == name);
-            if !matches!(shape.kind, ShapeKind::Other) || extension {
+            let is_unknown = match shape.kind {
+                ShapeKind::Other => true,
+                ShapeKind::Capsule { .. } => cx.is_older_than(Version::V1_1),
+                _ => false,
+            };
+            if !is_unknown || extension {
                 continue;
             }
             let is_of_simulators = matches!(name, "capsule" | "ellipsoid" | "plane");
             let help = match name {
-                "capsule" => "urdfdom refuses it; Drake, MuJoCo, Bullet and Gazebo's SDF take capsules",
+                "capsule" => {
+                    "urdfdom reads capsules from 5.1 on, when the robot says version=\"1.1\"; Drake, MuJoCo and Bullet take them"
+                }
                 "ellipsoid" => "urdfdom refuses it; Drake, MuJoCo and Gazebo's SDF take ellipsoids",
                 "plane" => "urdfdom refuses it; MuJoCo, Bullet and Gazebo's SDF take planes",
                 "material" | "origin" => "move it out of `geometry`",
-                _ => "URDF has box, cylinder, sphere and mesh",
+                _ => "URDF has box, cylinder, sphere and mesh; capsule from version 1.1 on",
             };
-            let message = format!("link `{}`: `{name}` is no shape of URDF", link.shown());
+            let version = if name == "capsule" { " 1.0" } else { "" };
+            let message = format!("link `{}`: `{name}` is no shape of URDF{version}", link.shown());
             // outside of a package, it is for the programs that take the shape
             let root = cx.expansion.files.first().map(|file| &*file.source.path);
             let in_package = root.is_some_and(|root| cx.world.packages.containing(root).is_some());

@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::numbers::rewrite;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use model::JointType;
+use model::{JointType, Limit, Version};
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT008",
@@ -21,11 +21,13 @@ pub(super) const RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for joint in cx.joints().iter().filter(|joint| !joint.is(&[JointType::Fixed])) {
         let Some(limit) = &joint.limit else { continue };
-        for (name, text) in [("effort", &limit.effort), ("velocity", &limit.velocity)] {
+        let is_new = Version::V1_2.is_in(&cx.expansion.tree);
+        let strength = [("effort", &limit.effort), ("velocity", &limit.velocity)];
+        for (name, text) in strength.into_iter().chain(Limit::DYNAMIC.into_iter().zip(&limit.dynamic)) {
             let Some(text) = text else { continue };
             if let Some(value) = text.number().filter(|&value| value < 0.0) {
-                // SDFormat reads -1 as "no limit"
-                let severity = if value == -1.0 { Severity::Warning } else { Severity::Error };
+                // SDFormat reads -1 as "no limit"; urdfdom refuses it from URDF 1.2 on
+                let severity = if value == -1.0 && !is_new { Severity::Warning } else { Severity::Error };
                 let message = format!("joint `{}` has the negative {name} {}", joint.shown(), text.value);
                 let report = out
                     .report(text.origin, message)

@@ -3,8 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use model::JointType;
-use model::tag_start;
+use model::{Joint, JointType, Limit, Version, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT003",
@@ -21,11 +20,8 @@ pub(super) const RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for joint in cx.joints() {
         let Some(limit) = &joint.limit else { continue };
-        let missing: Vec<&str> = [("effort", &limit.effort), ("velocity", &limit.velocity)]
-            .into_iter()
-            .filter(|(_, text)| text.is_none())
-            .map(|(name, _)| name)
-            .collect();
+        let is_new = Version::V1_2.is_in(&cx.expansion.tree);
+        let missing = if is_new { missing_bounds(joint, limit) } else { missing_strength(limit) };
         if missing.is_empty() {
             continue;
         }
@@ -33,7 +29,25 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let message = format!("the limit of joint `{}` has no {}", joint.shown(), missing.join(" and no "));
         out.report(tag_start(cx.expansion, limit.element), message)
             .severity(if fixed { Severity::Info } else { Severity::Error })
-            .help("urdfdom wants effort (N m or N) and velocity (rad/s or m/s) in every limit")
+            .help(match is_new {
+                true => "from URDF 1.2 on, urdfdom wants lower and upper in limits of these joints",
+                false => "urdfdom wants effort (N m or N) and velocity (rad/s or m/s) in every limit",
+            })
             .done();
     }
+}
+
+/// What a limit lacks before URDF 1.2.
+fn missing_strength(limit: &Limit) -> Vec<&'static str> {
+    let strength = [("effort", &limit.effort), ("velocity", &limit.velocity)];
+    strength.into_iter().filter(|(_, text)| text.is_none()).map(|(name, _)| name).collect()
+}
+
+/// What a limit lacks from URDF 1.2 on.
+fn missing_bounds(joint: &Joint, limit: &Limit) -> Vec<&'static str> {
+    if !joint.is(&[JointType::Revolute, JointType::Prismatic]) {
+        return Vec::new();
+    }
+    let bounds = [("lower", &limit.lower), ("upper", &limit.upper)];
+    bounds.into_iter().filter(|(_, text)| text.is_none()).map(|(name, _)| name).collect()
 }

@@ -8,6 +8,7 @@ mod urdf;
 use std::sync::LazyLock;
 
 use base::FastMap;
+use model::Version;
 
 /// An element below certain parents. Elements of one name below different parents have entries of their own.
 #[derive(Clone, Copy, Debug)]
@@ -56,6 +57,8 @@ pub struct AttributeSpec {
     pub default: Option<&'static str>,
     /// What it says, in one line.
     pub docs: &'static str,
+    /// The version of URDF that brought it; readers pass over it in robots of an older one.
+    pub since: Version,
 }
 
 /// What the value of an attribute is.
@@ -150,7 +153,7 @@ impl ElementSpec {
 
 impl AttributeSpec {
     const fn new(name: &'static str, kind: AttributeKind, docs: &'static str) -> Self {
-        Self { name, kind, required: false, unit: None, default: None, docs }
+        Self { name, kind, required: false, unit: None, default: None, docs, since: Version::V1_0 }
     }
 
     const fn required(mut self) -> Self {
@@ -165,6 +168,11 @@ impl AttributeSpec {
 
     const fn default(mut self, value: &'static str) -> Self {
         self.default = Some(value);
+        self
+    }
+
+    const fn since(mut self, version: Version) -> Self {
+        self.since = version;
         self
     }
 

@@ -3,6 +3,7 @@
 use super::AttributeKind::{Choice, Joint, Link, Name, Number, Text, Uri, Vector};
 use super::Content::Free;
 use super::{AttributeSpec, ElementSpec};
+use model::Version;
 
 const fn el(name: &'static str, parents: &'static [&'static str], docs: &'static str) -> ElementSpec {
     ElementSpec::new(name, parents, docs)
@@ -15,13 +16,21 @@ const fn at(name: &'static str, kind: super::AttributeKind, docs: &'static str) 
 /// The types of joints.
 const JOINT_TYPES: &[&str] = &["revolute", "continuous", "prismatic", "fixed", "floating", "planar"];
 
+/// The versions that urdfdom 6 reads.
+const VERSIONS: &[&str] = &["1.0", "1.1", "1.2"];
+
 const SHAPES: &[&str] = &["geometry"];
 
 /// The root.
 pub(super) static ROBOT: ElementSpec =
     el("robot", &[], "The description of a robot: links, and the joints between them").with(&[
         at("name", Name, "The name of the robot").required(),
-        at("version", Text, "The version of the URDF format").default("1.0"),
+        at(
+            "version",
+            Choice(VERSIONS),
+            "The version of the URDF format; readers before urdfdom 5.1 take 1.0 only",
+        )
+        .default("1.0"),
     ]);
 
 /// The elements inside of it, parents before children.
@@ -65,12 +74,15 @@ pub(super) static ELEMENTS: &[ElementSpec] = &[
     el("limit", &["joint"], "How far, how fast and how strongly the joint moves").with(&[
         at("lower", Number, "The lowest position").unit("rad or m").default("0"),
         at("upper", Number, "The highest position").unit("rad or m").default("0"),
-        at("effort", Number, "The greatest torque or force; required for joints with limits")
-            .unit("N m or N"),
-        at("velocity", Number, "The greatest speed; required for joints with limits").unit("rad/s or m/s"),
-        at("acceleration", Number, "The greatest acceleration; newer readers only").unit("rad/s² or m/s²"),
-        at("deceleration", Number, "The greatest deceleration; newer readers only").unit("rad/s² or m/s²"),
-        at("jerk", Number, "The greatest jerk; newer readers only").unit("rad/s³ or m/s³"),
+        at("effort", Number, "The greatest torque or force; required before URDF 1.2").unit("N m or N"),
+        at("velocity", Number, "The greatest speed; required before URDF 1.2").unit("rad/s or m/s"),
+        at("acceleration", Number, "The greatest acceleration; from URDF 1.2 on")
+            .unit("rad/s² or m/s²")
+            .since(Version::V1_2),
+        at("deceleration", Number, "The greatest deceleration; from URDF 1.2 on")
+            .unit("rad/s² or m/s²")
+            .since(Version::V1_2),
+        at("jerk", Number, "The greatest jerk; from URDF 1.2 on").unit("rad/s³ or m/s³").since(Version::V1_2),
     ]),
     el("dynamics", &["joint"], "Damping and friction of the joint, for simulators").with(&[
         at("damping", Number, "Viscous damping").unit("N m s/rad or N s/m").default("0"),
@@ -95,8 +107,9 @@ pub(super) static ELEMENTS: &[ElementSpec] = &[
             .unit("rad or m")
             .default("0"),
         at("k_position", Number, "Gain from position to the limits of speed").unit("1/s").default("0"),
-        at("k_velocity", Number, "Gain from speed to the limits of effort; readers want it")
-            .unit("N m s/rad or N s/m"),
+        at("k_velocity", Number, "Gain from speed to the limits of effort")
+            .unit("N m s/rad or N s/m")
+            .required(),
     ]),
     el("inertial", &["link"], "Mass, centre of mass and moments of inertia of the link")
         .needs(&["mass", "inertia"]),
@@ -120,7 +133,11 @@ pub(super) static ELEMENTS: &[ElementSpec] = &[
         at("izz", Number, "Moment about z").unit("kg m²").required(),
     ]),
     el("origin", &["visual", "collision"], "Where the geometry stands in the link's frame").with(POSE),
-    el("geometry", &["visual", "collision"], "The shape: one of box, cylinder, sphere, mesh"),
+    el(
+        "geometry",
+        &["visual", "collision"],
+        "The shape: one of box, cylinder, sphere, mesh; capsule from URDF 1.1 on",
+    ),
     el(
         "material",
         &["visual"],
@@ -140,7 +157,7 @@ pub(super) static ELEMENTS: &[ElementSpec] = &[
     ]),
     el("sphere", SHAPES, "A sphere around the origin")
         .with(&[at("radius", Number, "Its radius").unit("m").required()]),
-    el("capsule", SHAPES, "A cylinder along z with half spheres at its ends; newer readers only").with(&[
+    el("capsule", SHAPES, "A cylinder along z with half spheres at its ends; from URDF 1.1 on").with(&[
         at("radius", Number, "Its radius").unit("m").required(),
         at("length", Number, "The length of the cylinder").unit("m").required(),
     ]),
@@ -172,5 +189,6 @@ pub(super) static ELEMENTS: &[ElementSpec] = &[
 const POSE: &[AttributeSpec] = &[
     at("xyz", Vector(3), "Translation along x, y and z").unit("m").default("0 0 0"),
     at("rpy", Vector(3), "Roll, pitch and yaw about the fixed axes x, y and z").unit("rad").default("0 0 0"),
-    at("quat_xyzw", Vector(4), "Rotation as a quaternion, instead of rpy; newer readers only"),
+    at("quat_xyzw", Vector(4), "Rotation as a quaternion x y z w, instead of rpy; from URDF 1.1 on")
+        .since(Version::V1_1),
 ];

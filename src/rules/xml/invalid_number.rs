@@ -2,11 +2,13 @@
 
 use std::ops::Range;
 
-use super::super::context::DocumentCx;
+use super::super::context::{DocumentCx, RootKind, is_plain_urdf};
+use super::super::edits::{source_text, speaks_xacro};
+use super::super::numbers::rewrite;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::walk;
-use expand::{Place, XId};
+use expand::{FileIdx, Place, XId};
 use model::{Text, decimal, is_decimal};
 
 pub(super) const RULE: Rule = Rule {
@@ -23,8 +25,13 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for Numeric { id, name, count, text } in numeric(cx) {
-        for range in bad_words(text, *count) {
+        let bad = bad_words(text, *count);
+        let is_good = bad.is_empty();
+        for range in bad {
             report(cx, *id, name, text, range, out);
+        }
+        if is_good {
+            blanks(cx, *id, name, *count, text, out);
         }
     }
 }
@@ -50,7 +57,8 @@ pub(super) fn numeric<'a>(cx: &'a DocumentCx<'_>) -> &'a [Numeric] {
 fn find_numeric(cx: &DocumentCx<'_>) -> Vec<Numeric> {
     let mut found = Vec::new();
     for (id, spec) in walk::known(cx) {
-        for attribute in spec.attributes {
+        // readers pass over what is newer than the robot
+        for attribute in spec.attributes.iter().filter(|attribute| !cx.is_older_than(attribute.since)) {
             let text = attribute.numbers().zip(Text::attr(&cx.expansion.tree, id, attribute.name));
             let judged = |text: &Text| {
                 let open = text.value.contains("${") || text.value.contains("$(");
@@ -61,6 +69,45 @@ fn find_numeric(cx: &DocumentCx<'_>) -> Vec<Numeric> {
         }
     }
     found
+}
+
+/// Blanks that urdfdom does not take: behind a number, and other ones than spaces between numbers.
+fn blanks(cx: &DocumentCx<'_>, id: XId, name: &str, count: usize, text: &Text, out: &mut Sink<'_>) {
+    let element = walk::described(cx, id);
+    let trimmed = text.value.trim();
+    if count == 1 {
+        if text.value.trim_end().len() == text.value.len() {
+            return;
+        }
+        let message =
+            format!("{element}: `{name}` ends with a blank, and urdfdom takes none behind a number");
+        rewrite(out.report(text.origin, message), Safety::Unsafe, text, trimmed.to_owned()).done();
+    } else if let Some(blank) = written(cx, text).as_deref().and_then(blank_in_vector) {
+        let message =
+            format!("{element}: {blank} between the numbers of `{name}`, where urdfdom takes spaces only");
+        let spaced = trimmed.split_ascii_whitespace().collect::<Vec<_>>().join(" ");
+        rewrite(out.report(text.origin, message), Safety::Unsafe, text, spaced).done();
+    }
+}
+
+/// A value as plain URDF spells it; none where xacro reads it, which makes a space of each blank.
+fn written(cx: &DocumentCx<'_>, text: &Text) -> Option<String> {
+    let (file, _, source) = source_text(cx.expansion, text.origin)?;
+    let path = &cx.expansion.files.get(file.0 as usize)?.source.path;
+    let is_plain = cx.kind == RootKind::Robot
+        && file == FileIdx(0)
+        && is_plain_urdf(path)
+        && !speaks_xacro(cx.expansion, text.origin);
+    (is_plain && text.is_literal()).then_some(source)
+}
+
+/// The tab or line break that makes urdfdom refuse a vector. It cuts the text at spaces, and of each part reads a
+/// number, which blanks may precede and not follow.
+fn blank_in_vector(value: &str) -> Option<&'static str> {
+    let last = |part: &str| part.chars().next_back().filter(|last| last.is_ascii_whitespace());
+    let inner = |part: &str| part.trim().chars().find(|c| c.is_ascii_whitespace());
+    let blank = value.split(' ').find_map(|part| last(part).or_else(|| inner(part)))?;
+    Some(if blank == '\t' { "a tab" } else { "a line break" })
 }
 
 /// Whether expansion had something to say about a value.

@@ -6,6 +6,7 @@ mod invalid_number;
 mod missing_attribute;
 mod missing_element;
 mod missing_robot_name;
+mod newer_than_version;
 mod nonstandard_xacro_namespace;
 mod unexpected_text;
 mod unknown_attribute;
@@ -41,6 +42,7 @@ pub(super) static RULES: &[Rule] = &[
     unsupported_urdf_version::RULE,
     Rule::found("XML016", "xml-encoding-mismatch", Xml, Error, page("xml-encoding-mismatch")),
     xacro_tags_in_urdf::RULE,
+    newer_than_version::RULE,
 ];
 
 /// The namespace that xacro's documentation names.

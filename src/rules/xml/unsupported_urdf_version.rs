@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::place;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use model::Text;
+use model::{Text, Version};
 
 pub(super) const RULE: Rule = Rule {
     code: "XML015",
@@ -24,16 +24,35 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         Text::attr(&cx.expansion.tree, robot.element, "version").filter(|version| version.is_known());
     let Some(version) = version else { return };
     let admitted = &cx.world.config.urdf_version;
-    let value = version.value.trim();
-    let long = format!("{value}.0");
-    if admitted.iter().any(|admitted| admitted == value || *admitted == long) {
+    let value = version.value.as_str();
+    let read = Version::parse(value);
+    let is_same = |admitted: &String| admitted == value || read.is_some() && read == Version::parse(admitted);
+    if admitted.iter().any(is_same) {
         return;
     }
     let Some(at) = cx.expansion.place(version.origin) else { return };
     let Some(file) = cx.expansion.files.get(at.file.0 as usize) else { return };
     let range = place::whole_attribute(&file.source.document, at.range);
-    let message = format!("version `{value}` of URDF is not admitted, only `{}`", admitted.join("`, `"));
+    let (severity, message) = judged(value, read, admitted);
     out.report_in(at.file, range, message)
+        .severity(severity)
         .help("write version=\"1.0\", or list the version under `urdf-version` in xacro-lint.toml")
         .done();
+}
+
+/// What there is to say about a version that is not admitted, and how bad it is.
+fn judged(value: &str, read: Option<Version>, admitted: &[String]) -> (Severity, String) {
+    let needs = |reader| format!("version `{value}` of URDF needs {reader}: older readers refuse the robot");
+    match read {
+        Some(Version::V1_1) => (Severity::Warning, needs("urdfdom 5.1")),
+        Some(Version::V1_2) => (Severity::Warning, needs("urdfdom 6.0")),
+        Some(_) => {
+            let admitted = admitted.join("`, `");
+            (Severity::Error, format!("version `{value}` of URDF is not admitted, only `{admitted}`"))
+        }
+        None => (
+            Severity::Error,
+            format!("version `{value}` of URDF is not of the form `1.0`: urdfdom refuses it"),
+        ),
+    }
 }

@@ -3,8 +3,10 @@
 use super::super::context::FileCx;
 use super::super::package::reads_as_it_stands;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::schema;
 use super::super::sink::Sink;
 use base::TextRange;
+use xml::Node;
 
 pub(super) const RULE: Rule = Rule {
     code: "XML017",
@@ -23,7 +25,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         return;
     }
     let Some((base, node)) = cx.elements().find(|(_, node)| node.name().starts_with("xacro:")) else {
-        return;
+        return expressions(cx, out);
     };
     let name = node.name_range().shift(base);
     out.report_in(
@@ -34,6 +36,41 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     .severity(if reads_as_it_stands(cx) && has_effect(cx) { Severity::Warning } else { Severity::Info })
     .help("readers of plain URDF skip it in silence: rename the file to `.urdf.xacro`, and expand it")
     .done();
+}
+
+/// The first attribute of URDF's own elements with an expression in a file without tags of xacro.
+fn expressions(cx: &FileCx<'_>, out: &mut Sink<'_>) {
+    let numbers = |node: Node<'_>| {
+        let spec = schema::urdf_element(node.name());
+        spec.into_iter().flat_map(|spec| spec.attributes).filter(|attribute| attribute.numbers().is_some())
+    };
+    let written = cx.elements().find_map(|(base, node)| {
+        let attrs = numbers(node).filter_map(|attribute| node.attr(attribute.name));
+        attrs.into_iter().find(|attr| attr.raw().contains("${")).map(|attr| (base, attr))
+    });
+    let Some((base, attr)) = written.filter(|_| is_robot(cx)) else { return };
+    let is_for_xacro = cx.root_attrs().any(|attr| attr.name() == "xmlns:xacro");
+    let severity = match is_for_xacro {
+        true if reads_as_it_stands(cx) => Severity::Warning,
+        true => Severity::Info,
+        false => Severity::Error,
+    };
+    out.report_in(
+        cx.file,
+        attr.value_range().shift(base),
+        format!(
+            "`{}` in a file that ends in `.urdf`: no reader of plain URDF takes it for a number",
+            attr.raw()
+        ),
+    )
+    .severity(severity)
+    .help("write the number, or rename the file to `.urdf.xacro`, and expand it")
+    .done();
+}
+
+/// Whether a file stands on its own: others are for files that include them.
+fn is_robot(cx: &FileCx<'_>) -> bool {
+    cx.root_attrs().any(|attr| attr.name() == "name") && cx.elements().any(|(_, node)| node.name() == "link")
 }
 
 /// Whether something is lost when the tags are skipped: properties that no expression reads give nothing.

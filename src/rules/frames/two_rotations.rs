@@ -1,0 +1,28 @@
+//! An origin with its rotation in both ways.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::poses::poses;
+
+pub(super) const RULE: Rule = Rule {
+    code: "FRM018",
+    name: "two-rotations",
+    category: Category::Frames,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page("two-rotations"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for placed in poses(cx) {
+        let (Some(_), Some(quaternion)) = (&placed.pose.rpy, &placed.pose.quaternion) else { continue };
+        let message = format!("the origin of {} has both `rpy` and `quat_xyzw`", placed.owner());
+        out.report(quaternion.origin, message)
+            .help("urdfdom refuses a joint with both, and drops other elements: keep one of them")
+            .done();
+    }
+}

@@ -1,0 +1,45 @@
+//! An attribute of a newer URDF than the robot is written in.
+
+use super::super::context::DocumentCx;
+use super::super::grouping::Group;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::walk;
+use model::{Text, Version};
+
+pub(super) const RULE: Rule = Rule {
+    code: "XML018",
+    name: "newer-than-version",
+    category: Category::Xml,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page("newer-than-version"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let tree = &cx.expansion.tree;
+    for (id, spec) in walk::known(cx) {
+        let newer = spec.attributes.iter().filter(|attribute| cx.is_older_than(attribute.since));
+        for attribute in newer {
+            let Some(text) = Text::attr(tree, id, attribute.name) else { continue };
+            let Some(own) = Version::of(tree) else { continue };
+            let (name, since) = (attribute.name, attribute.since);
+            // a rotation that is lost changes the robot; limits of acceleration are for those who know them
+            let is_rotation = name == "quat_xyzw";
+            let severity = if is_rotation { Severity::Warning } else { Severity::Info };
+            let instead = if is_rotation { ", or the rotation as rpy" } else { "" };
+            let message = format!(
+                "{}: `{name}` is of URDF {since}, and the robot is of {own}: readers skip it",
+                walk::described(cx, id)
+            );
+            out.report(text.origin, message)
+                .severity(severity)
+                .group(Group::Name(format!("{name} of {}", spec.name).into()))
+                .help(format!("write version=\"{since}\" in `robot`{instead}"))
+                .done();
+        }
+    }
+}
