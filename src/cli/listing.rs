@@ -25,6 +25,8 @@ pub(super) struct Listing<'a> {
     least: Severity,
     /// How many are not severe enough.
     hidden: FastMap<Severity, usize>,
+    /// Whether only what files reach that changed was checked: there need be no robot.
+    is_change: bool,
 }
 
 /// Whether every place is a finding of its own, and none of them is left out.
@@ -46,7 +48,14 @@ pub(super) fn least_shown(args: &CheckArgs) -> Severity {
 impl<'a> Listing<'a> {
     pub(super) fn of(report: &'a Report, args: &CheckArgs) -> Self {
         let (least, all) = (least_shown(args), wants_all(args));
-        let mut listing = Self { report, shown: Vec::new(), left_out: 0, least, hidden: FastMap::default() };
+        let mut listing = Self {
+            report,
+            shown: Vec::new(),
+            left_out: 0,
+            least,
+            hidden: FastMap::default(),
+            is_change: args.changed,
+        };
         let mut in_file: FastMap<(&str, Severity, FileId), usize> = FastMap::default();
         let mut in_all: FastMap<(&str, Severity), usize> = FastMap::default();
         for finding in &report.findings {
@@ -114,18 +123,22 @@ impl<'a> Listing<'a> {
     /// That no robot was found, and why: without errors it would look like success.
     fn without_robot(&self) -> Option<String> {
         let Report { robots, roots, nameless, skipped, findings, .. } = self.report;
-        if *robots > 0 || findings.iter().any(|finding| finding.severity == Severity::Error) {
+        if self.is_change || *robots > 0 || findings.iter().any(|finding| finding.severity == Severity::Error)
+        {
             return None;
         }
         let why = match (nameless.first(), roots.is_empty(), skipped.is_empty()) {
             (Some(file), ..) => {
                 let file = file.file_name().unwrap_or_default().to_string_lossy();
-                format!("<robot> of `{file}` has no name: add name=\"...\", unless the file is a part of others")
+                format!(
+                    "<robot> of `{file}` has no name: add name=\"...\", unless the file is a part of others"
+                )
             }
             (None, true, true) => "there are no descriptions (*.urdf, *.xacro)".to_owned(),
             (None, true, false) => "all of it is left out".to_owned(),
             (None, false, _) => {
-                "a robot has a <robot name=\"...\"> and a link, and these files only give parts of robots".to_owned()
+                "a robot has a <robot name=\"...\"> and a link, and these files only give parts of robots"
+                    .to_owned()
             }
         };
         Some(format!("no robot was found: {why}"))

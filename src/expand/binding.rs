@@ -223,7 +223,8 @@ impl Expander<'_> {
             return false;
         }
         let name = &param.name;
-        let message = format!("parameter `{name}` of macro `{}` is listed twice: no call can give both", def.name);
+        let message =
+            format!("parameter `{name}` of macro `{}` is listed twice: no call can give both", def.name);
         let mut problem = self
             .problem("XAC005", again, message)
             .says(format!("Undefined parameters [{name}]"))

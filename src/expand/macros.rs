@@ -10,8 +10,8 @@ use super::late::{Missing, NameKind};
 use super::machine::{Cx, Expander};
 use super::meant;
 use super::origin::{FrameKind, Origin};
-use super::problem::Problem;
 use super::params;
+use super::problem::Problem;
 use super::scope::{MacroDef, MacrosId, Param, Params, Place, SrcRef};
 use super::symbols::{DefinitionId, SymbolKind, UseKind};
 use super::text::TextSite;
@@ -57,7 +57,8 @@ impl Expander<'_> {
         let name = EcoString::from(name);
         let text = self.attr(tag, listed, cx).map(|(text, _)| text).unwrap_or_default();
         let params = self.attr(tag, listed, cx).map(|(text, place)| (params::parse(&text), place));
-        let params = params.map(|(list, place)| (list.map(|list| self.mended_params(&name, (&text, list), place)), place));
+        let params = params
+            .map(|(list, place)| (list.map(|list| self.mended_params(&name, (&text, list), place)), place));
         if let Some((None, place)) = &params {
             let message = format!("the parameter list of macro `{name}` holds only blanks");
             self.error("XAC025", place.origin, message, "list index out of range");
@@ -90,7 +91,8 @@ impl Expander<'_> {
         }
         let message = format!("macro `{name}` is defined again here, as an empty one: this does not call it");
         let at = self.tag_origin(tag, cx);
-        let first = tag.node.attrs().next().filter(|attr| attr.name() == "name" && tag.node.end_tag().is_none());
+        let first =
+            tag.node.attrs().next().filter(|attr| attr.name() == "name" && tag.node.end_tag().is_none());
         let whole = first.map(|attr| TextRange::new(at.range.start, attr.range().end));
         let problem = self
             .problem("XAC017", Origin { range: whole.unwrap_or(at.range), ..at }, message)
@@ -122,12 +124,7 @@ impl Expander<'_> {
 
     /// The parameters that are meant where a name is none that a call can give: `a, b` has commas. The reference takes
     /// them as they are, and refuses each call.
-    fn mended_params(
-        &mut self,
-        of: &str,
-        (text, params): (&str, Vec<Param>),
-        place: Place,
-    ) -> Vec<Param> {
+    fn mended_params(&mut self, of: &str, (text, params): (&str, Vec<Param>), place: Place) -> Vec<Param> {
         let is_bad = |param: &Param| meant::by_parameter(&param.name).is_some();
         if !self.request.probe || !params.iter().any(is_bad) {
             return params;
@@ -161,7 +158,12 @@ impl Expander<'_> {
     }
 
     /// Note where the parameters of a macro stand.
-    fn define_params(&mut self, (text, mut params): (&str, Vec<Param>), place: Place, of: DefinitionId) -> Vec<Param> {
+    fn define_params(
+        &mut self,
+        (text, mut params): (&str, Vec<Param>),
+        place: Place,
+        of: DefinitionId,
+    ) -> Vec<Param> {
         // all places at once: to find one takes as long as the list is
         let mut origin_of = self.origins_in(TextSite { text, place });
         let mut places = Vec::with_capacity(params.len());

@@ -2,11 +2,11 @@
 
 use ecow::EcoString;
 
-use super::late::NameKind;
+use super::late::{Missing, NameKind};
 use super::machine::Expander;
+use super::meant;
 use super::origin::Origin;
 use super::problem::{Outside, Step};
-use super::meant;
 use super::scope::{Macros, Scopes, State};
 use super::stack::with_stack;
 use super::symbols::{DefinitionId, UseKind};
@@ -186,17 +186,20 @@ impl Expander<'_> {
         else {
             return;
         };
+        let is_block = self.holds_block(scope, name);
+        let missing = Missing { is_misspelled: missing.is_misspelled || is_block, ..missing };
         let mut problem = self
             .problem("XAC001", at, message)
             .says(format!("name '{name}' is not defined \nwhen evaluating expression '{code}'"));
         if let Some(meant) = meant::by_name(name) {
             problem = meant.said_of(problem);
-        } else if self.holds_block(scope, name) {
+        } else if is_block {
             problem = problem.help(format!(
                 "`{name}` is a block: write <xacro:insert_block name=\"{name}\"/> where an element can stand"
             ));
         } else if let Some(call) = self.call_of(name) {
-            problem = problem.help(format!("`{name}` is a macro: call it with {call}, where an element can stand"));
+            problem =
+                problem.help(format!("`{name}` is a macro: call it with {call}, where an element can stand"));
         } else if let Some(near) = &missing.near {
             problem =
                 problem.help(format!("a property with a similar name exists: `{near}`")).replace_with(near);
@@ -211,7 +214,10 @@ impl Expander<'_> {
 
     /// Whether `name` is that of a block property.
     fn holds_block(&self, scope: ScopeId, name: &str) -> bool {
-        self.scopes.find(scope, &format!("**{name}")).or_else(|| self.scopes.find(scope, &format!("*{name}"))).is_some()
+        self.scopes
+            .find(scope, &format!("**{name}"))
+            .or_else(|| self.scopes.find(scope, &format!("*{name}")))
+            .is_some()
     }
 
     /// How a macro of that name is called, if there is one.

@@ -206,9 +206,8 @@ impl Expander<'_> {
             Some(word) => format!("`$({inner})` begins with `{word}`, which xacro does not know"),
             None => format!("`$({inner})` cannot be replaced: {message}"),
         };
-        let mut problem = self
-            .problem("XAC025", at, said)
-            .says(format!("<class '{class}'>: {message} {message}"));
+        let mut problem =
+            self.problem("XAC025", at, said).says(format!("<class '{class}'>: {message} {message}"));
         if inner.starts_with("env ") {
             problem = problem.depends_on(Outside::Environment);
         } else if let Some(argument) = self.empty_argument(mark) {

@@ -89,7 +89,9 @@ impl Expander<'_> {
             let unknown = shown.is_none();
             self.result.complete &= !unknown;
             out.push_str(shown.as_deref().unwrap_or(UNKNOWN_TEXT));
-            if let Token::Expr { range, .. } | Token::Subst { range, .. } | Token::Invalid { range, .. } = token {
+            if let Token::Expr { range, .. } | Token::Subst { range, .. } | Token::Invalid { range, .. } =
+                token
+            {
                 let source = self.origin_in(site, *range);
                 pieces.push(Piece { out: TextRange::new(start, out.len() as u32), source, reads, unknown });
             }

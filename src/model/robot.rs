@@ -89,7 +89,8 @@ impl Robot {
     /// Whether all names of links and joints and all ends of joints are known. In `{prefix}tcp` a `$` is missing.
     pub fn names_are_known(&self) -> bool {
         let known = |text: &Option<Text>| {
-            text.as_ref().is_none_or(|text| text.is_known() && !(text.value.contains('{') && text.is_literal()))
+            text.as_ref()
+                .is_none_or(|text| text.is_known() && !(text.value.contains('{') && text.is_literal()))
         };
         self.links.iter().all(|link| known(&link.name))
             && self

@@ -106,6 +106,7 @@ mod tests {
             "ws/src/a/urdf/r.urdf",
             "ws/src/a/models/arm/visual/link.stl",
             "ws/src/a/models/arm/collision/link.stl",
+            "ws/src/a/models/arm/visual/only_seen.stl",
             "ws/src/a/.hidden/secret.stl",
             "ws/src/b/package.xml",
             "ws/src/b/meshes/Hand.STL",
@@ -121,6 +122,11 @@ mod tests {
             Some(found.strip_prefix(tree.path("ws/src")).unwrap().display().to_string())
         };
         assert_eq!(found("ws/src/a/meshes/visual/link.stl").as_deref(), Some("a/models/arm/visual/link.stl"));
+        assert_eq!(
+            found("ws/src/a/meshes/visuals/link.stl").as_deref(),
+            Some("a/models/arm/visual/link.stl")
+        );
+        assert_eq!(found("ws/src/a/meshes/collision/only_seen.stl"), None);
         assert_eq!(found("ws/src/a/meshes/hand.stl").as_deref(), Some("b/meshes/Hand.STL"));
         assert_eq!(found("ws/src/a/meshes/secret.stl"), None);
         assert_eq!(found("ws/src/a/meshes/gone.stl"), None);

@@ -69,9 +69,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 /// Whether a joint belongs to a gripper or an external axis, by its name.
 fn is_other(name: &str) -> bool {
     let name = name.to_lowercase();
-    let words: Vec<&str> = name
-        .split(['_', '-', '/'])
-        .map(|word| word.trim_end_matches(|c: char| c.is_ascii_digit()))
-        .collect();
+    let words: Vec<&str> =
+        name.split(['_', '-', '/']).map(|word| word.trim_end_matches(|c: char| c.is_ascii_digit())).collect();
     words.iter().any(|word| OTHERS.contains(word)) && !words.iter().any(|word| OWN.contains(word))
 }

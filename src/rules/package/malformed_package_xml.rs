@@ -31,8 +31,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let errors = Document::parse(text.text.as_ref()).errors();
         let Some(error) = errors.iter().min_by_key(|error| error.expat_offset) else { continue };
         let span = Span { file: cx.world.vfs.file_id(&path), range: error.range };
-        out.report_span(span, format!("the package.xml of `{}` cannot be read: {}", package.name, error.message))
-            .help("no tool reads it as it is, and dependencies are not checked")
-            .done();
+        out.report_span(
+            span,
+            format!("the package.xml of `{}` cannot be read: {}", package.name, error.message),
+        )
+        .help("no tool reads it as it is, and dependencies are not checked")
+        .done();
     }
 }

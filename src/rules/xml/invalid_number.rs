@@ -89,14 +89,7 @@ pub(super) fn bad_words(text: &Text, count: usize) -> Vec<Range<usize>> {
 }
 
 /// A value of which it is clear what it was meant to be.
-fn report_meant(
-    cx: &DocumentCx<'_>,
-    id: XId,
-    name: &str,
-    text: &Text,
-    meant: Meant,
-    out: &mut Sink<'_>,
-) {
+fn report_meant(cx: &DocumentCx<'_>, id: XId, name: &str, text: &Text, meant: Meant, out: &mut Sink<'_>) {
     let Meant { help, value } = meant;
     let what = if text.words().nth(1).is_some() { "are no numbers" } else { "is not a number" };
     let message = format!("{}: `{}` in `{name}` {what}", walk::described(cx, id), text.value);

@@ -15,15 +15,17 @@ pub(super) struct Meant {
 /// Of an attribute that holds so many numbers; none when it does, or when it cannot be told.
 pub(super) fn of_numbers(cx: &DocumentCx<'_>, text: &Text, count: usize) -> Option<Meant> {
     let value = text.value.as_str();
-    let holds_numbers = |value: &str| {
-        value.split_whitespace().count() == count && value.split_whitespace().all(is_decimal)
-    };
+    let holds_numbers =
+        |value: &str| value.split_whitespace().count() == count && value.split_whitespace().all(is_decimal);
     if holds_numbers(value) {
         return None;
     }
     let plain = value.replace(['\u{2212}', '\u{2013}'], "-");
     if plain != value && holds_numbers(&plain) {
-        return Some(Meant { help: "the sign in front is not the minus sign of a keyboard, write it", value: plain });
+        return Some(Meant {
+            help: "the sign in front is not the minus sign of a keyboard, write it",
+            value: plain,
+        });
     }
     let spaced = value.replace([',', ';'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
     if count > 1 && spaced != value && holds_numbers(&spaced) {
@@ -48,7 +50,8 @@ fn bracketed(cx: &DocumentCx<'_>, value: &str) -> Option<String> {
 fn expression<'w>(cx: &DocumentCx<'_>, word: &'w str) -> Option<&'w str> {
     let inner = word.strip_prefix('{').and_then(|rest| rest.strip_suffix('}'));
     let code = inner.or_else(|| word.strip_prefix('$')).unwrap_or(word);
-    let mut names = code.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|name| is_identifier(name)).peekable();
+    let mut names =
+        code.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|name| is_identifier(name)).peekable();
     let is_code = names.peek().is_some() && names.all(|name| is_known(cx, name));
     (is_code && expr::parse(code).errors.is_empty()).then_some(code)
 }

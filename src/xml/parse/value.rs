@@ -165,9 +165,16 @@ impl Parser<'_> {
         }
         if start < self.bytes.len() {
             let name_text = self.slice(name.0, name.1);
-            let message = match self.slice(start, self.pos).chars().next().filter(|c| "“”„‟‘’‚″′«»".contains(*c)) {
+            let message = match self
+                .slice(start, self.pos)
+                .chars()
+                .next()
+                .filter(|c| "“”„‟‘’‚″′«»".contains(*c))
+            {
                 Some(quote) => {
-                    format!("the value of `{name_text}` stands in `{quote}`, which is no quote of XML: write `\"`")
+                    format!(
+                        "the value of `{name_text}` stands in `{quote}`, which is no quote of XML: write `\"`"
+                    )
                 }
                 None => format!("the value of `{name_text}` must stand in quotes"),
             };
