@@ -154,6 +154,7 @@ impl Session {
         for outcome in &kept {
             report.roots.push(outcome.job.file.clone());
             report.robots += usize::from(outcome.is_robot);
+            report.nameless.extend(outcome.is_nameless.then(|| outcome.job.file.clone()));
             report.files.extend(outcome.files.iter().map(|file| (file.id, file.clone())));
         }
         let homes = self.homes(options);

@@ -24,6 +24,8 @@ pub(super) struct Outcome {
     pub(super) job: Job,
     /// Whether the file is a robot on its own.
     pub(super) is_robot: bool,
+    /// Whether only a name is missing to make it one.
+    pub(super) is_nameless: bool,
     /// Whether it is one of the contexts that are checked: findings say in which of these they occur.
     pub(super) is_context: bool,
     /// Whether everything was read and expanded, so that what was not found is not there.
@@ -100,6 +102,7 @@ pub(super) fn judge(
     session.settle_set_aside(&job, &mut findings);
     Outcome {
         is_robot: kind == RootKind::Robot,
+        is_nameless: kind == RootKind::Library && robot.is_some_and(Robot::lacks_only_a_name),
         is_context: job.reason == Reason::Root,
         complete: expansion.whole
             && expansion.files.iter().all(|file| file.source.document.errors().is_empty()),

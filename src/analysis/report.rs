@@ -26,6 +26,8 @@ pub struct Report {
     pub reads: BTreeSet<PathBuf>,
     /// How many of the roots are robots.
     pub robots: usize,
+    /// The roots that would be robots if they had a name.
+    pub nameless: Vec<PathBuf>,
     /// Paths named by the user that cannot be read.
     pub unreadable: Vec<Unreadable>,
     /// What was asked for and not checked, though it is there.

@@ -8,6 +8,7 @@ use super::args::{CheckArgs, FailLevel, Format, Show};
 use super::diff::unified;
 use super::io::Io;
 use super::listing::{Listing, least_shown, wants_all};
+use super::options::with_assignment;
 use super::prepare::{Prepared, prepare};
 use super::progress::watched;
 use super::render::{shown_path, visible};
@@ -158,7 +159,8 @@ impl Run<'_> {
     fn unreadable(&self, report: &Report, io: &mut Io<'_>) -> bool {
         for unreadable in &report.unreadable {
             let path = visible(&self.shown(&unreadable.path));
-            io.line(&format!("error: {path}: {}", unreadable.error.reason()));
+            let complaint = format!("error: {path}: {}", unreadable.error.reason());
+            io.line(&with_assignment(&complaint, &path));
         }
         !report.unreadable.is_empty()
     }

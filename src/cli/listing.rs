@@ -25,6 +25,8 @@ pub(super) struct Listing<'a> {
     least: Severity,
     /// How many are not severe enough.
     hidden: FastMap<Severity, usize>,
+    /// Whether only what files reach that changed was checked: there need be no robot.
+    is_change: bool,
 }
 
 /// Whether every place is a finding of its own, and none of them is left out.
@@ -46,7 +48,14 @@ pub(super) fn least_shown(args: &CheckArgs) -> Severity {
 impl<'a> Listing<'a> {
     pub(super) fn of(report: &'a Report, args: &CheckArgs) -> Self {
         let (least, all) = (least_shown(args), wants_all(args));
-        let mut listing = Self { report, shown: Vec::new(), left_out: 0, least, hidden: FastMap::default() };
+        let mut listing = Self {
+            report,
+            shown: Vec::new(),
+            left_out: 0,
+            least,
+            hidden: FastMap::default(),
+            is_change: args.changed,
+        };
         let mut in_file: FastMap<(&str, Severity, FileId), usize> = FastMap::default();
         let mut in_all: FastMap<(&str, Severity), usize> = FastMap::default();
         for finding in &report.findings {
@@ -91,6 +100,7 @@ impl<'a> Listing<'a> {
     /// The lines below findings that are drawn.
     pub(super) fn footer(&self, done: &str, could: &str) -> Vec<String> {
         let mut lines = vec![self.summary()];
+        lines.extend(self.without_robot());
         if self.is_many() {
             lines.extend(self.by_rule());
         }
@@ -102,11 +112,36 @@ impl<'a> Listing<'a> {
     /// The same below findings of a line each: nothing where they speak for themselves.
     pub(super) fn note(&self, could: &str) -> Vec<String> {
         if !self.is_many() {
-            return Vec::from_iter((!self.hidden.is_empty()).then(|| self.summary()));
+            let summary = (!self.hidden.is_empty()).then(|| self.summary());
+            return summary.into_iter().chain(self.without_robot()).collect();
         }
         let next = [could.to_owned(), self.next()];
         let next: Vec<String> = next.into_iter().filter(|part| !part.is_empty()).collect();
         vec![self.summary(), next.join("; ")]
+    }
+
+    /// That no robot was found, and why: without errors it would look like success.
+    fn without_robot(&self) -> Option<String> {
+        let Report { robots, roots, nameless, skipped, findings, .. } = self.report;
+        if self.is_change || *robots > 0 || findings.iter().any(|finding| finding.severity == Severity::Error)
+        {
+            return None;
+        }
+        let why = match (nameless.first(), roots.is_empty(), skipped.is_empty()) {
+            (Some(file), ..) => {
+                let file = file.file_name().unwrap_or_default().to_string_lossy();
+                format!(
+                    "<robot> of `{file}` has no name: add name=\"...\", unless the file is a part of others"
+                )
+            }
+            (None, true, true) => "there are no descriptions (*.urdf, *.xacro)".to_owned(),
+            (None, true, false) => "all of it is left out".to_owned(),
+            (None, false, _) => {
+                "a robot has a <robot name=\"...\"> and a link, and these files only give parts of robots"
+                    .to_owned()
+            }
+        };
+        Some(format!("no robot was found: {why}"))
     }
 
     fn is_many(&self) -> bool {

@@ -55,6 +55,18 @@ const LONG: [&str; 8] = [
     "--output",
 ];
 
+/// A complaint about a path, with what to type where it looks like an argument.
+pub(super) fn with_assignment(complaint: &str, path: &str) -> String {
+    match path.split_once('=').filter(|(name, _)| is_name(name)) {
+        Some((name, value)) => format!("{complaint}; to give an argument, write `{name}:={value}`"),
+        None => complaint.to_owned(),
+    }
+}
+
+fn is_name(text: &str) -> bool {
+    !text.is_empty() && text.chars().all(|c| c.is_alphanumeric() || c == '_')
+}
+
 /// `a:=b` on the command line, in the reference's way: stripped, empty ones and `_private` ones ignored.
 ///
 /// # Errors

@@ -6,7 +6,7 @@ use super::args::{RenderArgs, Viewpoint};
 use super::io::Io;
 use super::render::visible;
 use super::svg;
-use super::tree::{expand_in, explain, fails, file_and_arguments, good_tree, open};
+use super::tree::{expand_in, explain, fails, file_and_arguments, good_tree, no_tree, open};
 use analysis::Session;
 use expand::Expansion;
 use model::Robot;
@@ -58,7 +58,7 @@ fn draw(args: &RenderArgs, env: &Environment, io: &mut Io<'_>) -> Result<u8, Str
             return Ok(u8::from(tree.is_none() || !whole));
         }
         _ => {
-            io.line("error: the links of this robot make no tree");
+            no_tree(&expansion, io);
             return Ok(1);
         }
     };

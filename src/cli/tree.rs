@@ -7,7 +7,7 @@ use serde_json::json;
 use super::args::{TreeArgs, TreeFormat};
 use super::check::warn_about_config;
 use super::io::Io;
-use super::options::mappings;
+use super::options::{mappings, with_assignment};
 use super::render::{visible, visible_name};
 use super::{svg, text};
 use analysis::{CheckOptions, Session, Setup};
@@ -59,7 +59,7 @@ pub(super) fn run(args: &TreeArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     let robot = Robot::of(&expansion);
     let Some(tree) = robot.as_ref().filter(|_| !expansion.has_errors()).and_then(good_tree) else {
         explain(&session, &file, arguments, env, io);
-        io.line("error: the links of this robot make no tree");
+        no_tree(&expansion, io);
         return 1;
     };
     match args.format {
@@ -69,6 +69,14 @@ pub(super) fn run(args: &TreeArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
         TreeFormat::Svg => io.out(&svg::draw(&tree)),
     }
     0
+}
+
+/// Say that the links make no tree, unless what was found before is why there are none to speak of.
+pub(super) fn no_tree(expansion: &Expansion, io: &mut Io<'_>) {
+    match expansion.has_errors() {
+        true => io.line("error: the tree is not drawn before these errors are mended"),
+        false => io.line("error: the links of this robot make no tree"),
+    }
 }
 
 pub(super) fn fails(io: &mut Io<'_>, message: &str) -> u8 {
@@ -146,6 +154,7 @@ pub(super) fn file_and_arguments(names: &[String]) -> Result<(String, Vec<(Strin
     let mut files = names.iter().filter(|name| !name.contains(":="));
     match (files.next(), files.next()) {
         (Some(file), None) => Ok((file.clone(), arguments)),
+        (Some(_), Some(other)) => Err(with_assignment("expected exactly one file", other)),
         _ => Err("expected exactly one file".to_owned()),
     }
 }

@@ -24,7 +24,12 @@ impl Expander<'_> {
         if found.is_none() {
             let message = format!("`{}` needs the attribute `{name}`", tag.name);
             let reference = format!("{}: missing attribute '{name}'", tag.name);
-            self.error("XAC032", self.tag_origin(tag, cx), message, reference);
+            let problem = self.problem("XAC032", self.tag_origin(tag, cx), message).says(reference);
+            let mut others = tag.attrs().filter(|attr| !attr.name().starts_with("xmlns"));
+            self.push(match (others.next(), others.next()) {
+                (Some(other), None) => problem.help(format!("rename `{}` to `{name}`", other.name())),
+                _ => problem.help(format!("add {name}=\"...\"")),
+            });
         }
         found
     }

@@ -3,7 +3,7 @@
 use super::element::Tag;
 use super::machine::{Cx, Expander};
 use super::origin::Origin;
-use super::problem::Outside;
+use super::problem::{Outside, Step};
 use super::property::literal_of;
 use super::resolve::{BindingInfo, BindingKind};
 use super::scope::{Block, MacroDef, Open, Param, Place, State};
@@ -194,6 +194,11 @@ impl Expander<'_> {
         if self.unwinding {
             return;
         }
+        let mut open = open.to_vec();
+        open.retain(|param| !self.is_listed_twice(def, param));
+        if open.is_empty() {
+            return;
+        }
         let names: Vec<&str> = open.iter().map(|p| p.name.as_str()).collect();
         let plural = if names.len() == 1 { "parameter" } else { "parameters" };
         let message = format!("call of macro `{}` lacks the {plural} `{}`", def.name, names.join("`, `"));
@@ -203,9 +208,31 @@ impl Expander<'_> {
             .says(format!("Undefined parameters [{}]", names.join(",")))
             .help(format!("add {}", add.join(" ")));
         self.push_with_definition(problem, def);
-        for param in open {
+        for param in &open {
             self.bind_unknown(param, at, body);
         }
+    }
+
+    /// Whether a parameter that a call lacks has the name of one before; reports it where it is listed again: a call gives
+    /// only one of them.
+    fn is_listed_twice(&mut self, def: &MacroDef, param: &Param) -> bool {
+        let mut same = def.params.iter().filter(|other| other.name == param.name);
+        let first = same.next().and_then(|first| first.definition);
+        let (Some((first, _)), Some((again, _))) = (first, param.definition) else { return false };
+        if first.range == again.range {
+            return false;
+        }
+        let name = &param.name;
+        let message =
+            format!("parameter `{name}` of macro `{}` is listed twice: no call can give both", def.name);
+        let mut problem = self
+            .problem("XAC005", again, message)
+            .says(format!("Undefined parameters [{name}]"))
+            .help("remove one of them, or rename it");
+        let place = self.result.place(first);
+        problem.trace.extend(place.map(|place| Step { place, message: "listed here first".to_owned() }));
+        self.push(problem);
+        true
     }
 
     /// Report an attribute that is no parameter. If it looks like one that is not given otherwise, it is

@@ -8,6 +8,7 @@ use ecow::EcoString;
 use super::element::Tag;
 use super::expansion::FileUse;
 use super::machine::{Cx, Expander, OpenFile, World, raise};
+use super::meant;
 use super::origin::{FileIdx, FrameKind, Origin, Source, SrcId};
 use super::problem::Outside;
 use super::record::Read;
@@ -56,7 +57,7 @@ impl Expander<'_> {
         let names = self.included_names(&name, place.origin);
         let inclusion = Inclusion {
             optional,
-            computed: text.contains('$'),
+            computed: is_computed(&text),
             argument,
             at: place.origin,
             tag: self.tag_origin(tag, cx),
@@ -337,12 +338,23 @@ impl Expander<'_> {
             LoadErrorKind::TooLarge { .. } => raise("file-mb"),
             _ => format!("looked for {}", error.path.display()),
         };
+        let meant = match error.kind {
+            LoadErrorKind::NotFound => meant::by_include(self.text_of(at)),
+            _ => None,
+        };
+        let message = match meant {
+            Some(_) => format!("included file `{}` does not exist", self.text_of(at)),
+            None => message,
+        };
         let problem = self
             .problem("XAC008", at, message)
             .says(format!("{strerror}: {shown} [Errno {errno}] {strerror}: '{shown}'"))
             .depends_on(argument.cloned().map_or(Outside::File, Outside::Argument))
             .help(help);
-        self.push(problem);
+        self.push(match meant {
+            Some(meant) => meant.said_of(problem),
+            None => problem,
+        });
     }
 
     fn root_name(&self) -> &str {
@@ -424,6 +436,11 @@ impl Expander<'_> {
         }
         true
     }
+}
+
+/// Whether a file name may read otherwise the next time. Packages and the environment stay what they are.
+fn is_computed(text: &str) -> bool {
+    text.contains("${") || text.contains("$(arg") || text.contains("$(eval")
 }
 
 /// Whether a template has places that the build fills in: `@NAME@`, or those of a template language.

@@ -18,6 +18,7 @@ mod include;
 mod late;
 mod machine;
 mod macros;
+mod meant;
 mod origin;
 mod params;
 mod probe;

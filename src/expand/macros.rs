@@ -8,14 +8,17 @@ use super::binding::GivenBlock;
 use super::element::Tag;
 use super::late::{Missing, NameKind};
 use super::machine::{Cx, Expander};
+use super::meant;
 use super::origin::{FrameKind, Origin};
 use super::params;
+use super::problem::Problem;
 use super::scope::{MacroDef, MacrosId, Param, Params, Place, SrcRef};
 use super::symbols::{DefinitionId, SymbolKind, UseKind};
 use super::text::TextSite;
 use super::tree::{XId, XKind};
 use base::TextRange;
 use expr::{ScopeId, Value, display};
+use workspace::nearest;
 
 /// A macro and the scopes its body sees.
 struct Resolved {
@@ -29,8 +32,13 @@ impl Expander<'_> {
     pub fn define_macro(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
         self.drop_comments(out, has_next);
         let Some((name, place)) = self.required_attr(tag, "name", cx) else { return };
-        self.check_attrs(tag, &["name", "params"], cx);
         let mut name = name.as_ref();
+        if self.is_call_meant(tag, name, cx) {
+            let own = format!("xacro:{name}");
+            return self.call(Tag { name: &own, used: &["name"], ..tag }, name, has_next, out, cx);
+        }
+        let listed = self.parameter_attribute(tag, cx);
+        self.check_attrs(tag, &["name", listed], cx);
         if name == "call" {
             let message = "a macro cannot be called `call`: `xacro:call` is xacro's own";
             return self.error("XAC041", place.origin, message, "Invalid use of macro name 'call'");
@@ -47,7 +55,10 @@ impl Expander<'_> {
             name = bare;
         }
         let name = EcoString::from(name);
-        let params = self.attr(tag, "params", cx).map(|(text, place)| (params::parse(&text), place));
+        let text = self.attr(tag, listed, cx).map(|(text, _)| text).unwrap_or_default();
+        let params = self.attr(tag, listed, cx).map(|(text, place)| (params::parse(&text), place));
+        let params = params
+            .map(|(list, place)| (list.map(|list| self.mended_params(&name, (&text, list), place)), place));
         if let Some((None, place)) = &params {
             let message = format!("the parameter list of macro `{name}` holds only blanks");
             self.error("XAC025", place.origin, message, "list index out of range");
@@ -56,7 +67,7 @@ impl Expander<'_> {
         let definition = self.define(SymbolKind::Macro, &name, place.origin);
         let params = params.and_then(|(list, place)| Some((list?, place)));
         let params = params.map_or(Params::default(), |(list, place)| {
-            Params::new(self.define_params(tag, list, place, definition, cx))
+            Params::new(self.define_params((&text, list), place, definition))
         });
         let body = SrcRef { src: tag.src, node: tag.node.id() };
         let def = MacroDef { name, body, origin: place.origin, definition, params };
@@ -66,18 +77,95 @@ impl Expander<'_> {
         }
     }
 
+    /// Whether the definition of a macro was meant to call it: it is empty, and gives parameters of the one that is there.
+    /// The reference takes it as it is.
+    fn is_call_meant(&mut self, tag: Tag<'_>, name: &str, cx: Cx) -> bool {
+        let others: Vec<&str> = tag.attrs().map(|attr| attr.name()).filter(|attr| *attr != "name").collect();
+        let is_empty = tag.node.child_elements().next().is_none();
+        if !self.request.probe || !is_empty || others.contains(&"params") {
+            return false;
+        }
+        let Some(def) = self.macros.find(cx.macros, name) else { return false };
+        if !others.iter().all(|attr| def.params.iter().any(|param| param.name == *attr)) {
+            return false;
+        }
+        let message = format!("macro `{name}` is defined again here, as an empty one: this does not call it");
+        let at = self.tag_origin(tag, cx);
+        let first =
+            tag.node.attrs().next().filter(|attr| attr.name() == "name" && tag.node.end_tag().is_none());
+        let whole = first.map(|attr| TextRange::new(at.range.start, attr.range().end));
+        let problem = self
+            .problem("XAC017", Origin { range: whole.unwrap_or(at.range), ..at }, message)
+            .warning()
+            .help(format!("to call it, write <xacro:{name} ...> with its parameters as attributes"));
+        let problem = if whole.is_some() { problem.replace_with(format!("<xacro:{name}")) } else { problem };
+        self.push_with_definition(problem, &def);
+        true
+    }
+
+    /// The attribute that lists the parameters: `params`, unless a misspelled one is there instead, which is reported.
+    fn parameter_attribute<'a>(&mut self, tag: Tag<'a>, cx: Cx) -> &'a str {
+        if !self.request.probe || tag.attr("params").is_some() {
+            return "params";
+        }
+        let Some(attr) = tag.attrs().find(|attr| nearest(attr.name(), ["params"]).is_some()) else {
+            return "params";
+        };
+        let at = Origin { src: tag.src, range: attr.name_range(), frame: cx.frame };
+        let message = format!("`xacro:macro` knows no `{}`: parameters are listed in `params`", attr.name());
+        let problem = self.problem("XAC032", at, message).says(format!(
+            "{}: unknown attribute(s): {}",
+            tag.name,
+            attr.name()
+        ));
+        self.push(problem.help("rename it to `params`").replace_with("params"));
+        attr.name()
+    }
+
+    /// The parameters that are meant where a name is none that a call can give: `a, b` has commas. The reference takes
+    /// them as they are, and refuses each call.
+    fn mended_params(&mut self, of: &str, (text, params): (&str, Vec<Param>), place: Place) -> Vec<Param> {
+        let is_bad = |param: &Param| meant::by_parameter(&param.name).is_some();
+        if !self.request.probe || !params.iter().any(is_bad) {
+            return params;
+        }
+        let mut mended = Vec::with_capacity(params.len());
+        for param in params {
+            let Some(names) = meant::by_parameter(&param.name) else {
+                mended.push(param);
+                continue;
+            };
+            let at = self.origin_in(TextSite { text, place }, param.range);
+            self.push(self.bad_parameter(of, &param, &names, at));
+            mended.extend(names.iter().enumerate().map(|(i, name)| param.part(name, i + 1 == names.len())));
+        }
+        mended
+    }
+
+    fn bad_parameter(&self, of: &str, param: &Param, names: &[&str], at: Origin) -> Problem {
+        let name = &param.name;
+        let (why, help) = if name.contains('$') {
+            ("is an expression", "parameters are named plainly")
+        } else {
+            ("has a comma in it", "parameters are separated by blanks")
+        };
+        let message = format!("parameter `{name}` of macro `{of}` {why}: no call can give it");
+        let help = match names {
+            [] => format!("{help}: remove the comma"),
+            names => format!("{help}: write `{}`", names.join(" ")),
+        };
+        self.problem("XAC022", at, message).help(help).replace_with(names.join(" "))
+    }
+
     /// Note where the parameters of a macro stand.
     fn define_params(
         &mut self,
-        tag: Tag<'_>,
-        mut params: Vec<Param>,
+        (text, mut params): (&str, Vec<Param>),
         place: Place,
         of: DefinitionId,
-        cx: Cx,
     ) -> Vec<Param> {
-        let Some((text, _)) = self.attr(tag, "params", cx) else { return params };
         // all places at once: to find one takes as long as the list is
-        let mut origin_of = self.origins_in(TextSite { text: &text, place });
+        let mut origin_of = self.origins_in(TextSite { text, place });
         let mut places = Vec::with_capacity(params.len());
         for param in &mut params {
             let name = param.name.trim_start_matches('*');
@@ -200,7 +288,7 @@ impl Expander<'_> {
     }
 
     /// The text at an origin.
-    fn text_of(&self, at: Origin) -> &str {
+    pub(super) fn text_of(&self, at: Origin) -> &str {
         self.result.sources.get(at.src.0 as usize).map_or("", |source| at.range.slice(source.item.text()))
     }
 
@@ -212,7 +300,15 @@ impl Expander<'_> {
             let message = format!("macro `{name}` is not defined");
             let mut problem =
                 self.problem("XAC002", at, message).says(format!("unknown macro name: {}", tag.name));
-            if let Some(near) = &missing.near {
+            if let Some(keyword) = meant::by_tag(name) {
+                // what it would have included or defined is missing
+                self.include_missing |= ["include", "macro", "property"].contains(&keyword);
+                problem = problem
+                    .help(format!("xacro's own tag is `xacro:{keyword}`"))
+                    .replace_with(format!("<xacro:{keyword}"));
+            } else if let Some(help) = meant::by_foreign_tag(name) {
+                problem = problem.help(help);
+            } else if let Some(near) = &missing.near {
                 problem = problem
                     .help(format!("a macro with a similar name exists: `{path}{near}`"))
                     .replace_with(format!("<xacro:{path}{near}"));

@@ -2,11 +2,12 @@
 
 use ecow::EcoString;
 
-use super::late::NameKind;
+use super::late::{Missing, NameKind};
 use super::machine::Expander;
+use super::meant;
 use super::origin::Origin;
 use super::problem::{Outside, Step};
-use super::scope::{Scopes, State};
+use super::scope::{Macros, Scopes, State};
 use super::stack::with_stack;
 use super::symbols::{DefinitionId, UseKind};
 use base::TextRange;
@@ -185,10 +186,21 @@ impl Expander<'_> {
         else {
             return;
         };
+        let is_block = self.holds_block(scope, name);
+        let missing = Missing { is_misspelled: missing.is_misspelled || is_block, ..missing };
         let mut problem = self
             .problem("XAC001", at, message)
             .says(format!("name '{name}' is not defined \nwhen evaluating expression '{code}'"));
-        if let Some(near) = &missing.near {
+        if let Some(meant) = meant::by_name(name) {
+            problem = meant.said_of(problem);
+        } else if is_block {
+            problem = problem.help(format!(
+                "`{name}` is a block: write <xacro:insert_block name=\"{name}\"/> where an element can stand"
+            ));
+        } else if let Some(call) = self.call_of(name) {
+            problem =
+                problem.help(format!("`{name}` is a macro: call it with {call}, where an element can stand"));
+        } else if let Some(near) = &missing.near {
             problem =
                 problem.help(format!("a property with a similar name exists: `{near}`")).replace_with(near);
         } else if self.args.contains_key(name) {
@@ -198,6 +210,22 @@ impl Expander<'_> {
             problem = problem.help(format!("define it above this place: {define}"));
         }
         self.push_undefined(missing, scope, problem);
+    }
+
+    /// Whether `name` is that of a block property.
+    fn holds_block(&self, scope: ScopeId, name: &str) -> bool {
+        self.scopes
+            .find(scope, &format!("**{name}"))
+            .or_else(|| self.scopes.find(scope, &format!("*{name}")))
+            .is_some()
+    }
+
+    /// How a macro of that name is called, if there is one.
+    fn call_of(&self, name: &str) -> Option<String> {
+        let def = self.macros.find(Macros::TOP, name)?;
+        let own = def.params.iter().filter(|param| !param.is_block() && param.default.is_none());
+        let given: String = own.map(|param| format!(" {}=\"...\"", param.name)).collect();
+        Some(format!("<xacro:{name}{given}/>"))
     }
 
     /// An argument that was read since `mark` for what is evaluated now and that is empty by default: whoever expands the

@@ -294,6 +294,17 @@ pub struct Param {
 }
 
 impl Param {
+    /// One of the names in a name that is none, with the default if it is the last one. The places stay inside the whole.
+    pub(super) fn part(&self, name: &str, is_last: bool) -> Self {
+        let start = self.range.start + self.name.find(name).unwrap_or(0) as u32;
+        let part = Self {
+            name: name.into(),
+            range: TextRange::new(start, start + name.len() as u32),
+            ..self.clone()
+        };
+        if is_last { part } else { Self { default: None, forward: false, ..part } }
+    }
+
     /// Whether a call gives it as a child element.
     pub fn is_block(&self) -> bool {
         self.name.starts_with('*')

@@ -4,6 +4,7 @@ use ecow::EcoString;
 
 use super::functions::text_argument;
 use super::machine::Expander;
+use super::meant;
 use super::origin::Origin;
 use super::problem::Outside;
 use super::record::Read;
@@ -41,22 +42,22 @@ struct Here<'t> {
 }
 
 impl Expander<'_> {
-    /// The value of `$(inner)`; `whole` is its range, `static_inner` that of its content where that is literal. What was
-    /// read for the content follows the first `mark` reads.
+    /// The value of `$(inner)`, which stands in `scope`; `whole` is its range, `static_inner` that of its content where that
+    /// is literal. What was read for the content follows the first `mark` reads.
     pub fn substitute(
         &mut self,
         inner: &str,
         whole: TextRange,
         static_inner: Option<TextRange>,
         site: TextSite<'_>,
-        mark: usize,
+        (scope, mark): (ScopeId, usize),
     ) -> Value {
         let here = Here { inner, whole, start: static_inner.map(|range| range.start), site };
         match expr::resolve_substitution(inner, |subst| self.substitution_text(subst, here)) {
             Ok(text) => Value::Str(text),
             Err(Failure::Reported) => Value::Unknown,
             Err(Failure::Error(error)) => {
-                self.bad_substitution(&error, here, mark);
+                self.bad_substitution(&error, here, (scope, mark));
                 Value::Unknown
             }
         }
@@ -196,13 +197,17 @@ impl Expander<'_> {
         }
     }
 
-    fn bad_substitution(&mut self, error: &SubstError, here: Here<'_>, mark: usize) {
+    fn bad_substitution(&mut self, error: &SubstError, here: Here<'_>, (scope, mark): (ScopeId, usize)) {
         let at = self.origin_in(here.site, here.whole);
         let SubstError { class, message } = error;
         let inner = here.inner.trim();
-        let mut problem = self
-            .problem("XAC025", at, format!("`$({inner})` cannot be replaced: {message}"))
-            .says(format!("<class '{class}'>: {message} {message}"));
+        let is_unknown = message.starts_with("Unknown substitution command");
+        let said = match inner.split_whitespace().next().filter(|_| is_unknown) {
+            Some(word) => format!("`$({inner})` begins with `{word}`, which xacro does not know"),
+            None => format!("`$({inner})` cannot be replaced: {message}"),
+        };
+        let mut problem =
+            self.problem("XAC025", at, said).says(format!("<class '{class}'>: {message} {message}"));
         if inner.starts_with("env ") {
             problem = problem.depends_on(Outside::Environment);
         } else if let Some(argument) = self.empty_argument(mark) {
@@ -216,6 +221,12 @@ impl Expander<'_> {
         } else if inner == "dirname" {
             problem = problem
                 .help("relative names are relative to the file they stand in: leave `$(dirname)/` out");
+        } else if is_unknown {
+            let is_property = self.scopes.find(scope, inner).is_some();
+            problem = match meant::by_round_brackets(inner, is_property, self.args.contains_key(inner)) {
+                Some(meant) => meant.said_of(problem),
+                None => problem.help("`$(...)` holds `find`, `arg`, `env`, `optenv` or `eval`"),
+            };
         }
         self.push(problem);
     }

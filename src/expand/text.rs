@@ -7,6 +7,7 @@ use ecow::EcoString;
 
 use super::functions::ExprHost;
 use super::machine::{Cx, Expander, raise};
+use super::meant;
 use super::origin::Origin;
 use super::problem::Outside;
 use super::scope::Place;
@@ -88,7 +89,9 @@ impl Expander<'_> {
             let unknown = shown.is_none();
             self.result.complete &= !unknown;
             out.push_str(shown.as_deref().unwrap_or(UNKNOWN_TEXT));
-            if let Token::Expr { range, .. } | Token::Subst { range, .. } = token {
+            if let Token::Expr { range, .. } | Token::Subst { range, .. } | Token::Invalid { range, .. } =
+                token
+            {
                 let source = self.origin_in(site, *range);
                 pieces.push(Piece { out: TextRange::new(start, out.len() as u32), source, reads, unknown });
             }
@@ -166,7 +169,7 @@ impl Expander<'_> {
                         None => return Value::Unknown,
                     },
                 };
-                self.substitute(&text, *range, nested.is_none().then_some(*inner), site, mark)
+                self.substitute(&text, *range, nested.is_none().then_some(*inner), site, (scope, mark))
             }
             Token::Invalid { range, unclosed } => self.invalid_text(*range, *unclosed, site),
         }
@@ -270,10 +273,8 @@ impl Expander<'_> {
             }
         }
         .says(reference);
-        if let Some(name) = code.strip_prefix("arg ") {
-            problem = problem
-                .help(format!("an argument is read with round brackets: `$(arg {})`", name.trim()))
-                .replace_with(format!("$(arg {})", name.trim()));
+        if let Some(meant) = meant::by_expression(code) {
+            problem = meant.said_of(problem);
         }
         self.push(problem);
         Value::Unknown
@@ -297,6 +298,9 @@ impl Expander<'_> {
                 ErrorKind::Io => Some(Outside::File),
                 _ => self.outside_of_reads(mark),
             };
+        }
+        if let Some(meant) = meant::by_failure(at.code.trim(), &error.message) {
+            problem = meant.said_of(problem);
         }
         if error.kind == ErrorKind::Budget && error.message.contains(" steps") {
             problem = problem.help(raise("eval-steps"));

@@ -66,6 +66,11 @@ impl Robot {
         !self.links.is_empty() && self.name.as_ref().is_some_and(|name| !name.value.is_empty())
     }
 
+    /// Whether a name is all that it needs to stand on its own.
+    pub fn lacks_only_a_name(&self) -> bool {
+        !self.links.is_empty() && self.name.as_ref().is_none_or(|name| name.value.is_empty())
+    }
+
     /// The first joint of a name.
     pub fn joint(&self, name: &str) -> Option<&Joint> {
         self.joints.iter().find(|joint| joint.name.as_ref().is_some_and(|text| text.value == name))
@@ -81,9 +86,12 @@ impl Robot {
         self.joints.iter().all(|joint| joint.is(&[JointType::Fixed]))
     }
 
-    /// Whether all names of links and joints and all ends of joints are known.
+    /// Whether all names of links and joints and all ends of joints are known. In `{prefix}tcp` a `$` is missing.
     pub fn names_are_known(&self) -> bool {
-        let known = |text: &Option<Text>| text.as_ref().is_none_or(|text| text.is_known());
+        let known = |text: &Option<Text>| {
+            text.as_ref()
+                .is_none_or(|text| text.is_known() && !(text.value.contains('{') && text.is_literal()))
+        };
         self.links.iter().all(|link| known(&link.name))
             && self
                 .joints

@@ -14,7 +14,7 @@ use xml::{Document, Node};
 /// How to mend a problem in a file, if there is a way.
 pub(super) fn fix(problem: &Problem, document: &Document, span: Span, vfs: &Vfs) -> Option<Fix> {
     match problem.code {
-        "XML001" => blanks_in_front(document, span),
+        "XML001" => blanks_in_front(document, span).or_else(|| straight_quotes(document, span)),
         "XML002" => declare_namespace(document, span),
         "XAC005" => add_parameters(problem, span),
         "XAC006" => remove_attribute(document, span, Safety::Unsafe),
@@ -37,6 +37,22 @@ fn blanks_in_front(document: &Document, span: Span) -> Option<Fix> {
         safety: Safety::Safe,
         message: "remove what stands in front of the XML declaration".to_owned(),
         edits: vec![Edit { span: Span { range, ..span }, content: String::new() }],
+    })
+}
+
+/// Quotes of a word processor in a tag, if there is less to complain about with plain ones.
+fn straight_quotes(document: &Document, span: Span) -> Option<Fix> {
+    let text = document.text();
+    let rest = text.get(span.range.start as usize..)?;
+    let tag = rest.get(..rest.find('>')?)?;
+    let new = tag.replace(['“', '”', '„', '‟', '″'], "\"");
+    let whole = format!("{}{new}{}", text.get(..span.range.start as usize)?, rest.get(tag.len()..)?);
+    let mends = new != tag && Document::parse(&whole).errors().len() < document.errors().len();
+    let range = TextRange::new(span.range.start, span.range.start + tag.len() as u32);
+    mends.then(|| Fix {
+        safety: Safety::Safe,
+        message: "write plain quotes".to_owned(),
+        edits: vec![Edit { span: Span { range, ..span }, content: new }],
     })
 }
 

@@ -303,10 +303,18 @@ pub fn nearest_selector(selector: &str) -> Option<&'static str> {
     nearest(selector, all().flat_map(|rule| [rule.name, rule.code]))
 }
 
+/// The rules that have a word in their name.
+fn with_word(word: &str) -> Vec<&'static str> {
+    all().map(|rule| rule.name).filter(|name| name.split('-').any(|part| part == word)).collect()
+}
+
 /// What to tell the user about a selector that means no rule.
 pub fn unknown_selector(selector: &str) -> String {
     match nearest_selector(selector) {
         Some(near) => format!("`{selector}` is no rule; a similar one is `{near}`"),
+        None if !with_word(selector).is_empty() => {
+            format!("`{selector}` is no rule; these have the word: `{}`", with_word(selector).join("`, `"))
+        }
         None => format!("`{selector}` is no rule; `xacro-lint rules` lists them"),
     }
 }

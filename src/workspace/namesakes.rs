@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::packages::{Packages, without_parents};
 use super::root::is_built;
+use super::similar::nearest;
 use base::limits::{NAMESAKE_DEPTH, NAMESAKE_FILES};
 use base::{FastMap, FastSet};
 use vfs::Vfs;
@@ -23,8 +24,10 @@ impl Packages {
         let folders = package.map(Path::to_owned).into_iter().chain(own).chain(around);
         folders.into_iter().find_map(|folder| {
             let index = self.indexes.get(folder.clone(), || Arc::new(Index::of(&self.vfs, &folder)));
-            let others = index.0.get(&name)?.iter().filter(|path| *path != missing);
-            let mut by_likeness: Vec<_> = others.map(|path| (common_tail(path, missing), path)).collect();
+            let others = index.0.get(&name)?.iter();
+            let others = others.filter(|path| *path != missing && !is_of_another_kind(path, missing));
+            let likeness = |path: &Path| (common_tail(path, missing), has_similar_folder(path, missing));
+            let mut by_likeness: Vec<_> = others.map(|path| (likeness(path), path)).collect();
             by_likeness.sort_by_key(|(likeness, _)| std::cmp::Reverse(*likeness));
             match by_likeness.as_slice() {
                 [(best, path), rest @ ..] if rest.first().is_none_or(|(next, _)| next < best) => {
@@ -73,6 +76,23 @@ fn common_tail(a: &Path, b: &Path) -> usize {
     names(a).iter().zip(&names(b)).take_while(|(a, b)| a == b).count()
 }
 
+/// Whether one path is of what is seen and the other one of what collides: they hold files of the same names.
+fn is_of_another_kind(a: &Path, b: &Path) -> bool {
+    let kinds = |path: &Path| {
+        let folders = path.parent().unwrap_or(path).to_string_lossy().to_lowercase();
+        ["visual", "collision"].map(|kind| folders.contains(kind))
+    };
+    let (a, b) = (kinds(a), kinds(b));
+    [(a, b), (b, a)].into_iter().any(|pair| pair == ([true, false], [false, true]))
+}
+
+/// Whether the folders of two files have almost the same name: `visuals`, `visual`.
+fn has_similar_folder(a: &Path, b: &Path) -> bool {
+    let folder = |path: &Path| path.parent()?.file_name().map(|name| name.to_string_lossy().into_owned());
+    let (Some(a), Some(b)) = (folder(a), folder(b)) else { return false };
+    nearest(&a, [b.as_str()]).is_some()
+}
+
 #[cfg(test)]
 mod tests {
     use crate::{PackageOptions, Packages};
@@ -86,6 +106,7 @@ mod tests {
             "ws/src/a/urdf/r.urdf",
             "ws/src/a/models/arm/visual/link.stl",
             "ws/src/a/models/arm/collision/link.stl",
+            "ws/src/a/models/arm/visual/only_seen.stl",
             "ws/src/a/.hidden/secret.stl",
             "ws/src/b/package.xml",
             "ws/src/b/meshes/Hand.STL",
@@ -101,6 +122,11 @@ mod tests {
             Some(found.strip_prefix(tree.path("ws/src")).unwrap().display().to_string())
         };
         assert_eq!(found("ws/src/a/meshes/visual/link.stl").as_deref(), Some("a/models/arm/visual/link.stl"));
+        assert_eq!(
+            found("ws/src/a/meshes/visuals/link.stl").as_deref(),
+            Some("a/models/arm/visual/link.stl")
+        );
+        assert_eq!(found("ws/src/a/meshes/collision/only_seen.stl"), None);
         assert_eq!(found("ws/src/a/meshes/hand.stl").as_deref(), Some("b/meshes/Hand.STL"));
         assert_eq!(found("ws/src/a/meshes/secret.stl"), None);
         assert_eq!(found("ws/src/a/meshes/gone.stl"), None);

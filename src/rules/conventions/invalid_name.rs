@@ -3,6 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
+use super::super::xml::with_dollars;
 use super::names;
 use model::Text;
 
@@ -23,6 +24,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(bad) = name.value.chars().find(|&c| !is_admitted(c)) else { continue };
         let what = named.word();
         let shown = if bad.is_whitespace() { "white space".to_owned() } else { format!("`{bad}`") };
+        if let Some(new) = with_dollars(cx, &name.value).filter(|_| name.is_literal()) {
+            out.report(name.origin, format!("the name of {what} {}has {shown} in it", quoted(name)))
+                .help(format!("an expression needs a `$` in front: write `{new}`"))
+                .replace_with(Safety::Unsafe, format!("write `{new}`"), new)
+                .done();
+            continue;
+        }
         let report = out
             .report(name.origin, format!("the name of {what} {}has {shown} in it", quoted(name)))
             .help("use letters, digits, `_`, `-`, `.` and `/`");

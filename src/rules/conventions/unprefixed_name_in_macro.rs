@@ -33,8 +33,12 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         if !names.iter().any(uses) || is_called_without(cx, base, node, prefix) {
             continue;
         }
-        let fixed =
-            |name: &&Attr<'_>| !name.has_dollar() && !name.raw().is_empty() && !SHARED.contains(&name.raw());
+        let fixed = |name: &&Attr<'_>| {
+            !name.has_dollar()
+                && !name.raw().contains('{')
+                && !name.raw().is_empty()
+                && !SHARED.contains(&name.raw())
+        };
         // a name that is there twice already is an error of its own
         for name in names.iter().filter(fixed).filter(|name| !is_duplicate(cx, name.raw())) {
             report(cx, base, node, *name, prefix, out);

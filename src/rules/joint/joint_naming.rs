@@ -17,6 +17,9 @@ pub(super) const RULE: Rule = Rule {
     check: Check::Robot(check),
 };
 
+/// Words of an arm: `shoulder_lift_joint` is its second joint, `lift_joint` carries it.
+const OWN: [&str; 5] = ["shoulder", "upper", "elbow", "forearm", "wrist"];
+
 /// Words in the names of joints that are no part of the arm.
 const OTHERS: [&str; 14] = [
     "gripper",
@@ -66,6 +69,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 /// Whether a joint belongs to a gripper or an external axis, by its name.
 fn is_other(name: &str) -> bool {
     let name = name.to_lowercase();
-    name.split(['_', '-', '/'])
-        .any(|word| OTHERS.contains(&word.trim_end_matches(|c: char| c.is_ascii_digit())))
+    let words: Vec<&str> =
+        name.split(['_', '-', '/']).map(|word| word.trim_end_matches(|c: char| c.is_ascii_digit())).collect();
+    words.iter().any(|word| OTHERS.contains(word)) && !words.iter().any(|word| OWN.contains(word))
 }

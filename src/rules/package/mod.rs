@@ -4,6 +4,7 @@ mod deprecated_xacro_cli;
 mod description_package_name;
 mod invalid_package_name;
 mod launch;
+mod malformed_package_xml;
 mod manifest;
 mod mentions;
 mod missing_package_dependency;
@@ -27,4 +28,5 @@ pub(super) static RULES: &[Rule] = &[
     xacro_not_in_package::RULE,
     description_package_name::RULE,
     deprecated_xacro_cli::RULE,
+    malformed_package_xml::RULE,
 ];

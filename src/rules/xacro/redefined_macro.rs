@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::source::{self, Inclusion};
 use base::{FastMap, FastSet};
@@ -17,7 +17,7 @@ pub(super) const RULE: Rule = Rule {
     severity: Severity::Warning,
     default: Activation::On,
     since: "0.1",
-    fix: None,
+    fix: Some(Safety::Unsafe),
     docs: page("redefined-macro"),
     check: Check::Document(check),
 };

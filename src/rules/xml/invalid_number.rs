@@ -7,8 +7,9 @@ use super::super::edits::{source_text, speaks_xacro};
 use super::super::numbers::rewrite;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
+use super::meant::{self, Meant};
 use super::walk;
-use expand::{FileIdx, Place, XId};
+use expand::{FileIdx, Origin, Place, XId};
 use model::{Text, decimal, is_decimal};
 
 pub(super) const RULE: Rule = Rule {
@@ -25,6 +26,10 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for Numeric { id, name, count, text } in numeric(cx) {
+        if let Some(meant) = meant::of_numbers(cx, text, *count) {
+            report_meant(cx, *id, name, text, meant, out);
+            continue;
+        }
         let bad = bad_words(text, *count);
         let is_good = bad.is_empty();
         for range in bad {
@@ -62,7 +67,7 @@ fn find_numeric(cx: &DocumentCx<'_>) -> Vec<Numeric> {
             let text = attribute.numbers().zip(Text::attr(&cx.expansion.tree, id, attribute.name));
             let judged = |text: &Text| {
                 let open = text.value.contains("${") || text.value.contains("$(");
-                text.is_known() && !open && !is_reported(cx, text)
+                text.is_known() && !open && !is_reported(cx, text.origin)
             };
             let text = text.filter(|(_, text)| judged(text));
             found.extend(text.map(|(count, text)| Numeric { id, name: attribute.name, count, text }));
@@ -111,8 +116,8 @@ fn blank_in_vector(value: &str) -> Option<&'static str> {
 }
 
 /// Whether expansion had something to say about a value.
-fn is_reported(cx: &DocumentCx<'_>, text: &Text) -> bool {
-    let Some(place) = cx.expansion.place(text.origin) else { return false };
+pub(super) fn is_reported(cx: &DocumentCx<'_>, origin: Origin) -> bool {
+    let Some(place) = cx.expansion.place(origin) else { return false };
     let inside = |at: Place| at.file == place.file && place.range.contains_range(at.range);
     cx.expansion.problems.iter().any(|problem| inside(problem.place))
 }
@@ -128,6 +133,19 @@ pub(super) fn bad_words(text: &Text, count: usize) -> Vec<Range<usize>> {
     let surplus = text.words().nth(1);
     let wrong = if text.words().next().is_none() { Some(whole) } else { surplus };
     wrong.into_iter().collect()
+}
+
+/// A value of which it is clear what it was meant to be.
+fn report_meant(cx: &DocumentCx<'_>, id: XId, name: &str, text: &Text, meant: Meant, out: &mut Sink<'_>) {
+    let Meant { help, value } = meant;
+    let what = if text.words().nth(1).is_some() { "are no numbers" } else { "is not a number" };
+    let message = format!("{}: `{}` in `{name}` {what}", walk::described(cx, id), text.value);
+    let is_written = text.is_literal() && text.origin.range.len() as usize == text.value.len();
+    let report = out.report(text.origin, message).help(format!("{help}: {name}=\"{value}\""));
+    match is_written {
+        true => report.replace_with(Safety::Unsafe, format!("write `{value}`"), value).done(),
+        false => report.done(),
+    }
 }
 
 fn report(cx: &DocumentCx<'_>, id: XId, name: &str, text: &Text, range: Range<usize>, out: &mut Sink<'_>) {

@@ -3,6 +3,7 @@
 mod duplicate_element;
 mod inconsistent_xacro_prefix;
 mod invalid_number;
+mod meant;
 mod missing_attribute;
 mod missing_element;
 mod missing_robot_name;
@@ -20,6 +21,7 @@ mod xacro_tags_in_urdf;
 use super::registry::{Category::Xml, Rule, Safety, Severity::Error, page};
 
 pub use invalid_number::Numeric;
+pub(super) use meant::with_dollars;
 pub use walk::Seen;
 
 /// The rules.

@@ -3,6 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use super::invalid_number::is_reported;
 use super::walk;
 use base::TextRange;
 use expand::{Origin, XId, XKind};
@@ -28,7 +29,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         for text in tree.children(id) {
             let node = tree.get(text);
             let is_text = matches!(node.kind, XKind::Text | XKind::CData);
-            if is_text && !node.text.trim().is_empty() {
+            if is_text && !node.text.trim().is_empty() && !is_reported(cx, node.origin) {
                 report(cx, id, text, out);
             }
         }

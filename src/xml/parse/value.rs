@@ -164,7 +164,20 @@ impl Parser<'_> {
             self.pos += 1;
         }
         if start < self.bytes.len() {
-            let message = format!("the value of `{}` must stand in quotes", self.slice(name.0, name.1));
+            let name_text = self.slice(name.0, name.1);
+            let message = match self
+                .slice(start, self.pos)
+                .chars()
+                .next()
+                .filter(|c| "“”„‟‘’‚″′«»".contains(*c))
+            {
+                Some(quote) => {
+                    format!(
+                        "the value of `{name_text}` stands in `{quote}`, which is no quote of XML: write `\"`"
+                    )
+                }
+                None => format!("the value of `{name_text}` must stand in quotes"),
+            };
             self.error(Kind::BadAttribute, (name.0, self.pos), (expat::INVALID, start), message);
         }
         if self.pos == start {

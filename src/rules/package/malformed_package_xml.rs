@@ -1,0 +1,41 @@
+//! A `package.xml` that is not well-formed.
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use base::{FastSet, Span};
+use xml::Document;
+
+pub(super) const RULE: Rule = Rule {
+    code: "PKG008",
+    name: "malformed-package-xml",
+    category: Category::Package,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page("malformed-package-xml"),
+    check: Check::Document(check),
+};
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let sources = cx.expansion.files.iter().map(|file| &file.source.path);
+    let packages = sources.filter_map(|path| cx.world.packages.containing(path));
+    let mut seen = FastSet::default();
+    for package in packages {
+        let path = package.folder.join("package.xml");
+        if !seen.insert(path.clone()) {
+            continue;
+        }
+        let Ok(text) = cx.world.vfs.text(&path) else { continue };
+        let errors = Document::parse(text.text.as_ref()).errors();
+        let Some(error) = errors.iter().min_by_key(|error| error.expat_offset) else { continue };
+        let span = Span { file: cx.world.vfs.file_id(&path), range: error.range };
+        out.report_span(
+            span,
+            format!("the package.xml of `{}` cannot be read: {}", package.name, error.message),
+        )
+        .help("no tool reads it as it is, and dependencies are not checked")
+        .done();
+    }
+}

@@ -1,0 +1,78 @@
+//! What a value was meant to be that is no number: signs of a word processor, commas, expressions without their brackets.
+
+use super::super::context::{DocumentCx, is_plain_urdf};
+use expr::is_identifier;
+use model::{Text, is_decimal};
+
+/// What a value was meant to be.
+pub(super) struct Meant {
+    /// What to know about it.
+    pub help: &'static str,
+    /// The value to write.
+    pub value: String,
+}
+
+/// Of an attribute that holds so many numbers; none when it does, or when it cannot be told.
+pub(super) fn of_numbers(cx: &DocumentCx<'_>, text: &Text, count: usize) -> Option<Meant> {
+    let value = text.value.as_str();
+    let holds_numbers =
+        |value: &str| value.split_whitespace().count() == count && value.split_whitespace().all(is_decimal);
+    if holds_numbers(value) {
+        return None;
+    }
+    let plain = value.replace(['\u{2212}', '\u{2013}'], "-");
+    if plain != value && holds_numbers(&plain) {
+        return Some(Meant {
+            help: "the sign in front is not the minus sign of a keyboard, write it",
+            value: plain,
+        });
+    }
+    let spaced = value.replace([',', ';'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
+    if count > 1 && spaced != value && holds_numbers(&spaced) {
+        return Some(Meant { help: "numbers are separated by blanks, not by commas", value: spaced });
+    }
+    let is_xacro = cx.expansion.files.first().is_some_and(|file| !is_plain_urdf(&file.source.path));
+    let bracketed = bracketed(cx, value)?;
+    (bracketed != value && text.is_literal() && is_xacro)
+        .then_some(Meant { help: "an expression stands in `${...}`", value: bracketed })
+}
+
+/// The words of a value with `${...}` around those that are expressions of known names.
+fn bracketed(cx: &DocumentCx<'_>, value: &str) -> Option<String> {
+    let words = value.split_whitespace().map(|word| match is_decimal(word) {
+        true => Some(word.to_owned()),
+        false => expression(cx, word).map(|code| format!("${{{code}}}")),
+    });
+    Some(words.collect::<Option<Vec<String>>>()?.join(" "))
+}
+
+/// `{width}`, `$width` and `pi/2` as the expression in it.
+fn expression<'w>(cx: &DocumentCx<'_>, word: &'w str) -> Option<&'w str> {
+    let inner = word.strip_prefix('{').and_then(|rest| rest.strip_suffix('}'));
+    let code = inner.or_else(|| word.strip_prefix('$')).unwrap_or(word);
+    let mut names =
+        code.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|name| is_identifier(name)).peekable();
+    let is_code = names.peek().is_some() && names.all(|name| is_known(cx, name));
+    (is_code && expr::parse(code).errors.is_empty()).then_some(code)
+}
+
+/// Whether an expression can name it.
+fn is_known(cx: &DocumentCx<'_>, name: &str) -> bool {
+    name == "pi" || cx.expansion.bindings.iter().any(|binding| binding.name == name)
+}
+
+/// A name with `${...}` where `{...}` holds a name of the expansion: `{prefix}tcp` as `${prefix}tcp`.
+pub(in super::super) fn with_dollars(cx: &DocumentCx<'_>, name: &str) -> Option<String> {
+    let mut out = String::new();
+    let mut rest = name;
+    while let Some((before, behind)) = rest.split_once('{') {
+        let (code, after) = behind.split_once('}')?;
+        if !is_identifier(code) || !is_known(cx, code) {
+            return None;
+        }
+        out.push_str(&format!("{before}${{{code}}}"));
+        rest = after;
+    }
+    out.push_str(rest);
+    (out != name).then_some(out)
+}
