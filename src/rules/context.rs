@@ -136,8 +136,10 @@ impl<'a> DocumentCx<'a> {
 
     /// Whether the robot is written in an older version of URDF; false where another file says which.
     pub fn is_older_than(&self, version: Version) -> bool {
-        let own = || Version::of(&self.expansion.tree);
-        self.kind == RootKind::Robot && own().is_some_and(|own| own < version)
+        // asked for each attribute: nearly all are as old as the format
+        version > Version(1, 0)
+            && self.kind == RootKind::Robot
+            && Version::of(&self.expansion.tree).is_some_and(|own| own < version)
     }
 
     /// Whether every element of the document is there: nothing may be said about what is missing otherwise. In

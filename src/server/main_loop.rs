@@ -7,7 +7,6 @@ use std::time::{Duration, Instant};
 use lsp_types::MessageType;
 
 use crate::diagnostics::make_diagnostics;
-use crate::failure::Failure;
 use crate::lifecycle::scan;
 use crate::preview::make_previews;
 use crate::queue::Job;
@@ -77,6 +76,10 @@ fn guarded(state: &mut State, job: Job) {
 /// Fail as a fault of ours would.
 #[cfg(debug_assertions)]
 #[allow(clippy::panic, reason = "that is what it is for")]
-pub(super) fn fail(_: &mut State, (): (), _: &base::CancelFlag) -> Result<serde_json::Value, Failure> {
+pub(super) fn fail(
+    _: &mut State,
+    (): (),
+    _: &base::CancelFlag,
+) -> Result<serde_json::Value, crate::failure::Failure> {
     panic!("this job was asked to fail")
 }

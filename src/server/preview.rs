@@ -3,6 +3,7 @@
 //! Clients with requests of their own subscribe and pass messages on to the viewer; all others open the address that
 //! the command answers. Models are made when no job waits, so that a burst of edits costs one of them.
 
+#[cfg(feature = "preview")]
 use crate::mapping::named;
 use crate::requests::expansion::chosen;
 use std::collections::{BTreeMap, BTreeSet};
@@ -11,7 +12,9 @@ use std::path::{Path, PathBuf};
 use base64::Engine as _;
 use lsp_types::{TextDocumentIdentifier, Url};
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
+use serde_json::Value;
+#[cfg(feature = "preview")]
+use serde_json::json;
 
 use crate::convert;
 use crate::failure::Failure;
@@ -260,7 +263,7 @@ pub fn preview_page(state: &mut State, argument: Value) -> Result<Value, Failure
 
 /// There is no server for browsers in this build.
 #[cfg(not(feature = "preview"))]
-pub fn preview_page(state: &mut State, _: Value) -> Result<Value, Failure> {
+pub fn preview_page(_: &mut State, _: Value) -> Result<Value, Failure> {
     Err(Failure::Refused("this build has no preview: build it with the feature `preview`".to_owned()))
 }
 

@@ -3,13 +3,13 @@
 use std::ops::Range;
 
 use super::super::context::{DocumentCx, RootKind, is_plain_urdf};
-use super::super::edits::{source_text, speaks_xacro};
+use super::super::edits::source_text;
 use super::super::numbers::rewrite;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::meant::{self, Meant};
 use super::walk;
-use expand::{FileIdx, Origin, Place, XId};
+use expand::{Origin, Place, XId};
 use model::{Text, decimal, is_decimal};
 
 pub(super) const RULE: Rule = Rule {
@@ -25,18 +25,15 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let is_plain = is_plain(cx);
     for Numeric { id, name, count, text } in numeric(cx) {
-        if let Some(meant) = meant::of_numbers(cx, text, *count) {
-            report_meant(cx, *id, name, text, meant, out);
-            continue;
-        }
         let bad = bad_words(text, *count);
-        let is_good = bad.is_empty();
-        for range in bad {
-            report(cx, *id, name, text, range, out);
-        }
-        if is_good {
-            blanks(cx, *id, name, *count, text, out);
+        if bad.is_empty() {
+            blanks(cx, (*id, name), *count, text, is_plain, out);
+        } else if let Some(meant) = meant::of_numbers(cx, text, *count) {
+            report_meant(cx, *id, name, text, meant, out);
+        } else {
+            bad.into_iter().for_each(|range| report(cx, *id, name, text, range, out));
         }
     }
 }
@@ -77,17 +74,29 @@ fn find_numeric(cx: &DocumentCx<'_>) -> Vec<Numeric> {
 }
 
 /// Blanks that urdfdom does not take: behind a number, and other ones than spaces between numbers.
-fn blanks(cx: &DocumentCx<'_>, id: XId, name: &str, count: usize, text: &Text, out: &mut Sink<'_>) {
-    let element = walk::described(cx, id);
+fn blanks(
+    cx: &DocumentCx<'_>,
+    (id, name): (XId, &str),
+    count: usize,
+    text: &Text,
+    is_plain: bool,
+    out: &mut Sink<'_>,
+) {
     let trimmed = text.value.trim();
     if count == 1 {
         if text.value.trim_end().len() == text.value.len() {
             return;
         }
+        let element = walk::described(cx, id);
         let message =
             format!("{element}: `{name}` ends with a blank, and urdfdom takes none behind a number");
         rewrite(out.report(text.origin, message), Safety::Unsafe, text, trimmed.to_owned()).done();
-    } else if let Some(blank) = written(cx, text).as_deref().and_then(blank_in_vector) {
+    } else if is_plain
+        && text.is_literal()
+        && let Some((_, _, written)) = source_text(cx.expansion, text.origin)
+        && let Some(blank) = blank_in_vector(&written)
+    {
+        let element = walk::described(cx, id);
         let message =
             format!("{element}: {blank} between the numbers of `{name}`, where urdfdom takes spaces only");
         let spaced = trimmed.split_ascii_whitespace().collect::<Vec<_>>().join(" ");
@@ -95,15 +104,14 @@ fn blanks(cx: &DocumentCx<'_>, id: XId, name: &str, count: usize, text: &Text, o
     }
 }
 
-/// A value as plain URDF spells it; none where xacro reads it, which makes a space of each blank.
-fn written(cx: &DocumentCx<'_>, text: &Text) -> Option<String> {
-    let (file, _, source) = source_text(cx.expansion, text.origin)?;
-    let path = &cx.expansion.files.get(file.0 as usize)?.source.path;
-    let is_plain = cx.kind == RootKind::Robot
-        && file == FileIdx(0)
-        && is_plain_urdf(path)
-        && !speaks_xacro(cx.expansion, text.origin);
-    (is_plain && text.is_literal()).then_some(source)
+/// Whether readers take the values as they are written: xacro makes a space of each blank.
+fn is_plain(cx: &DocumentCx<'_>) -> bool {
+    let file = cx.expansion.files.first().filter(|_| cx.kind == RootKind::Robot);
+    file.is_some_and(|file| {
+        let declares_xacro =
+            file.source.document.root().is_some_and(|root| root.attr("xmlns:xacro").is_some());
+        is_plain_urdf(&file.source.path) && !declares_xacro && cx.expansion.files.len() == 1
+    })
 }
 
 /// The tab or line break that makes urdfdom refuse a vector. It cuts the text at spaces, and of each part reads a
