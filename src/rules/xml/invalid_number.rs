@@ -11,6 +11,7 @@ use super::meant::{self, Meant};
 use super::walk;
 use expand::{Origin, Place, XId};
 use model::{Text, decimal, is_decimal};
+use xml::Document;
 
 pub(super) const RULE: Rule = Rule {
     code: "XML010",
@@ -59,12 +60,15 @@ pub(super) fn numeric<'a>(cx: &'a DocumentCx<'_>) -> &'a [Numeric] {
 fn find_numeric(cx: &DocumentCx<'_>) -> Vec<Numeric> {
     let mut found = Vec::new();
     for (id, spec) in walk::known(cx) {
-        // readers pass over what is newer than the robot
-        for attribute in spec.attributes.iter().filter(|attribute| !cx.is_older_than(attribute.since)) {
+        for attribute in spec.attributes {
             let text = attribute.numbers().zip(Text::attr(&cx.expansion.tree, id, attribute.name));
             let judged = |text: &Text| {
                 let open = text.value.contains("${") || text.value.contains("$(");
-                text.is_known() && !open && !is_reported(cx, text.origin)
+                // readers pass over what is newer than the robot
+                text.is_known()
+                    && !open
+                    && !is_reported(cx, text.origin)
+                    && !cx.is_older_than(attribute.since)
             };
             let text = text.filter(|(_, text)| judged(text));
             found.extend(text.map(|(count, text)| Numeric { id, name: attribute.name, count, text }));
@@ -104,14 +108,24 @@ fn blanks(
     }
 }
 
-/// Whether readers take the values as they are written: xacro makes a space of each blank.
+/// Whether readers take the values as they are written, and some value holds a blank that is no space: xacro makes a
+/// space of each.
 fn is_plain(cx: &DocumentCx<'_>) -> bool {
     let file = cx.expansion.files.first().filter(|_| cx.kind == RootKind::Robot);
     file.is_some_and(|file| {
         let declares_xacro =
             file.source.document.root().is_some_and(|root| root.attr("xmlns:xacro").is_some());
-        is_plain_urdf(&file.source.path) && !declares_xacro && cx.expansion.files.len() == 1
+        is_plain_urdf(&file.source.path)
+            && !declares_xacro
+            && cx.expansion.files.len() == 1
+            && has_blanks(&file.source.document)
     })
+}
+
+/// Whether a value of a document holds a tab or a line break.
+fn has_blanks(document: &Document) -> bool {
+    let mut attrs = document.parts().flat_map(|(_, item)| item.all_nodes()).flat_map(|node| node.attrs());
+    attrs.any(|attr| attr.raw().bytes().any(|byte| matches!(byte, b'\t' | b'\n' | b'\r')))
 }
 
 /// The tab or line break that makes urdfdom refuse a vector. It cuts the text at spaces, and of each part reads a
