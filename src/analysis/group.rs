@@ -39,7 +39,7 @@ impl Report {
         self
     }
 
-    /// Mark the places of one defect for an editor, see [`mark_groups`].
+    /// Mark the places of one defect for an editor, see `mark_groups` below.
     pub fn mark_groups(&mut self) {
         let mut findings = std::mem::take(&mut self.findings);
         mark_groups(&mut findings, |span| self.text(span));
@@ -53,7 +53,7 @@ impl Report {
 
 /// Mark the places of one defect for an editor. There every file is looked at by itself: the first place in a file
 /// keeps its severity and names the others, and the others become hints that lead to the first.
-pub fn mark_groups(findings: &mut [Finding], text: impl Fn(Span) -> Option<String>) {
+fn mark_groups(findings: &mut [Finding], text: impl Fn(Span) -> Option<String>) {
     for group in groups(findings, true, text) {
         let Some((&first, others)) = group.split_first() else { continue };
         let Some(at) = findings.get(first).filter(|first| first.severity > Severity::Hint) else { continue };

@@ -44,7 +44,6 @@ pub use check::CheckOptions;
 pub use configs::{Overrides, Settings};
 pub use context::{Context, Reason, RootChoice};
 pub use fix::{FixOptions, Fixed, FixedFile, is_said_safe};
-pub use group::mark_groups;
 pub use plan::{Plan, apply};
 pub use progress::Progress;
 pub use proof::{Effort, Roots};

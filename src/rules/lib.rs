@@ -50,6 +50,5 @@ pub use run::{Chosen, check_expansion, check_files, check_recovered};
 pub use selection::{Selection, SelectionOptions};
 pub use semantic::{holds_for_semantic, is_semantic};
 pub use sink::Sink;
-pub use style::LEFT_TO_DO;
 pub use thresholds::{THRESHOLDS, Threshold};
 pub use xacro::include_tags;

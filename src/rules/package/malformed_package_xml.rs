@@ -4,7 +4,6 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::{FastSet, Span};
-use xml::Document;
 
 pub(super) const RULE: Rule = Rule {
     code: "PKG008",
@@ -27,10 +26,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if !seen.insert(path.clone()) {
             continue;
         }
-        let Ok(text) = cx.world.vfs.text(&path) else { continue };
-        let errors = Document::parse(text.text.as_ref()).errors();
+        let Ok(source) = cx.world.vfs.document(&path) else { continue };
+        let errors = source.document.errors();
         let Some(error) = errors.iter().min_by_key(|error| error.expat_offset) else { continue };
-        let span = Span { file: cx.world.vfs.file_id(&path), range: error.range };
+        let span = Span { file: source.id, range: error.range };
         out.report_span(
             span,
             format!("the package.xml of `{}` cannot be read: {}", package.name, error.message),

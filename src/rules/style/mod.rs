@@ -5,8 +5,6 @@ mod redundant_expression;
 mod redundant_identity_origin;
 mod todo_comment;
 
-pub use todo_comment::LEFT_TO_DO;
-
 use super::registry::Rule;
 
 /// The rules.

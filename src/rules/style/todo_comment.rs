@@ -18,7 +18,7 @@ pub(super) const RULE: Rule = Rule {
 };
 
 /// Words that say something is left to do.
-pub const LEFT_TO_DO: [&str; 2] = ["TODO", "FIXME"];
+const LEFT_TO_DO: [&str; 2] = ["TODO", "FIXME"];
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     for (base, item) in cx.source.document.parts() {

@@ -40,6 +40,9 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
 
 /// The first attribute of URDF's own elements with an expression in a file without tags of xacro.
 fn expressions(cx: &FileCx<'_>, out: &mut Sink<'_>) {
+    if !cx.source.document.parts().any(|(_, item)| item.text().contains("${")) {
+        return;
+    }
     let numbers = |node: Node<'_>| {
         let spec = schema::urdf_element(node.name());
         spec.into_iter().flat_map(|spec| spec.attributes).filter(|attribute| attribute.numbers().is_some())
