@@ -81,7 +81,7 @@ fn two_are_two_and_three_are_one() {
     folder.write("r.urdf", &robot(&["a", "b", "c"]));
     let found = folder.json(CHECK);
     assert_eq!(rows(&found), [2]);
-    assert!(message(&found[0]).ends_with("; 2 more places in this file"), "{found:?}");
+    assert!(message(&found[0]).ends_with("; 2 more locations in this file"), "{found:?}");
     assert_eq!(found[0]["places"], 3);
     let related = found[0]["related"].as_array().unwrap();
     assert_eq!(rows(related), [3, 4]);
@@ -96,7 +96,7 @@ fn all_places_are_related_and_a_drawing_shows_some() {
     let folder = Folder::of(&[("r.urdf", robot(&names.iter().map(String::as_str).collect::<Vec<_>>()))]);
     assert_eq!(folder.json(CHECK)[0]["related"].as_array().unwrap().len(), 29);
     let drawn = folder.run("check --select zero-inertia");
-    assert!(drawn.contains("26 more places are not drawn"), "{drawn}");
+    assert!(drawn.contains("26 more locations not shown"), "{drawn}");
     assert_eq!(drawn.matches("warning[zero-inertia]").count(), 1, "{drawn}");
 }
 
@@ -107,7 +107,7 @@ fn copies_in_other_files_belong_to_it() {
     let folder = Folder::of(&copies);
     let found = folder.json(CHECK);
     assert_eq!((found.len(), &found[0]["places"]), (1, &Value::from(3)));
-    assert!(message(&found[0]).ends_with("; 2 more places, in 3 files"), "{found:?}");
+    assert!(message(&found[0]).ends_with("; 2 more locations, in 3 files"), "{found:?}");
     folder.write("c.urdf", &robot(&["other"]));
     assert_eq!(folder.json(CHECK).len(), 3, "two copies and another link");
 }
@@ -158,9 +158,9 @@ fn a_baseline_counts_places() {
     folder.write("r.urdf", &robot(&["a", "b", "c", "d"]));
     let with = "check --select zero-inertia --format concise --baseline known.json";
     let said = folder.run(with);
-    assert!(said.contains("r.urdf:5:") && !said.contains("more place"), "{said}");
+    assert!(said.contains("r.urdf:5:") && !said.contains("more location"), "{said}");
     assert!(folder.run("check --select zero-inertia --write-baseline known.json").contains("wrote 4"));
-    assert_eq!(folder.run(with), "note: 4 findings of the baseline not shown\n");
+    assert_eq!(folder.run(with), "note: 4 findings from the baseline not shown\n");
 }
 
 #[test]
@@ -194,7 +194,7 @@ fn a_pull_request_gets_one_annotation() {
     let folder = Folder::of(&[("r.urdf", robot(&["a", "b", "c"]))]);
     let said = folder.run("check --select zero-inertia --format github");
     assert_eq!(said.lines().count(), 1, "{said}");
-    assert!(said.starts_with("::warning file=r.urdf,line=2,") && said.contains("2 more places"), "{said}");
+    assert!(said.starts_with("::warning file=r.urdf,line=2,") && said.contains("2 more locations"), "{said}");
 }
 
 #[test]

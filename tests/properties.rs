@@ -97,7 +97,7 @@ macro_rules! properties {
     };
 }
 
-properties! { xml edits formatter expression yaml expander fixes mesh configuration messages }
+properties! { xml edits formatter expression yaml expander fixes mesh configuration launch messages }
 
 /// Inputs that made a function fail once; `tests/fuzz/regressions/TARGET-WHAT`.
 #[test]

@@ -129,7 +129,9 @@ fn report(rule: &Rule, folder: &Path, file: &Path) -> Report {
     let overrides = Overrides { extend_select, ..Overrides::default() };
     let session =
         Session::new(&env, Setup { about: folder.to_owned(), overrides, ..Setup::default() }).unwrap();
-    let options = CheckOptions { paths: vec![file.to_owned()], ..CheckOptions::default() };
+    // launch files are checked with the folder that they are in
+    let path = if folder.join("launch").is_dir() && rule.code.starts_with("PKG") { folder } else { file };
+    let options = CheckOptions { paths: vec![path.to_owned()], ..CheckOptions::default() };
     let report = session.check(&options);
     assert!(report.unreadable.is_empty());
     report

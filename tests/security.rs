@@ -204,7 +204,11 @@ fn a_bare_text_outside_is_refused_and_parameters_are_not() {
     }
     fs::write(&parameters, "four").unwrap();
     let said = run(&urdf, &["check", "r.urdf.xacro"]);
-    for words in ["r.urdf.xacro:2:", "etc/robot.yaml` is one bare text", "Move it into the package"] {
+    for words in [
+        "r.urdf.xacro:2:",
+        "etc/robot.yaml` is not loaded: it is a single string",
+        "move the file into the package",
+    ] {
         assert!(said.contains(words), "no `{words}` in {said}");
     }
     // beside the robot it is the robot's own

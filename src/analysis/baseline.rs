@@ -54,10 +54,11 @@ impl Baseline {
     /// # Errors
     /// When it is something else.
     pub fn from_json(text: &str) -> Result<Self, String> {
-        let stored: Stored = serde_json::from_str(text).map_err(|error| format!("no baseline: {error}"))?;
+        let stored: Stored =
+            serde_json::from_str(text).map_err(|error| format!("not a baseline: {error}"))?;
         if stored.version != VERSION {
             return Err(format!(
-                "a baseline of version {}; this program reads version {VERSION}",
+                "unsupported baseline version {}; this program supports version {VERSION}",
                 stored.version
             ));
         }
@@ -140,8 +141,8 @@ mod tests {
     #[test]
     fn what_is_no_baseline() {
         let error = |text: &str| Baseline::from_json(text).unwrap_err();
-        assert!(error("[]").starts_with("no baseline: "));
-        assert!(error("{\"version\": 2, \"findings\": []}").starts_with("a baseline of version 2"));
+        assert!(error("[]").starts_with("not a baseline: "));
+        assert!(error("{\"version\": 2, \"findings\": []}").starts_with("unsupported baseline version 2"));
         assert!(Baseline::from_json("{\"version\": 1, \"findings\": []}").unwrap().is_empty());
     }
 }

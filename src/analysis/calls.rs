@@ -53,6 +53,8 @@ struct Failures {
     arguments: FastSet<String>,
     /// Files and packages that are not there.
     files: usize,
+    /// Keys that a YAML file does not have: another file may have them.
+    keys: usize,
     /// Everything else that may depend on a value.
     others: usize,
     /// All errors.
@@ -61,13 +63,14 @@ struct Failures {
 
 impl Failures {
     fn of(expansion: &Expansion) -> Self {
-        let mut found = Self { arguments: FastSet::default(), files: 0, others: 0, errors: 0 };
+        let mut found = Self { arguments: FastSet::default(), files: 0, keys: 0, others: 0, errors: 0 };
         let is_error = |problem: &&Problem| !problem.probed && problem.severity == Severity::Error;
         for problem in expansion.problems.iter().filter(is_error) {
             found.errors += 1;
             match &problem.outside {
                 Some(Outside::Argument(name)) => drop(found.arguments.insert(name.to_string())),
                 Some(Outside::File) => found.files += 1,
+                _ if problem.reference.contains("yaml dictionary has no key") => found.keys += 1,
                 _ if ["XAC025", "XAC027"].contains(&problem.code) => found.others += 1,
                 _ => {}
             }
@@ -76,7 +79,7 @@ impl Failures {
     }
 
     fn count(&self) -> usize {
-        self.arguments.len() + self.files + self.others
+        self.arguments.len() + self.files + self.keys + self.others
     }
 }
 
@@ -87,7 +90,7 @@ fn called(request: &Request, caller: &Caller, fails: &Failures, with_all: bool) 
     let mut next = request.clone();
     let mut seen = FastSet::default();
     for arg in caller.args.iter().filter(|arg| !own.contains(arg.name.as_str())) {
-        let is_wanted = fails.arguments.contains(&arg.name) || with_all && fails.files > 0;
+        let is_wanted = fails.arguments.contains(&arg.name) || with_all && fails.files + fails.keys > 0;
         match &arg.value {
             Some(value) if seen.insert(&arg.name) => next.args.push((arg.name.clone(), value.clone())),
             None if is_wanted && seen.insert(&arg.name) => next.unknown_args.push(arg.name.clone()),
@@ -180,7 +183,7 @@ mod tests {
             "<launch><arg name='kind' default='big'/>xacro r.urdf.xacro kind:=$(arg kind)</launch>",
         );
         check_called(robot, &[part, given], &[]);
-        // given, with a value that is not known
+        // given, with a value that is unknown
         check_called(robot, &[("r.launch", "xacro r.urdf.xacro kind:=$(arg kind)")], &[]);
         // given to a file that is computed as well
         let script = "doc = xacro.parse(open(path))\nxacro.process_doc(doc, mappings={'kind': kind})";
@@ -190,6 +193,19 @@ mod tests {
         // the file is missing whatever is given
         let literal = "<xacro:arg name='kind' default='none'/><xacro:include filename='gone.xacro'/>";
         check_called(literal, &[given], &["error include-not-found"]);
+    }
+
+    #[test]
+    fn keys_of_a_file_that_the_caller_computes() {
+        let robot = "<xacro:arg name='config' default='a.yaml'/>\
+                     <xacro:property name='all' value=\"${xacro.load_yaml('$(arg config)')}\"/>\
+                     <xacro:property name='own' value=\"${all['size']}\" lazy_eval='false'/>";
+        let yaml = ("a.yaml", "length: 1");
+        check_called(robot, &[yaml], &["error undefined-property"]);
+        let computed = ("r.launch.py", "Command(['xacro r.urdf.xacro', ' config:=', made_file])");
+        check_called(robot, &[yaml, computed], &[]);
+        let given = ("r.launch.py", "Command(['xacro r.urdf.xacro', ' config:=a.yaml'])");
+        check_called(robot, &[yaml, given], &["error undefined-property"]);
     }
 
     #[test]

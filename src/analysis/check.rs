@@ -109,12 +109,14 @@ impl Session {
     fn conceal(&self, report: &Report, findings: &mut [Finding]) {
         let around = self.packages.around(report.roots.iter().map(PathBuf::as_path));
         let mut known: FastMap<FileId, bool> = FastMap::default();
+        let mut belongs =
+            |file: FileId| *known.entry(file).or_insert_with(|| around.hold(&self.vfs.path(file)));
         for finding in findings {
-            let file = finding.span.file;
-            if !*known.entry(file).or_insert_with(|| around.hold(&self.vfs.path(file))) {
+            if !belongs(finding.span.file) {
                 finding.message = UNQUOTED.to_owned();
                 (finding.help, finding.fix) = (None, None);
-                finding.related.clear();
+                // the include in the robot that led there stays
+                finding.related.retain(|related| belongs(related.span.file));
                 finding.ways.clear();
             }
         }
@@ -150,10 +152,15 @@ impl Session {
 
     /// One report of many outcomes: merged, as configured, in order.
     pub(super) fn conclude(&self, options: &CheckOptions, mut kept: Vec<Outcome>) -> Report {
+        let has_robots = !kept.is_empty();
         let mut report = Report::default();
         for outcome in &kept {
             report.roots.push(outcome.job.file.clone());
             report.robots += usize::from(outcome.is_robot);
+            if !outcome.unfound.is_empty() {
+                let names = report.incomplete.entry(outcome.job.file.clone()).or_default();
+                names.extend(outcome.unfound.iter().cloned());
+            }
             report.nameless.extend(outcome.is_nameless.then(|| outcome.job.file.clone()));
             report.files.extend(outcome.files.iter().map(|file| (file.id, file.clone())));
         }
@@ -167,6 +174,9 @@ impl Session {
         let mut findings = merge(kept);
         findings.extend(hiding.finish());
         findings.extend(config_findings);
+        if has_robots {
+            findings.extend(self.launch_findings(options));
+        }
         findings.retain(|finding| !is_of_broken_text(finding, &report));
         findings.retain_mut(|finding| self.admit(finding, &homes));
         self.adapt_line_ends(&mut findings);
@@ -238,7 +248,9 @@ impl Session {
         }
         jobs.extend(self.configured(options, &named, &walked));
         let mut known: FastSet<PathBuf> = jobs.iter().map(|job| job.file.clone()).collect();
-        let named = named.into_iter().map(|path| plain(path, Reason::Named));
+        let is_alone = options.paths.len() == 1 && options.changed.is_empty();
+        let reason = if is_alone { Reason::Alone } else { Reason::Named };
+        let named = named.into_iter().map(|path| plain(path, reason));
         let walked = walked.into_iter().map(|path| plain(path, Reason::Walked));
         jobs.extend(named.chain(walked).filter(|job| known.insert(job.file.clone())));
         jobs

@@ -50,12 +50,12 @@ impl Session {
     fn missing(&self, settings: &Arc<Settings>) -> Vec<ConfigWarning> {
         let config = &settings.config;
         let roots = config.roots.iter().filter(|root| root.files(&self.vfs).is_empty());
-        let roots = roots.map(|root| (&root.place, format!("no file is named `{}`", root.file)));
+        let roots = roots.map(|root| (&root.place, format!("no file matches `{}`", root.file)));
         let folders = config.mentions.iter().filter(|mention| {
             let folder = mention.place.path.parent().map(|own| own.join(&mention.text));
             mention.kind == MentionKind::Folder && !folder.is_some_and(|folder| self.vfs.is_dir(&folder))
         });
-        let folders = folders.map(|mention| (&mention.place, format!("`{}` is no folder", mention.text)));
+        let folders = folders.map(|mention| (&mention.place, format!("`{}` is not a folder", mention.text)));
         let warning = |(place, message): (&Place, String)| ConfigWarning {
             place: place.clone(),
             message,
@@ -89,7 +89,7 @@ impl Session {
         let unknown = root.given.iter().filter(|(name, _)| !known.contains(name.as_str()));
         let warning = |(name, place): &(String, Place)| ConfigWarning {
             place: place.clone(),
-            message: format!("`{}` has no argument `{name}`", root.file),
+            message: format!("unknown argument `{name}` of `{}`", root.file),
             nearest: nearest(name, known.iter().map(EcoString::as_str)).map(str::to_owned),
         };
         unknown.map(warning).collect()
@@ -97,7 +97,7 @@ impl Session {
 }
 
 /// The arguments that a file declares or reads, as they are written.
-fn arguments(file: &SourceFile) -> Vec<EcoString> {
+pub(super) fn arguments(file: &SourceFile) -> Vec<EcoString> {
     let mut names = Vec::new();
     for (_, item) in file.document.parts() {
         let facts = facts_of(item);

@@ -220,7 +220,7 @@ fn unknown_names(config: &Config) -> Vec<ConfigWarning> {
             }
             _ => return None,
         };
-        let message = format!("`{name}` is no {kind}");
+        let message = format!("unknown {kind} `{name}`");
         Some(ConfigWarning { place: mention.place.clone(), message, nearest: near.map(str::to_owned) })
     };
     config.mentions.iter().filter_map(warning).collect()

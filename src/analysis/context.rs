@@ -48,9 +48,9 @@ impl Reason {
     /// For a status line.
     pub fn text(self) -> &'static str {
         match self {
-            Reason::Picked => "picked in this session",
-            Reason::Comment => "named by the xacro-root comment",
-            Reason::Configured => "listed in the configuration",
+            Reason::Picked => "selected in this session",
+            Reason::Comment => "set by the xacro-root comment",
+            Reason::Configured => "set in the configuration",
             Reason::Itself => "the file is a robot",
             Reason::Includes => "it includes the file",
             Reason::None => "no root includes this file",

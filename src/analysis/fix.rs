@@ -6,19 +6,19 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::admission::{Admission, Admitted, changes, files_of, groups};
 use super::change::Change;
 use super::check::{CheckOptions, Done};
-use super::plan::{Plan, apply, choose};
+use super::guard::harms;
+use super::plan::{Plan, choose};
 use super::proof::{Changed, Claim, Effort, Roots};
 use super::report::Report;
 use super::session::Session;
 use super::walk::is_description;
 use base::limits::{FIX_ROUNDS, PROOF_EXPANSIONS};
-use base::{FastMap, FastSet, FileId, TextRange};
+use base::{FastMap, FastSet, FileId};
 use rules::{Category, Finding, Fix, Safety, Severity};
-use vfs::Vfs;
 use workspace::is_built;
-use xml::Document;
 
 /// Which findings are fixed.
 #[derive(Clone, Copy, Debug)]
@@ -44,6 +44,8 @@ pub struct Fixed {
     pub unproved: usize,
     /// How many findings could be fixed that are not shown.
     pub hidden: usize,
+    /// How many fixes were taken back, since they would have caused new errors.
+    pub taken_back: usize,
 }
 
 /// A file that changes.
@@ -92,18 +94,33 @@ impl Session {
         let mut left = None;
         for _ in 0..FIX_ROUNDS {
             let report = left.as_ref().unwrap_or(&found);
-            if !work.round(report) {
+            let texts = work.files.clone();
+            let made = work.round(report);
+            if made.is_empty() {
                 break;
             }
             self.forget_changed(&work.changed, &mut done);
-            left = Some(self.check_with(options, Some(&mut done)));
+            let mut after = self.check_with(options, Some(&mut done));
+            let mut kept = made;
+            if harms(report, &after, &kept) {
+                let mut check = |changed: &[Changed]| {
+                    self.forget_changed(changed, &mut done);
+                    self.check_with(options, Some(&mut done))
+                };
+                (kept, after) = work.without_harm(report, &texts, &kept, &mut check);
+            }
+            if !kept.is_empty() {
+                work.note(report, &kept);
+            }
+            left = Some(after);
         }
         let last = left.as_ref().unwrap_or(&found);
         let (unproved, hidden) = (work.unproved(last), work.hidden(last));
         let changed = work.files.into_values().filter(|file| file.before != file.after);
         let mut changed: Vec<FixedFile> = changed.collect();
         changed.sort_by(|a, b| a.path.cmp(&b.path));
-        Fixed { found, left, count: work.count, files: changed, unproved, hidden }
+        let taken_back = work.taken_back;
+        Fixed { found, left, count: work.count, files: changed, unproved, hidden, taken_back }
     }
 
     /// Of the findings of a report with these numbers, the fixes that are proved to be safe, to be made together.
@@ -187,6 +204,8 @@ struct Work<'a> {
     /// By the texts that there were: how many findings were fixed then, and the fixes made since.
     seen: Vec<(u64, usize, Vec<u64>)>,
     count: usize,
+    /// Fixes that were taken back.
+    taken_back: usize,
     /// One number for each file, however many paths lead to it.
     first: RefCell<FastMap<u128, FileId>>,
     /// Whether files are the user's own, as far as known.
@@ -213,13 +232,14 @@ impl<'a> Work<'a> {
             circular,
             seen,
             count,
+            taken_back: 0,
             first,
             own,
         }
     }
 
-    /// Apply fixes once; whether something changed.
-    fn round(&mut self, report: &Report) -> bool {
+    /// Apply fixes once: which ones.
+    fn round(&mut self, report: &Report) -> Vec<usize> {
         let admitted = |(_, finding): &(usize, &Finding)| {
             self.admits(finding)
                 && (is_said_safe(finding) || self.how.most == Safety::Unsafe)
@@ -242,15 +262,65 @@ impl<'a> Work<'a> {
             made.extend(good);
         }
         if !made.is_empty() {
-            self.note(report, &made);
-            return true;
+            return made;
         }
         // robots that were repaired since may prove more
         let again = std::mem::take(&mut self.repaired) && !self.refused.is_empty();
         if again {
             self.refused.clear();
+            return self.round(report);
         }
-        again && self.round(report)
+        Vec::new()
+    }
+
+    /// Of fixes that cause new errors together, make those that do not, beginning with the texts that were there before:
+    /// halves are tried. The report then.
+    fn without_harm(
+        &mut self,
+        report: &Report,
+        texts: &BTreeMap<FileId, FixedFile>,
+        made: &[usize],
+        check: &mut dyn FnMut(&[Changed]) -> Report,
+    ) -> (Vec<usize>, Report) {
+        let mut good: Vec<usize> = Vec::new();
+        let mut open = vec![made.to_vec()];
+        while let Some(numbers) = open.pop() {
+            let mut tried: Vec<usize> = good.iter().chain(&numbers).copied().collect();
+            tried.sort_unstable();
+            let after = self.tried(report, texts, &tried, check);
+            if !harms(report, &after, &tried) {
+                good = tried;
+            } else if let [only] = numbers.as_slice() {
+                self.circular.extend(report.findings.get(*only).map(|finding| key(report, finding)));
+                self.taken_back += 1;
+            } else {
+                let (one, other) = numbers.split_at(numbers.len() / 2);
+                open.extend([other.to_vec(), one.to_vec()]);
+            }
+        }
+        let after = self.tried(report, texts, &good, check);
+        (good, after)
+    }
+
+    /// The report with these fixes made and no others since there were those texts.
+    fn tried(
+        &mut self,
+        report: &Report,
+        texts: &BTreeMap<FileId, FixedFile>,
+        numbers: &[usize],
+        check: &mut dyn FnMut(&[Changed]) -> Report,
+    ) -> Report {
+        self.changed.clear();
+        for (file, fixed) in std::mem::replace(&mut self.files, texts.clone()) {
+            let old = texts.get(&file).map_or(&fixed.before, |old| &old.after);
+            self.session.vfs.set_buffer(&fixed.path, Some(old.clone()));
+            // both texts count as changed: what rests on the one says nothing of the other
+            let (path, old, new) = (fixed.path, fixed.after, old.clone());
+            self.changed.push(Changed { path, old, new, edits: Vec::new() });
+        }
+        self.show(report, numbers);
+        let changed = std::mem::take(&mut self.changed);
+        check(&changed)
     }
 
     /// Show the texts with the fixes of these findings made.
@@ -356,110 +426,6 @@ impl<'a> Work<'a> {
     }
 }
 
-/// Which of several fixes are made.
-struct Admission<'a> {
-    session: &'a Session,
-    report: &'a Report,
-    most: Safety,
-    effort: &'a Effort,
-}
-
-/// Fixes that can be made together, and those that cannot be made.
-struct Admitted {
-    good: Vec<usize>,
-    refused: Vec<usize>,
-}
-
-impl Admission<'_> {
-    /// The fixes of these findings that can be made together: all of them, or those of each half that can.
-    fn of(&self, numbers: &[usize]) -> Admitted {
-        let mut good = Vec::new();
-        let is_repair = |number: &usize| {
-            self.report.findings.get(*number).is_some_and(|finding| claim(finding) == Claim::Repaired)
-        };
-        let (repairs, others): (Vec<usize>, Vec<usize>) =
-            numbers.iter().partition(|number| is_repair(number));
-        self.add(&mut good, &repairs, self.claim(Claim::Repaired));
-        // beside repairs nothing else is proved: it waits for the next round
-        let has_time = good.is_empty() || self.most == Safety::Unsafe;
-        if has_time {
-            self.add(&mut good, &others, self.claim(Claim::Same));
-        }
-        let tried = if has_time { numbers } else { &repairs };
-        let refused = tried.iter().filter(|number| !good.contains(number)).copied().collect();
-        Admitted { good, refused }
-    }
-
-    fn claim(&self, safe: Claim) -> Claim {
-        if self.most == Safety::Unsafe { Claim::Accepted } else { safe }
-    }
-
-    fn add(&self, good: &mut Vec<usize>, numbers: &[usize], claim: Claim) {
-        let tried: Vec<usize> = good.iter().chain(numbers).copied().collect();
-        if numbers.is_empty() || self.holds(&tried, claim) {
-            *good = tried;
-        } else if numbers.len() > 1 {
-            let (one, other) = numbers.split_at(numbers.len() / 2);
-            self.add(good, one, claim);
-            self.add(good, other, claim);
-        }
-    }
-
-    fn holds(&self, numbers: &[usize], claim: Claim) -> bool {
-        let mut numbers = numbers.to_vec();
-        numbers.sort_unstable();
-        let changes = changes(self.report, &numbers, &self.session.vfs);
-        let changes: Vec<Changed> = changes.into_iter().map(|changed| changed.of).collect();
-        let is_sound = |changed: &Changed| errors(&changed.new) <= errors(&changed.old);
-        changes.iter().all(is_sound) && self.session.proves(&changes, claim, self.effort)
-    }
-}
-
-/// What a change does to a file, by its number.
-struct FileChange {
-    file: FileId,
-    of: Changed,
-}
-
-/// What the fixes of these findings do together.
-fn changes(report: &Report, numbers: &[usize], vfs: &Vfs) -> Vec<FileChange> {
-    let findings = numbers.iter().filter_map(|&number| Some((number, report.findings.get(number)?)));
-    let Plan { edits, .. } = choose(findings);
-    let change = |(file, edits): (FileId, Vec<(TextRange, String)>)| {
-        // the text that the findings are about: the file may be another one by now
-        let old = report.source(file)?.document.text();
-        let new = apply(&old, &edits);
-        Some(FileChange { file, of: Changed { path: vfs.path(file), old, new, edits } })
-    };
-    edits.into_iter().filter_map(change).collect()
-}
-
-/// Findings by the files that their fixes change: those of one group have nothing to do with the others.
-fn groups(report: &Report, numbers: &[usize]) -> Vec<Vec<usize>> {
-    let mut groups: Vec<(FastSet<FileId>, Vec<usize>)> = Vec::new();
-    for &number in numbers {
-        let mut files: FastSet<FileId> = files_of(report, number).into_iter().collect();
-        let mut own = vec![number];
-        groups.retain_mut(|(others, numbers)| {
-            let is_apart = others.is_disjoint(&files);
-            if !is_apart {
-                files.extend(others.drain());
-                own.append(numbers);
-            }
-            is_apart
-        });
-        own.sort_unstable();
-        groups.push((files, own));
-    }
-    groups.into_iter().map(|(_, numbers)| numbers).collect()
-}
-
-/// The files that the fix of a finding changes.
-fn files_of(report: &Report, number: usize) -> Vec<FileId> {
-    let fix = report.findings.get(number).and_then(|finding| finding.fix.as_ref());
-    fix.iter().flat_map(|fix| &fix.edits).map(|edit| edit.span.file).collect()
-}
-
 /// What tells a fix from others, wherever edits in front of it have moved it.
 fn key(report: &Report, finding: &Finding) -> u64 {
     let mut hasher = DefaultHasher::new();
@@ -478,9 +444,4 @@ fn state(files: &BTreeMap<FileId, FixedFile>) -> u64 {
         (file.0, &fixed.after).hash(&mut hasher);
     }
     hasher.finish()
-}
-
-/// How many mistakes of syntax a text has.
-fn errors(text: &str) -> usize {
-    Document::parse(text).errors().len()
 }

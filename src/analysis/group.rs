@@ -57,7 +57,7 @@ fn mark_groups(findings: &mut [Finding], text: impl Fn(Span) -> Option<String>) 
     for group in groups(findings, true, text) {
         let Some((&first, others)) = group.split_first() else { continue };
         let Some(at) = findings.get(first).filter(|first| first.severity > Severity::Hint) else { continue };
-        let (span, message) = (at.span, format!("the first of {} places of this defect", group.len()));
+        let (span, message) = (at.span, format!("the first of {} locations with this problem", group.len()));
         let places: Vec<Related> =
             others.iter().filter_map(|&i| findings.get(i)).map(further_place).collect();
         for other in others {
@@ -147,14 +147,14 @@ fn further_place(finding: &Finding) -> Related {
     Related { span: finding.span, message: finding.message.clone(), is_call: false }
 }
 
-/// `; 3 more places in this file`
+/// `; 3 more locations in this file`
 fn more(first: Span, places: &[Related]) -> String {
     let files: FastSet<FileId> = places.iter().map(|place| place.span.file).chain([first.file]).collect();
     let count = places.len();
     let plural = if count == 1 { "" } else { "s" };
     match files.len() {
-        1 => format!("; {count} more place{plural} in this file"),
-        files => format!("; {count} more place{plural}, in {files} files"),
+        1 => format!("; {count} more location{plural} in this file"),
+        files => format!("; {count} more location{plural}, in {files} files"),
     }
 }
 
@@ -202,7 +202,7 @@ mod tests {
         let marked: Vec<bool> = findings.iter().map(|finding| finding.severity == Severity::Hint).collect();
         assert_eq!(marked, [false, true, false, true, true, true, false, false]);
         assert_eq!(findings[0].severity, own);
-        assert_eq!(findings[0].message, "link 1; 2 more places in this file");
+        assert_eq!(findings[0].message, "link 1; 2 more locations in this file");
         assert_eq!(
             findings[0].related.iter().map(|place| place.span).collect::<Vec<_>>(),
             [span(0, 5, 6), span(0, 9, 10)]

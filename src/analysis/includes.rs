@@ -29,6 +29,22 @@ impl Reach {
     pub(super) fn has(&self, path: &Path) -> bool {
         self.patterns.iter().any(|pattern| pattern.matches(path))
     }
+
+    /// The files that are there, for each include. One whose name is computed is looked for in the folder that is written
+    /// in front of it, and nowhere else.
+    pub(super) fn files(&self, vfs: &vfs::Vfs) -> impl Iterator<Item = Vec<std::path::PathBuf>> {
+        self.patterns.iter().map(|pattern| match pattern.start() {
+            (path, true) if vfs.is_file(&path) => vec![path],
+            (_, true) => Vec::new(),
+            (start, false) => {
+                let folder = if vfs.is_dir(&start) { Some(start.as_path()) } else { start.parent() };
+                let Some(folder) = folder else { return Vec::new() };
+                let files = vfs.list_dir(folder);
+                let paths = files.iter().filter(|entry| !entry.is_dir).map(|entry| folder.join(&entry.name));
+                paths.filter(|path| pattern.matches(path)).collect()
+            }
+        })
+    }
 }
 
 /// What a file may include, unclear includes too.

@@ -1,5 +1,6 @@
 //! One expansion, and what the rules say about it.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -14,7 +15,7 @@ use expand::{Expansion, FileUse, FrameKind, Limits, Origin, Read, Request, World
 use model::Robot;
 use rules::{
     Activation, Chosen, Finding, RootKind, Rule, Selector, Suppressions, all, by_code, check_expansion,
-    check_files, holds_for_semantic, include_tags, is_semantic,
+    check_files, holds_for_semantic, include_tags, is_semantic, missing_packages,
 };
 use vfs::{LoadError, LoadErrorKind, SourceFile};
 
@@ -26,6 +27,8 @@ pub(super) struct Outcome {
     pub(super) is_robot: bool,
     /// Whether only a name is missing to make it one.
     pub(super) is_nameless: bool,
+    /// The packages of a robot that were not found.
+    pub(super) unfound: BTreeSet<String>,
     /// Whether it is one of the contexts that are checked: findings say in which of these they occur.
     pub(super) is_context: bool,
     /// Whether everything was read and expanded, so that what was not found is not there.
@@ -98,11 +101,17 @@ pub(super) fn judge(
     if let Some(error) = &expansion.root_error {
         findings.extend(unreadable(session.vfs.file_id(&job.file), error));
     }
+    findings.extend(session.nameless(&Checked { job: &job, kind, expansion, robot }));
     session.settle_by_role(&Checked { job: &job, kind, expansion, robot }, &mut findings);
     session.settle_set_aside(&job, &mut findings);
     Outcome {
         is_robot: kind == RootKind::Robot,
         is_nameless: kind == RootKind::Library && robot.is_some_and(Robot::lacks_only_a_name),
+        unfound: if is_meant_as_robot(expansion, kind) {
+            missing_packages(expansion, around)
+        } else {
+            BTreeSet::new()
+        },
         is_context: job.reason == Reason::Root,
         complete: expansion.whole
             && expansion.files.iter().all(|file| file.source.document.errors().is_empty()),
@@ -114,6 +123,13 @@ pub(super) fn judge(
         called: called(expansion),
         job,
     }
+}
+
+/// Whether a file is a robot, or says so by its name and lacks only what it includes.
+fn is_meant_as_robot(expansion: &Expansion, kind: RootKind) -> bool {
+    let root = expansion.files.first().and_then(|file| file.source.document.root());
+    let is_named = || root.is_some_and(|root| root.attr("name").is_some_and(|name| !name.raw().is_empty()));
+    kind == RootKind::Robot || kind == RootKind::Library && is_named() && !expansion.whole
 }
 
 /// Where the macros are defined that were called.
@@ -167,9 +183,18 @@ pub(super) fn kind(expansion: &Expansion, robot: Option<&Robot>, job: &Job) -> R
     }
     let by_itself = || robot.is_some_and(Robot::is_entry);
     let bare = || {
-        plain && !is_of_a_simulator(expansion, robot) || is_bare(expansion) && !has_content(expansion, robot)
+        plain && !is_of_a_simulator(expansion, robot) && !is_blank(expansion, robot)
+            || is_bare(expansion) && !has_content(expansion, robot)
     };
     if job.reason == Reason::Root || by_itself() || bare() { RootKind::Robot } else { RootKind::Library }
+}
+
+/// Whether a file is well-formed and holds neither a name nor an element: it takes the place of one that others write.
+fn is_blank(expansion: &Expansion, robot: Option<&Robot>) -> bool {
+    let is_empty =
+        |robot: &Robot| robot.name.is_none() && expansion.tree.elements(robot.element).next().is_none();
+    let well_formed = |file: &FileUse| file.source.document.errors().is_empty();
+    robot.is_some_and(is_empty) && expansion.files.first().is_some_and(well_formed)
 }
 
 /// Whether a file has content, and none of it is a link or a joint: materials, settings.
@@ -207,12 +232,12 @@ fn reads(expansion: &Expansion) -> Vec<PathBuf> {
 /// A file that cannot be read is not well-formed either.
 fn unreadable(file: FileId, error: &LoadError) -> Option<Finding> {
     let rule = by_code("XML001")?;
-    let message = format!("the file cannot be read: {}", error.reason());
+    let message = format!("cannot read the file: {}", error.reason());
     let span = Span { file, range: TextRange::default() };
     let finding = Finding::new(rule, span, message);
     match error.kind {
         LoadErrorKind::TooLarge { .. } => {
-            let help = "if it really is that large, raise `file-mb` under `[limits]` in xacro-lint.toml";
+            let help = "raise `file-mb` under `[limits]` in xacro-lint.toml if the file is really that large";
             Some(Finding { help: Some(help.to_owned()), ..finding })
         }
         _ => Some(finding),

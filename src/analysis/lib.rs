@@ -2,6 +2,7 @@
 //!
 //! What the command line and the language server share.
 
+mod admission;
 mod analyzed;
 mod baseline;
 mod calls;
@@ -16,8 +17,10 @@ mod coverage;
 mod fix;
 mod graph;
 mod group;
+mod guard;
 mod includes;
 mod job;
+mod launch_findings;
 mod merge;
 mod named;
 mod placing;
@@ -46,7 +49,7 @@ pub use context::{Context, Reason, RootChoice};
 pub use fix::{FixOptions, Fixed, FixedFile, is_said_safe};
 pub use plan::{Plan, apply};
 pub use progress::Progress;
-pub use proof::{Effort, Roots};
+pub use proof::{Effort, Obstacle, Roots};
 pub use report::{Position, Report, SkipReason, Skipped, Unreadable};
 pub use session::{Session, Setup};
 pub use world::World;

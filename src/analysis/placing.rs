@@ -3,34 +3,109 @@
 
 use std::path::Path;
 
+use indexmap::IndexMap;
+
 use super::report::Report;
 use base::Span;
-use rules::{Finding, Group, Related, Severity, Way};
+use rules::{Finding, Related, Severity, Way};
 use vfs::Vfs;
 
-/// Notes at calls, of one finding.
+/// Calls that get a note, of one finding.
 const MOST_NOTES: usize = 10;
 
-/// Show the findings of a report where an editor shows them.
+/// Show the findings of a report where an editor shows them: each in one place, with a note at the calls that lead to it.
 pub(super) fn place(report: &mut Report, vfs: &Vfs, is_open: impl Fn(&Path) -> bool) {
+    let open = |span: Span| is_open(&vfs.path(span.file));
     let mut placed: Vec<Finding> = Vec::new();
+    let mut calls: IndexMap<Span, Leads> = IndexMap::new();
     for finding in std::mem::take(&mut report.findings) {
         let moves = |way: &&Way| way.argument.is_some() || finding.partial;
         let moved: Vec<Finding> =
             finding.ways.iter().filter(moves).map(|way| at_call(&finding, way)).collect();
         if moved.is_empty() || moved.len() < finding.ways.len() {
-            let open = |span: Span| is_open(&vfs.path(span.file));
-            placed.extend(notes(&finding, &moved, vfs, open));
             // the calls are told apart from here on: nobody asks for them again
-            placed.push(Finding { ways: Vec::new(), ..finding });
+            let finding = Finding { ways: Vec::new(), ..finding };
+            for call in noted(&finding, &moved, vfs, open) {
+                calls.entry(call).or_default().noted.push(finding.clone());
+            }
+            let leads = closed(&finding, open).map(|call| calls.entry(call).or_default());
+            placed.extend(match leads {
+                Some(leads) => leads.take_over(finding),
+                None => Some(finding),
+            });
         }
         placed.extend(moved);
     }
+    placed.extend(calls.into_iter().filter_map(|(call, leads)| leads.note(call, vfs)));
     for span in placed.iter().map(|finding| finding.span) {
         report.paths.entry(span.file).or_insert_with(|| vfs.path(span.file));
     }
     placed.sort_by_cached_key(|found| (vfs.path(found.span.file), found.span.range.start, found.rule.code));
     report.findings = placed;
+}
+
+/// What a call or an include in an open file leads to.
+#[derive(Default)]
+struct Leads {
+    /// An error in a file that is not open: what leads there is the text that the author sees, so it is shown there.
+    error: Option<Finding>,
+    /// How many more such errors there are, which are shown in their own file.
+    more: usize,
+    /// What is shown in an open file.
+    noted: Vec<Finding>,
+}
+
+impl Leads {
+    /// Show an error of a closed file here; returned when there is one already.
+    fn take_over(&mut self, error: Finding) -> Option<Finding> {
+        if self.error.is_none() {
+            self.error = Some(error);
+            return None;
+        }
+        self.more += 1;
+        Some(error)
+    }
+
+    /// The one finding that is shown at the call: the error, or a hint.
+    fn note(self, call: Span, vfs: &Vfs) -> Option<Finding> {
+        let Some(error) = self.error else { return hint(self.noted, call) };
+        let message = match (self.more, vfs.path(error.span.file).file_name()) {
+            (more @ 1.., Some(file)) => {
+                format!("{} (and {more} more in `{}`)", error.message, file.to_string_lossy())
+            }
+            _ => error.message.clone(),
+        };
+        let cause = Related { span: error.span, message: "caused here".to_owned(), is_call: false };
+        let others = error.related.iter().filter(|related| related.span != call).cloned();
+        let related = std::iter::once(cause).chain(others).chain(self.noted.iter().map(place_of)).collect();
+        Some(Finding { span: call, message, related, fix: None, group: None, ..error })
+    }
+}
+
+/// A hint at a call that leads to findings which are shown elsewhere.
+fn hint(findings: Vec<Finding>, call: Span) -> Option<Finding> {
+    let mut related: Vec<Related> = findings.iter().map(place_of).collect();
+    related.first_mut()?.message = "it is reported here".to_owned();
+    let count = findings.len();
+    let first = findings.into_iter().next()?;
+    let message = match count {
+        1 => format!("this call causes: {}", first.message),
+        _ => format!("this call causes {count} problems: {}", first.message),
+    };
+    let severity = Severity::Hint;
+    Some(Finding { severity, message, help: None, span: call, related, fix: None, group: None, ..first })
+}
+
+fn place_of(finding: &Finding) -> Related {
+    Related { span: finding.span, message: finding.message.clone(), is_call: false }
+}
+
+/// Where an error in a file that is not open is shown instead: at the first call or include in an open one.
+fn closed(finding: &Finding, open: impl Fn(Span) -> bool) -> Option<Span> {
+    if finding.severity != Severity::Error || open(finding.span) {
+        return None;
+    }
+    finding.related.iter().find(|related| related.is_call && open(related.span)).map(|call| call.span)
 }
 
 /// A finding at the call that is to blame.
@@ -53,30 +128,18 @@ fn at_call(finding: &Finding, way: &Way) -> Finding {
     }
 }
 
-/// Notes at the calls that lead to a finding.
-fn notes(finding: &Finding, moved: &[Finding], vfs: &Vfs, open: impl Fn(Span) -> bool) -> Vec<Finding> {
+/// The calls in open files that lead to a finding, but for one that takes it over.
+fn noted(finding: &Finding, moved: &[Finding], vfs: &Vfs, open: impl Fn(Span) -> bool + Copy) -> Vec<Span> {
     if finding.severity < Severity::Warning {
         return Vec::new();
     }
-    // an error of a closed file is shown as it is at the first call in an open one, which the server does
-    let is_elsewhere = finding.severity == Severity::Error && !open(finding.span);
-    let mut open_calls = finding.related.iter().filter(|related| related.is_call && open(related.span));
-    let shown = open_calls.next().filter(|_| is_elsewhere).map(|call| call.span);
-    let calls = finding.related.iter().filter(|related| Some(related.span) != shown).filter(|related| {
-        let told = moved.iter().any(|other| other.span == related.span) || related.span == finding.span;
-        related.is_call && !told && open(related.span) && is_call_tag(related.span, vfs)
+    let takes_over = closed(finding, open);
+    let calls = finding.related.iter().filter(|related| related.is_call && open(related.span));
+    let spans = calls.map(|call| call.span).filter(|&call| {
+        let told = moved.iter().any(|other| other.span == call) || call == finding.span;
+        Some(call) != takes_over && !told && is_call_tag(call, vfs)
     });
-    let note = |call: &Related| Finding {
-        severity: Severity::Info,
-        message: format!("this call leads to a finding: {}", finding.message),
-        span: call.span,
-        related: vec![Related { span: finding.span, message: "it stands here".to_owned(), is_call: false }],
-        fix: None,
-        ways: Vec::new(),
-        group: Some(Group::Place),
-        ..finding.clone()
-    };
-    calls.take(MOST_NOTES).map(note).collect()
+    spans.take(MOST_NOTES).collect()
 }
 
 /// Whether the tag at a span calls a macro.

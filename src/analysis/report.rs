@@ -28,6 +28,8 @@ pub struct Report {
     pub robots: usize,
     /// The roots that would be robots if they had a name.
     pub nameless: Vec<PathBuf>,
+    /// The robots some of whose packages were not found, with the names of these.
+    pub incomplete: BTreeMap<PathBuf, BTreeSet<String>>,
     /// Paths named by the user that cannot be read.
     pub unreadable: Vec<Unreadable>,
     /// What was asked for and not checked, though it is there.
@@ -70,7 +72,7 @@ impl std::fmt::Display for SkipReason {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Excluded => f.write_str("it is excluded by the configuration"),
-            Self::Unreadable(error) => write!(f, "the folder cannot be read: {}", error.reason()),
+            Self::Unreadable(error) => write!(f, "cannot read the folder: {}", error.reason()),
             Self::NotUtf8 => f.write_str("its name is not valid UTF-8"),
         }
     }

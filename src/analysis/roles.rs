@@ -17,7 +17,7 @@ use super::walk;
 use base::FastSet;
 use expand::{Expansion, Outside};
 use model::{Kinematics, Robot};
-use rules::{Check, Finding, RootKind, Severity, is_plain_urdf};
+use rules::{Check, Finding, RootKind, Severity, is_plain_urdf, missing_robot_name};
 
 /// What a file is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,8 +56,11 @@ impl Session {
             return;
         }
         let role = self.role(checked, findings);
+        let is_alone = checked.job.reason == Reason::Alone;
         let mut noted = FastSet::default();
         findings.retain_mut(|finding| match verdict(role, finding) {
+            // what has no value here: the answer to whether the file works
+            Verdict::Note if is_alone && finding.outside == Some(Outside::Environment) => true,
             Verdict::Keep if role == Role::Root && self.may_get_elsewhere(checked.job, finding) => {
                 finding.severity = finding.severity.min(Severity::Info);
                 noted.insert((finding.rule.code, finding.span.file, finding.message.clone()))
@@ -75,6 +78,18 @@ impl Session {
         });
     }
 
+    /// What to report of a file that is a robot but for its name: it gives one tree, and nothing includes it.
+    pub(super) fn nameless(&self, checked: &Checked<'_>) -> Option<Finding> {
+        let Checked { job, kind, expansion, robot } = *checked;
+        let robot = robot.filter(|robot| kind == RootKind::Library && robot.lacks_only_a_name())?;
+        let is_tree = !robot.joints.is_empty()
+            && robot.names_are_known()
+            && above_fragment(robot).is_none()
+            && Kinematics::of(robot).roots(robot).len() == 1;
+        let is_open = !expansion.whole || !is_tree || self.is_included(&job.file);
+        if is_open { None } else { missing_robot_name(expansion, robot) }
+    }
+
     fn role(&self, checked: &Checked<'_>, findings: &[Finding]) -> Role {
         let Checked { job, kind, expansion, robot } = *checked;
         if job.reason == Reason::Root {
@@ -85,6 +100,9 @@ impl Session {
         let gives_robot = kind == RootKind::Robot || document.is_some_and(graph::gives_robot);
         if self.is_included(&job.file) {
             return if gives_robot && is_called() { Role::Root } else { Role::Part };
+        }
+        if job.reason == Reason::Alone {
+            return Role::Root;
         }
         let misspelt =
             || findings.iter().any(|finding| finding.rule.code == "STR003" && finding.fix.is_some());
@@ -107,7 +125,7 @@ impl Session {
     /// Whether what a robot lacks may come from somewhere else: nobody in the workspace names the file, and it is of a
     /// package, so that others may give its arguments, or other files define the property that it reads.
     fn may_get_elsewhere(&self, job: &Job, finding: &Finding) -> bool {
-        if job.reason == Reason::Root || finding.fix.is_some() {
+        if matches!(job.reason, Reason::Root | Reason::Alone) || finding.fix.is_some() {
             return false;
         }
         let is_open = match (&finding.outside, finding.rule.code) {
@@ -183,6 +201,11 @@ mod tests {
     /// Check a workspace of files (name and text; `robot` stands around texts of descriptions) and compare what is
     /// found of names, links and joints: `file severity rule`, in order.
     fn check_roles(files: &[(&str, &str)], expected: &[&str]) {
+        check_roles_of("", files, expected);
+    }
+
+    /// The same of one path of the workspace alone.
+    fn check_roles_of(path: &str, files: &[(&str, &str)], expected: &[&str]) {
         let tree = Tree::new();
         for (name, text) in files {
             let is_description = name.ends_with("xacro") && !text.is_empty() && !text.starts_with("<robot");
@@ -195,7 +218,7 @@ mod tests {
             ..Setup::default()
         };
         let session = Session::new(&tree.environment(&[]), setup).unwrap();
-        let options = CheckOptions { paths: vec![tree.root().to_owned()], ..CheckOptions::default() };
+        let options = CheckOptions { paths: vec![tree.root().join(path)], ..CheckOptions::default() };
         let report = session.check(&options);
         let about_names = ["XAC0", "STR", "CTL", "XML001", "XML010"];
         let passed_over = ["nonstandard-xacro-namespace", "unused"];
@@ -287,6 +310,8 @@ mod tests {
                       </ros2_control></robot>";
         check_roles(&[("device.urdf", device)], &[]);
         check_roles(&[("empty.urdf", "<robot name='e'/>")], &["empty.urdf error no-links"]);
+        // one that stands in for parts that others add
+        check_roles(&[("none.urdf", "<robot><!-- further links --></robot>")], &[]);
         // somebody has begun a description
         check_roles(&[("begun.xacro", "<robot name='e'/>")], &["begun.xacro info no-links"]);
         check_roles(
@@ -298,9 +323,25 @@ mod tests {
     #[test]
     fn empty_files() {
         check_roles(&[("yet.urdf.xacro", "")], &["yet.urdf.xacro info xml-syntax-error"]);
+        check_roles(&[("yet.urdf", "")], &["yet.urdf info xml-syntax-error"]);
+        check_roles(&[("yet.urdf", ""), ("a.launch", "yet.urdf")], &["yet.urdf error xml-syntax-error"]);
         let includes =
             "<robot name='r' xmlns:xacro='x'><link name='b'/><xacro:include filename='yet.xacro'/></robot>";
         check_roles(&[("r.urdf.xacro", includes), ("yet.xacro", "")], &["yet.xacro error xml-syntax-error"]);
+    }
+
+    #[test]
+    fn a_file_that_is_asked_for_alone_has_to_work() {
+        let begun = [("begun.xacro", "")];
+        check_roles_of("begun.xacro", &begun, &["begun.xacro error xml-syntax-error"]);
+        let reads = "<link name='a'/><link name='$(env NO_SUCH_VARIABLE)'/>";
+        check_roles_of("r.xacro", &[("r.xacro", reads)], &["r.xacro error expression-error"]);
+        let chain = "<link name='palm'/><joint name='h' type='fixed'><parent link='tool0'/><child link='palm'/></joint>";
+        let hand = [("hand.xacro", chain)];
+        check_roles_of("hand.xacro", &hand, &["hand.xacro error undefined-link"]);
+        // but for what other files include
+        let robot = format!("{ARM}<xacro:include filename='hand.xacro'/>");
+        check_roles_of("hand.xacro", &[("r.urdf.xacro", &robot), ("hand.xacro", chain)], &[]);
     }
 
     #[test]

@@ -9,8 +9,10 @@ use workspace::config::Root;
 pub(super) enum Reason {
     /// It lies below a folder that is checked.
     Walked,
-    /// It was named on the command line.
+    /// It was named on the command line, or is shown in an editor.
     Named,
+    /// It is all that was named on the command line: what is asked for is whether this file works.
+    Alone,
     /// It is configured as a root.
     Root,
 }

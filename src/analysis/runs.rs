@@ -8,7 +8,7 @@ use super::roots::Job;
 use super::session::Session;
 use base::{CancelFlag, FastMap, TextRange};
 use ecow::EcoString;
-use expand::{Expansion, FileUse, Forced, FrameKind, Read, Request, World, expand, write};
+use expand::{Expansion, FileUse, Forced, FrameKind, Problem, Read, Request, Severity, World, expand, write};
 use vfs::Vfs;
 
 /// One way to expand a robot.
@@ -26,6 +26,8 @@ pub(super) struct Run {
     pub text: String,
     /// Whether it has errors.
     pub refused: bool,
+    /// Its errors: code, file and place.
+    pub failures: Vec<(&'static str, PathBuf, u32)>,
     /// The values of all arguments.
     pub arguments: Vec<(EcoString, EcoString)>,
     /// Where the macros stand that were called.
@@ -52,12 +54,18 @@ impl Run {
             refused: expansion.has_errors()
                 || expansion.root_error.is_some()
                 || expansion.files.iter().any(is_broken),
+            failures: failures(&expansion),
             called: called(&expansion),
             files: expansion.files.iter().map(|file| file.source.path.to_path_buf()).collect(),
             texts: texts.collect(),
             text: write(&expansion.tree, "").text,
             arguments: expansion.arguments,
         }
+    }
+
+    /// The descriptions it is made of.
+    pub fn files(&self) -> &[PathBuf] {
+        &self.files
     }
 
     /// Whether a description takes part.
@@ -73,6 +81,16 @@ impl Run {
     fn is_current(&self, vfs: &Vfs) -> bool {
         self.texts.iter().all(|(path, hash)| vfs.document_hash(path) == Some(*hash))
     }
+}
+
+/// The errors of an expansion: code, file and place.
+fn failures(expansion: &Expansion) -> Vec<(&'static str, PathBuf, u32)> {
+    let errors = expansion.problems.iter().filter(|problem| problem.severity == Severity::Error);
+    let place = |problem: &Problem| {
+        let file = expansion.files.get(problem.place.file.0 as usize)?;
+        Some((problem.code, file.source.path.to_path_buf(), problem.place.range.start))
+    };
+    errors.filter_map(place).collect()
 }
 
 /// Where the macros stand that were called.

@@ -11,7 +11,7 @@ use model::Meshes;
 use rules::{Manifests, Surroundings};
 use vfs::{Environment, LoadError, Vfs};
 use workspace::config::{self, Config, ConfigWarning};
-use workspace::{Caller, Callers, PackageOptions, Packages};
+use workspace::{Caller, Callers, Era, PackageOptions, Packages, RobotCall};
 
 /// Files, packages, environment and configuration.
 pub struct Session {
@@ -101,6 +101,17 @@ impl Session {
         self.callers.of(file, &self.packages)
     }
 
+    /// The calls of robots below a folder, or those that a file makes or that call it, by the paths of the files that call.
+    pub fn robot_calls(&self, path: &Path) -> Vec<RobotCall> {
+        let path = self.vfs.absolute(path);
+        if self.vfs.is_dir(&path) {
+            return self.callers.calls_below(&path, &self.packages).to_vec();
+        }
+        let all = self.callers.calls(&path, &self.packages);
+        let concerns = |call: &&RobotCall| call.call.caller == path || call.target.as_ref() == Some(&path);
+        all.iter().filter(concerns).cloned().collect()
+    }
+
     /// Whether a launch file, script or page names a description.
     pub(super) fn is_named(&self, file: &Path) -> bool {
         self.callers.name(file, &self.packages)
@@ -111,6 +122,21 @@ impl Session {
         self.callers.load(file, &self.packages)
     }
 
+    /// The xacro that the launch files of a description are for.
+    pub(super) fn era(&self, file: &Path) -> Era {
+        self.callers.era(file, &self.packages)
+    }
+
+    /// Whether programs load a description into Bullet, and no launch file does.
+    pub(super) fn is_for_bullet(&self, file: &Path) -> bool {
+        self.callers.load_in_bullet(file, &self.packages)
+    }
+
+    /// Whether launch files only show a description, and simulate another one.
+    pub(super) fn is_only_shown(&self, file: &Path) -> bool {
+        self.callers.only_show(file, &self.packages)
+    }
+
     /// Whether a launch file loads a description.
     pub(super) fn is_launched(&self, file: &Path) -> bool {
         self.callers.launch(file, &self.packages)
@@ -119,6 +145,11 @@ impl Session {
     /// The names of the descriptions that launch files load instead of this one.
     pub(super) fn launched_instead(&self, file: &Path) -> FastSet<String> {
         self.callers.launched_instead(file, &self.packages)
+    }
+
+    /// Whether launch files load other descriptions, and nothing can mean this one, which lies in no package.
+    pub(super) fn is_passed_over(&self, file: &Path) -> bool {
+        self.callers.pass_over(file, &self.packages)
     }
 
     /// Whether a file that names a description also says `word`.

@@ -7,8 +7,9 @@ use super::roots::{Job, Reason};
 use super::session::Session;
 use super::walk;
 use base::FastSet;
-use rules::{Finding, Severity};
+use rules::{Category, Finding, Severity};
 use vfs::SourceFile;
+use workspace::Era;
 
 /// Words in the name of a file or folder that say that it is kept and not used.
 const KEPT: [&str; 13] = [
@@ -27,6 +28,10 @@ const KEPT: [&str; 13] = [
     "unused",
 ];
 
+/// Rules about what only urdfdom refuses, and Bullet takes.
+const TAKEN_BY_BULLET: [&str; 4] =
+    ["invalid-number", "missing-limit-attribute", "missing-robot-name", "unknown-joint-type"];
+
 impl Session {
     /// What is wrong in a file that was set aside is an info. Not when somebody asks for this very file.
     pub(super) fn settle_set_aside(&self, job: &Job, findings: &mut [Finding]) {
@@ -37,14 +42,49 @@ impl Session {
         if self.is_set_aside(&job.file) {
             lower(findings);
         }
-        let about_prefixes = |finding: &&mut Finding| {
+        let about_inertia = |finding: &Finding| finding.rule.category == Category::Inertia;
+        self.lower_where(findings, about_inertia, || self.is_only_shown(&job.file).then_some(Severity::Info));
+        let about_bullet = |finding: &Finding| TAKEN_BY_BULLET.contains(&finding.rule.name);
+        self.lower_where(findings, about_bullet, || self.is_for_bullet(&job.file).then_some(Severity::Info));
+        let about_prefixes = |finding: &Finding| {
             ["unprefixed-xacro-tag", "unprefixed-macro-call"].contains(&finding.rule.name)
         };
-        if findings.iter_mut().any(|finding| about_prefixes(&finding)) && self.is_of_rosbuild(&job.file) {
-            findings
-                .iter_mut()
-                .filter(about_prefixes)
-                .for_each(|finding| finding.severity = finding.severity.min(Severity::Info));
+        self.lower_where(findings, about_prefixes, || self.severity_of_bare_tags(&job.file));
+        let is_placeholder = |finding: &Finding| {
+            finding.rule.name == "invalid-number" && self.is_filled_in(&job.file, finding)
+        };
+        self.lower_where(findings, is_placeholder, || Some(Severity::Info));
+    }
+
+    /// Whether the text that is wrong is a word that a program puts something else for: it names the file and the word.
+    fn is_filled_in(&self, file: &Path, finding: &Finding) -> bool {
+        let source = self.vfs.document(&self.vfs.path(finding.span.file));
+        let word = source.map(|source| source.document.slice(finding.span.range)).unwrap_or_default();
+        let is_word =
+            word.chars().all(|c| c.is_alphanumeric() || c == '_') && word.contains(char::is_alphabetic);
+        is_word && self.is_named_with(file, &word)
+    }
+
+    /// Give findings of a kind at most the severity that is asked for when there are any.
+    fn lower_where(
+        &self,
+        findings: &mut [Finding],
+        is_of_kind: impl Fn(&Finding) -> bool,
+        most: impl FnOnce() -> Option<Severity>,
+    ) {
+        let mut found = findings.iter_mut().filter(|finding| is_of_kind(finding)).peekable();
+        if let Some(most) = found.peek().is_some().then(most).flatten() {
+            found.for_each(|finding| finding.severity = finding.severity.min(most));
+        }
+    }
+
+    /// How bad tags without their prefix are where the xacro that a file is for takes them.
+    fn severity_of_bare_tags(&self, file: &Path) -> Option<Severity> {
+        match self.era(file) {
+            _ if self.is_of_rosbuild(file) => Some(Severity::Info),
+            Era::Old => Some(Severity::Info),
+            Era::Melodic => Some(Severity::Warning),
+            Era::Any => None,
         }
     }
 
@@ -61,7 +101,9 @@ impl Session {
     /// launch files of its package load others. A template is filled by a script that names it.
     fn is_set_aside(&self, file: &Path) -> bool {
         let kept = || self.words_of(file).iter().any(|word| KEPT.contains(&word.as_str()));
-        let is_unused = |file: &Path| !self.is_named(file) && (kept() || self.is_left_over(file));
+        let is_empty = || self.vfs.text(file).is_ok_and(|file| file.text.trim().is_empty());
+        let is_other = || kept() || self.is_left_over(file) || self.is_passed_over(file) || is_empty();
+        let is_unused = |file: &Path| !self.is_named(file) && is_other();
         let is_unused_template = |file: &Path| is_template(file) && !self.is_launched(file);
         (is_unused(file) || is_unused_template(file)) && !self.is_included(file)
     }
@@ -198,11 +240,24 @@ mod tests {
         };
         assert_eq!(severity("manifest.xml"), Severity::Info);
         assert_eq!(severity("other.xml"), Severity::Error);
+        // launch files that run xacro as it was then
+        let launched = |command: &str| {
+            let launch = format!("<param command=\"{command} '$(find r)/urdf/r.urdf.xacro'\"/>");
+            let files = [
+                ("package.xml", "<package><name>r</name></package>"),
+                ("r.launch", launch.as_str()),
+                ("urdf/r.urdf.xacro", robot),
+            ];
+            found(&files, "unprefixed-xacro-tag")[0].1
+        };
+        assert_eq!(launched("$(find xacro)/xacro.py"), Severity::Info);
+        assert_eq!(launched("$(find xacro)/xacro --inorder"), Severity::Warning);
+        assert_eq!(launched("$(find xacro)/xacro"), Severity::Error);
     }
 
     #[test]
     fn references_that_fit_another_robot() {
-        let part = "<robot><gazebo reference='lamp'><mu1>1</mu1></gazebo></robot>";
+        let part = "<robot><gazebo reference='lamp'><sensor name='eye' type='camera'/></gazebo></robot>";
         let robot = |links: &str| {
             format!(
                 "<robot name='r' xmlns:xacro='x'><link name='base'/>{links}<xacro:include filename='part.xacro'/></robot>"
@@ -286,6 +341,106 @@ mod tests {
         ] {
             assert_eq!(severity(&files), expected, "{files:?}");
         }
+    }
+
+    #[test]
+    fn robots_that_are_only_shown() {
+        let robot = "<robot name='r'><link name='base'><inertial><mass value='1'/>\
+                     <inertia ixx='1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link></robot>";
+        let severity = |shows: &str, simulates: &str| {
+            let files = [
+                ("package.xml", "<package><name>arm</name></package>"),
+                ("urdf/view.urdf", robot),
+                ("urdf/arm.urdf", "<robot name='arm'><link name='base'/></robot>"),
+                ("launch/view.launch", shows),
+                ("launch/sim.launch", simulates),
+            ];
+            found(&files, "inertia-triangle-inequality")[0].1
+        };
+        let shows = "<param textfile='$(find arm)/urdf/view.urdf'/><node pkg='rviz'/>";
+        let simulates =
+            "<param textfile='$(find arm)/urdf/arm.urdf'/><include file='$(find gazebo_ros)/x.launch'/>";
+        assert_eq!(severity(shows, simulates), Severity::Info);
+        assert_eq!(severity(shows, ""), Severity::Error);
+        assert_eq!(severity(shows, &simulates.replace("arm.urdf", "view.urdf")), Severity::Error);
+        assert_eq!(severity(&shows.replace("rviz", "gazebo_ros"), simulates), Severity::Error);
+    }
+
+    #[test]
+    fn words_that_a_program_replaces() {
+        let robot = "<robot name='r'><link name='base'><visual><geometry><box size='1 1 1'/></geometry>\
+                     <material name='m'><color rgba='COLOR_RGBA'/></material></visual></link></robot>";
+        let severity = |program: &str| {
+            found(&[("urdf/r.urdf", robot), ("urdf/fill.py", program)], "invalid-number")[0].1
+        };
+        assert_eq!(severity("open('r.urdf').read().replace('COLOR_RGBA', rgba)"), Severity::Info);
+        assert_eq!(severity("open('r.urdf').read().replace('RGBA', rgba)"), Severity::Error);
+    }
+
+    #[test]
+    fn what_bullet_takes() {
+        let robot = "<robot name='r'><link name='base'/><link name='arm'/><joint name='j' type='spherical'>\
+                     <parent link='base'/><child link='arm'/></joint></robot>";
+        let severity = |name: &str, text: &str| {
+            found(&[("urdf/r.urdf", robot), (name, text)], "unknown-joint-type")[0].1
+        };
+        assert_eq!(severity("run.py", "p.loadURDF('urdf/r.urdf')"), Severity::Info);
+        assert_eq!(severity("run.py", "p.load('urdf/r.urdf')"), Severity::Error);
+        assert_eq!(severity("r.launch", "p.loadURDF('urdf/r.urdf')"), Severity::Error);
+    }
+
+    #[test]
+    fn equal_names_in_other_folders() {
+        let severity = |launch: &str| {
+            let files = [
+                ("package.xml", "<package><name>arm</name></package>"),
+                ("urdf/old/arm.urdf", BROKEN),
+                ("urdf/arm.urdf", BROKEN),
+                ("launch/show.launch.py", launch),
+            ];
+            found(&files, "missing-element")
+                .into_iter()
+                .find(|(name, _)| name == "urdf/old/arm.urdf")
+                .unwrap()
+                .1
+        };
+        assert_eq!(severity("join(share, 'urdf', 'arm.urdf')"), Severity::Info);
+        assert_eq!(severity("join(share, 'urdf', 'old', 'arm.urdf')"), Severity::Error);
+        assert_eq!(severity("join(folder, 'arm.urdf')"), Severity::Error);
+    }
+
+    #[test]
+    fn copies_outside_of_packages() {
+        let severity = |files: &[(&str, &str)]| {
+            let robot = [
+                ("arm/package.xml", "<package><name>arm</name></package>"),
+                ("arm/urdf/arm.urdf", BROKEN),
+                ("gym/assets/dog/dog.urdf", BROKEN),
+            ];
+            let found = found(&[&robot, files].concat(), "missing-element");
+            found.into_iter().find(|(name, _)| name == "gym/assets/dog/dog.urdf").unwrap().1
+        };
+        let launch = ("arm/launch/show.launch", "<param textfile='$(find arm)/urdf/arm.urdf'/>");
+        assert_eq!(severity(&[]), Severity::Error);
+        assert_eq!(severity(&[launch]), Severity::Info);
+        // without launch files, programs load robots; not so tests, and what takes all files of a folder
+        let program = |name: &'static str, text: &'static str| severity(&[(name, text)]);
+        assert_eq!(program("run.py", "load('arm/urdf/arm.urdf')"), Severity::Info);
+        assert_eq!(program("tests/run.py", "load('arm/urdf/arm.urdf')"), Severity::Error);
+        assert_eq!(program("run.py", "load('arm/urdf/arm.urdf'), glob('*.urdf')"), Severity::Error);
+        // what the launch file loads is elsewhere
+        let foreign = ("arm/launch/show.launch", "<param textfile='$(find leg)/urdf/leg.urdf'/>");
+        assert_eq!(severity(&[foreign]), Severity::Error);
+        for script in ["load('assets/dog/dog.urdf')", "load('{root}/dog.urdf')", "load(f'{kind}.urdf')"] {
+            assert_eq!(severity(&[launch, ("gym/run.py", script)]), Severity::Error, "{script}");
+        }
+        assert_eq!(severity(&[launch, ("gym/run.py", "load('assets/cat/dog.urdf')")]), Severity::Error);
+        // a package has one of the same name and place
+        let other = ("arm/dog/dog.urdf", BROKEN);
+        let named = ("arm/launch/dog.launch", "<param textfile='$(find arm)/dog/dog.urdf'/>");
+        assert_eq!(severity(&[launch, other, named]), Severity::Info);
+        let cat = ("gym/assets/cat/dog.urdf", BROKEN);
+        assert_eq!(severity(&[launch, cat, ("gym/run.py", "load('cat/dog.urdf')")]), Severity::Info);
     }
 
     #[test]

@@ -179,7 +179,7 @@ fn judged(session: &Session, options: &CheckOptions, outcomes: &[Outcome]) -> Fa
     let folders: Vec<PathBuf> = absolute.filter(|path| session.vfs.is_dir(path)).collect();
     let mut judged = FastSet::default();
     for outcome in outcomes.iter().filter(|outcome| outcome.is_robot && outcome.complete) {
-        let alone = outcome.job.reason == Reason::Named;
+        let alone = matches!(outcome.job.reason, Reason::Named | Reason::Alone);
         if alone && outcome.job.preset.is_some() {
             continue;
         }

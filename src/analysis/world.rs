@@ -184,6 +184,12 @@ impl World {
         self.edits += 1;
         self.open.insert(path.to_path_buf(), self.edits);
         self.unseen.insert(path.to_path_buf());
+        match path.file_name().and_then(|name| name.to_str()) {
+            Some(name) if config::CONFIG_NAMES.contains(&name) => self.reload(),
+            // manifests are read by rules, which no record tells of
+            _ if !walk::is_description(path) => self.epoch += 1,
+            _ => {}
+        }
     }
 
     /// An open or readable file.
@@ -287,7 +293,8 @@ impl World {
         self.session.forget_uses();
         let about_packages = |path: &PathBuf| {
             let name = path.file_name().and_then(|name| name.to_str()).unwrap_or("");
-            ["package.xml", "COLCON_IGNORE", "xacro-lint.toml", ".xacro-lint.toml"].contains(&name)
+            ["package.xml", "COLCON_IGNORE"].contains(&name)
+                || config::CONFIG_NAMES.contains(&name)
                 || BUILD_FILES.contains(&name)
         };
         if paths.iter().any(about_packages) {

@@ -48,9 +48,9 @@ limits! {
         /// Bytes of a mesh.
         MESH_BYTES: u64 = 100_000_000, "`mesh-too-large` or a note at the mesh";
         /// Bytes of a material library of a mesh.
-        MATERIAL_BYTES: u64 = 10_000_000, "its textures are not looked for";
-        /// Bytes of a mesh that the server writes anew.
-        REWRITTEN_MESH_BYTES: u64 = 100 << 20, "the action is refused with the reason";
+        MATERIAL_BYTES: u64 = 10_000_000, "its textures are not checked";
+        /// Bytes of a mesh that the server rewrites.
+        REWRITTEN_MESH_BYTES: u64 = 100 << 20, "the action is disabled, with the reason";
     }
     "XML" {
         /// Bytes of a document; edits that would make it longer do nothing.
@@ -108,9 +108,9 @@ limits! {
     }
     "Expansion" {
         /// Nodes of the expanded document.
-        EXPAND_NODES: u64 = 500_000, "`limit-reached` at the place", "expand-nodes";
+        EXPAND_NODES: u64 = 500_000, "`limit-reached` at the location", "expand-nodes";
         /// Milliseconds for one expansion.
-        EXPAND_MS: u64 = 5_000, "`limit-reached` at the place", "expand-ms";
+        EXPAND_MS: u64 = 5_000, "`limit-reached` at the location", "expand-ms";
         /// Bytes of text that one expansion makes.
         OUTPUT_BYTES: u64 = 64 << 20, "`limit-reached` at the text";
         /// Macro calls inside macro calls.
@@ -130,7 +130,7 @@ limits! {
         /// Values of expressions that are kept for hovers and hints.
         EVALUATIONS: usize = 500_000, "later ones are not shown";
         /// Names that were compared with names that are not defined.
-        COMPARED_NAMES: usize = 10_000_000, "no similar name is suggested any more";
+        COMPARED_NAMES: usize = 10_000_000, "no similar name is suggested";
     }
     "Workspace and configuration" {
         /// Configuration files that extend each other.
@@ -144,7 +144,7 @@ limits! {
         /// Levels of folders that are searched for packages.
         SCAN_DEPTH: usize = 64, "packages further down are not found";
         /// Descriptions of a workspace that the server looks at for robots.
-        SCAN_FILES: usize = 20_000, "further ones are looked at when they are opened";
+        SCAN_FILES: usize = 20_000, "further ones are read when they are opened";
         /// Launch files, scripts and pages of a workspace that are searched for calls of a robot.
         CALLER_FILES: usize = 5_000, "arguments that further ones give are not known";
         /// Bytes of each of them.
@@ -153,12 +153,28 @@ limits! {
         CALLER_FOLDERS: usize = 5_000, "further ones are not searched";
         /// Levels of folders that are searched for them.
         CALLER_DEPTH: usize = 24, "deeper ones are not searched";
+        /// Calls of xacro that are read in one launch file.
+        LAUNCH_CALLS: usize = 500, "further ones are not known";
+        /// Calls of xacro below one folder.
+        CALLER_CALLS: usize = 2_000, "further ones are not known";
+        /// Launch files that include each other.
+        LAUNCH_INCLUDES: usize = 4, "what deeper ones pass on is not known";
+        /// Steps that are taken to read one launch file.
+        LAUNCH_STEPS: usize = 300_000, "what the rest gives is not known";
+        /// Blocks inside blocks, or elements inside elements, of a launch file.
+        LAUNCH_DEPTH: usize = 50, "what deeper ones give is not known";
+        /// Functions of a launch file that call each other.
+        LAUNCH_CALL_DEPTH: usize = 8, "what deeper ones give is not known";
+        /// Pieces that a text of a launch file is put together from.
+        LAUNCH_PIECES: usize = 1_000, "its value is not known";
+        /// Bytes of a text that a launch file puts together.
+        LAUNCH_TEXT: usize = 20_000, "its value is not known";
         /// Files that are looked at for the name of a missing one.
         NAMESAKE_FILES: usize = 100_000, "no file is suggested";
         /// Levels of folders that are looked at for the name of a missing file.
         NAMESAKE_DEPTH: usize = 24, "no file is suggested";
         /// Nodes of a `package.xml`.
-        MANIFEST_NODES: u32 = 100_000, "its name is looked for as plain text, its dependencies are not known";
+        MANIFEST_NODES: u32 = 100_000, "its name is searched as plain text, its dependencies are unknown";
         /// Bytes of arguments that are read of the build files of a package, each time a loop runs.
         BUILD_BYTES: u32 = 200_000, "what the rest installs is not known";
         /// Levels of folders and loops in the build files of a package.
@@ -174,21 +190,21 @@ limits! {
         /// Elements of glTF accessors that are read.
         MESH_ELEMENTS: usize = 50_000_000, "a note at the mesh";
         /// Further files that a mesh names.
-        MESH_FILES: usize = 1_000, "further ones are not looked for";
+        MESH_FILES: usize = 1_000, "further ones are not searched";
     }
     "Findings and fixes" {
-        /// How often findings are fixed and looked for anew.
+        /// How often findings are fixed and checked again.
         FIX_ROUNDS: usize = 50, "the rest is reported as usual";
         /// Expansions that are made to prove one group of fixes.
         PROOF_EXPANSIONS: usize = 2_000, "the fixes count as unsafe";
         /// The same for one action of an editor.
         QUICK_PROOF_EXPANSIONS: usize = 16, "the action is offered as one that may change the robot";
         /// Findings of one rule in one robot.
-        FINDINGS_OF_A_RULE: usize = 50_000, "further ones are left out";
+        FINDINGS_OF_A_RULE: usize = 50_000, "further ones are omitted";
         /// Bytes of one message; names can be as long as files.
         MESSAGE_LETTERS: usize = 1_000, "the message is cut";
         /// Bytes of a source line that is drawn on the terminal.
-        DRAWN_LINE: usize = 20_000, "the place stands there without the line";
+        DRAWN_LINE: usize = 20_000, "the location is printed without the line";
         /// Findings of one rule and severity in one file that are printed for people, unless all are asked for.
         DRAWN_OF_A_RULE: usize = 5, "the others are counted";
         /// The same in all files.
@@ -198,41 +214,41 @@ limits! {
     }
     "Language server" {
         /// Bytes of one message of the protocol.
-        MESSAGE_BYTES: u64 = 256 << 20, "the message is passed over";
+        MESSAGE_BYTES: u64 = 256 << 20, "the message is ignored";
         /// Bytes of a header line of the protocol.
-        HEADER_BYTES: u64 = 8 << 10, "the line is passed over";
+        HEADER_BYTES: u64 = 8 << 10, "the line is ignored";
         /// Diagnostics of one file.
-        DIAGNOSTICS: usize = 1_000, "a last one says how many more there are";
+        DIAGNOSTICS: usize = 1_000, "the last one gives the number of the others";
         /// Related places of one diagnostic.
-        RELATED: usize = 100, "further ones are left out";
+        RELATED: usize = 100, "further ones are omitted";
         /// Symbols at the top of a file, and folds.
-        SYMBOLS: usize = 20_000, "further ones are left out";
+        SYMBOLS: usize = 20_000, "further ones are omitted";
         /// Symbols inside symbols; some clients read no answers that are nested much deeper.
-        SYMBOL_DEPTH: usize = 50, "deeper ones stand beside each other";
+        SYMBOL_DEPTH: usize = 50, "deeper levels are flattened";
         /// Ranges of one growing selection.
         SELECTIONS: usize = 100, "the whole file comes next";
         /// Symbols of an answer about the workspace.
-        WORKSPACE_SYMBOLS: usize = 1_000, "further ones are left out";
+        WORKSPACE_SYMBOLS: usize = 1_000, "further ones are omitted";
         /// Items of one completion.
-        COMPLETIONS: usize = 200, "the list says that it is not complete";
+        COMPLETIONS: usize = 200, "the list is marked as incomplete";
         /// Robots that are looked at for uses of a name.
         RENAME_ROBOTS: usize = 50, "uses in further robots keep the old name";
         /// Bytes of a new name.
-        NAME_LETTERS: usize = 200, "the rename is refused with the reason";
+        NAME_LETTERS: usize = 200, "the rename is rejected, with the reason";
         /// Previews that are open.
-        VIEWS: usize = 32, "a further one is refused with the reason";
+        VIEWS: usize = 32, "a further one is rejected, with the reason";
     }
     "Preview in a browser" {
         /// Bytes of a mesh or texture that is sent.
-        SENT_BYTES: u64 = 256_000_000, "the viewer says that it cannot be read";
+        SENT_BYTES: u64 = 256_000_000, "the viewer shows that it cannot be read";
         /// Errors that are sent with a robot.
-        SENT_ERRORS: usize = 100, "further ones are left out";
+        SENT_ERRORS: usize = 100, "further ones are omitted";
         /// Connections that have not sent a whole request yet.
-        CONNECTIONS: usize = 128, "the one that waits longest has to go";
+        CONNECTIONS: usize = 128, "the oldest connection is closed";
         /// Sockets that have not named the token yet.
-        STRANGERS: usize = 32, "the one that waits longest has to go";
+        STRANGERS: usize = 32, "the oldest connection is closed";
         /// Pages that are open.
-        PAGES: usize = 32, "the one that waits longest has to go";
+        PAGES: usize = 32, "the oldest connection is closed";
         /// Bytes of the head of a request.
         REQUEST_HEAD: usize = 16 << 10, "the connection is closed";
         /// Bytes of a message of the viewer.

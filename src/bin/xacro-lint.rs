@@ -14,9 +14,10 @@ fn main() -> ExitCode {
     // where results are piped on, nothing is drawn between them
     let terminal = std::io::stderr().is_terminal() && std::io::stdout().is_terminal();
     let color_out = cli::has_colors(&env, std::io::stdout().is_terminal());
-    let mut out = std::io::BufWriter::with_capacity(1 << 16, std::io::stdout().lock());
-    let mut err = std::io::BufWriter::new(std::io::stderr().lock());
-    let mut stdin = std::io::stdin().lock();
+    // not locked: the language server reads and writes them on threads of its own
+    let mut out = std::io::BufWriter::with_capacity(1 << 16, std::io::stdout());
+    let mut err = std::io::BufWriter::new(std::io::stderr());
+    let mut stdin = std::io::stdin();
     let mut io = Io::plain(&mut out, &mut err, &mut stdin);
     (io.color, io.color_out, io.terminal) = (color, color_out, terminal);
     io.out_is_terminal = std::io::stdout().is_terminal();

@@ -1,30 +1,56 @@
-//! `xacro-lsp`: the language server on standard input and output.
+//! `xacro-lsp`: the name under which editors start the language server. The server is a command of `xacro-lint`, which
+//! lies beside this program: `xacro-lsp --stdio` is `xacro-lint server --stdio`.
+
+// the one program that is ever started: the server itself, beside this file, whatever the workspace holds
+#![allow(clippy::disallowed_methods)]
 
 use std::io::Write;
-use std::process::ExitCode;
-
-use xacro_lsp::server;
-use xacro_lsp::vfs::Environment;
-
-const USAGE: &str = "usage: xacro-lsp [--stdio | --version | --help]\n\n\
-    The language server for xacro and URDF. Editors start it and speak with it on standard input and output.\n";
+use std::path::PathBuf;
+use std::process::{Command, ExitCode};
 
 fn main() -> ExitCode {
-    let mut out = std::io::stdout();
-    for argument in std::env::args_os().skip(1) {
-        let text = match argument.to_str() {
-            Some("--stdio") => continue,
-            Some("--version" | "-V") => format!("xacro-lsp {}\n", env!("CARGO_PKG_VERSION")),
-            Some("--help" | "-h") => USAGE.to_owned(),
-            _ => {
-                let _ =
-                    write!(std::io::stderr(), "xacro-lsp: unknown option `{}`\n{USAGE}", argument.display());
-                return ExitCode::from(2);
+    let problem = match program() {
+        Ok(program) => {
+            let mut server = Command::new(&program);
+            server.arg("server").args(std::env::args_os().skip(1));
+            match serve(&mut server) {
+                Ok(code) => return code,
+                Err(error) => format!("`{}` cannot be started: {error}", program.display()),
             }
-        };
-        let _ = out.write_all(text.as_bytes());
-        return ExitCode::SUCCESS;
+        }
+        Err(problem) => problem,
+    };
+    let _ = writeln!(std::io::stderr(), "xacro-lsp: {problem}");
+    ExitCode::from(2)
+}
+
+/// Where the server is: beside this program, or beside the file that this name is a link to.
+fn program() -> Result<PathBuf, String> {
+    let own = std::env::current_exe().map_err(|error| format!("its own path is unknown: {error}"))?;
+    let name = format!("xacro-lint{}", std::env::consts::EXE_SUFFIX);
+    let real = own.canonicalize().unwrap_or_else(|_| own.clone());
+    for file in [&own, &real] {
+        let program = file.with_file_name(&name);
+        if program.is_file() {
+            return Ok(program);
+        }
     }
-    // reading standard input may keep a thread busy for ever: end the process, not only this function
-    std::process::exit(i32::from(server::run(Environment::capture())))
+    let folder = real.parent().unwrap_or(&real);
+    Err(format!(
+        "the server is the program `{name}`, which is not in {}: install both together",
+        folder.display()
+    ))
+}
+
+/// Become the server: the editor's process is then the server itself, and its signals arrive there.
+#[cfg(unix)]
+fn serve(server: &mut Command) -> std::io::Result<ExitCode> {
+    Err(std::os::unix::process::CommandExt::exec(server))
+}
+
+/// Run the server with the streams of this process, and end as it does.
+#[cfg(not(unix))]
+fn serve(server: &mut Command) -> std::io::Result<ExitCode> {
+    let code = server.status()?.code().unwrap_or(1);
+    Ok(ExitCode::from(u8::try_from(code).unwrap_or(1)))
 }

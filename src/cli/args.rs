@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
-/// Check xacro and URDF robot descriptions.
+/// Linter, language server and expander for xacro and URDF robot descriptions
 #[derive(Debug, Parser)]
-#[command(name = "xacro-lint", version, about, subcommand_required = true, arg_required_else_help = true)]
+#[command(name = "xacro-lint", version, subcommand_required = true, arg_required_else_help = true)]
 pub(super) struct Arguments {
     #[command(subcommand)]
     pub(super) command: Command,
@@ -17,38 +17,43 @@ pub(super) struct Arguments {
 pub(super) enum Command {
     /// Check files and folders: every robot in them, with every preset
     Check(CheckArgs),
-    /// Fix what can be fixed: `check --fix`
+    /// Apply safe fixes (same as `check --fix`)
     Fix(CheckArgs),
-    /// Format files: indentation and the white space between attributes
+    /// Format files: indentation and whitespace between attributes
     Format(FormatArgs),
-    /// Expand a file exactly as xacro does (has xacro's options)
+    /// Expand a file exactly as xacro does (accepts the options of xacro)
     #[command(disable_help_flag = true)]
     Expand {
-        /// Options of xacro, the file, name:=value
+        /// Options of xacro, the file and its arguments (name:=value)
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         args: Vec<String>,
     },
-    /// Print the links of a robot as a tree, as `check_urdf` does
+    /// Print the tree of links and joints (replaces `check_urdf` and `urdf_to_graphviz`)
     Tree(TreeArgs),
-    /// Draw a robot: a still picture, for documents and pull requests
+    /// Render a picture of a robot, for documents and pull requests
     Render(RenderArgs),
-    /// Show a robot in 3D in a browser, and follow its files
+    /// Show a robot in 3D in a browser and update it when its files change
     #[cfg(feature = "preview")]
     Preview(PreviewArgs),
-    /// Print the packages that can be found, and where
+    /// List the calls of xacro in launch files and scripts, with their arguments
+    Calls(CallsArgs),
+    /// Print the packages that were found, with their folders
     Packages(PackagesArgs),
-    /// Print the files that a robot is made from
+    /// Print the files a robot depends on
     Deps(DepsArgs),
-    /// Say what a rule is about
+    /// Explain a rule
     Explain {
         /// Code or name of the rule
         rule: Option<String>,
     },
-    /// Print the rules
+    /// List all rules
     Rules(RulesArgs),
-    /// Print the settings that hold for a file or folder, and which file sets them
+    /// Show the effective settings for a path and where each comes from
     Config(ConfigArgs),
-    /// Print a script that completes commands and options in a shell
+    /// Run the language server: editors start it and talk to it on standard input and output
+    #[cfg(feature = "lsp")]
+    Server(ServerArgs),
+    /// Print a shell completion script
     Completions {
         /// The shell
         #[arg(value_enum)]
@@ -58,22 +63,22 @@ pub(super) enum Command {
 
 #[derive(Args, Debug, Default)]
 pub(super) struct RulesArgs {
-    /// Only these rules (codes, beginnings of codes, names)
+    /// Only these rules (codes, code prefixes or names)
     #[arg(value_name = "RULE")]
     pub(super) rules: Vec<String>,
-    /// Only rules of this category
+    /// Only rules in this category
     #[arg(long, value_parser = CATEGORIES)]
     pub(super) category: Option<String>,
     /// Only rules of this severity
     #[arg(long, value_enum)]
     pub(super) severity: Option<Level>,
-    /// Only rules that run with this profile
+    /// Only rules that this profile enables
     #[arg(long, value_parser = PROFILES)]
     pub(super) profile: Option<String>,
-    /// Only rules that offer fixes
+    /// Only rules with fixes
     #[arg(long)]
     pub(super) fixable: bool,
-    /// Form of the list
+    /// Output format
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: Plain,
 }
@@ -97,13 +102,13 @@ const CATEGORIES: [&str; 12] = [
 /// Severities.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Level {
-    /// Some tool in common use rejects it, or it is physically impossible
+    /// A common tool rejects the robot, or it is physically impossible
     Error,
-    /// Accepted, and almost surely not meant
+    /// Accepted, but almost certainly a mistake
     Warning,
     /// Convention or portability
     Info,
-    /// Unnecessary
+    /// Unnecessary code
     Hint,
 }
 
@@ -130,81 +135,84 @@ pub(super) struct ConfigArgs {
     /// Print the JSON schema of the configuration file
     #[arg(long)]
     pub(super) schema: bool,
-    /// Form of the settings
+    /// Output format
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: Plain,
 }
 
 #[derive(Args, Debug, Default)]
 pub(super) struct CheckArgs {
-    /// Files and folders [default: .], `-` for standard input, and name:=value for their arguments
+    /// Files and folders [default: .], `-` for standard input, and arguments as name:=value
     #[arg(value_name = "PATH")]
     pub(super) paths: Vec<String>,
-    /// Form of the result
+    /// Output format
     #[arg(long, alias = "output-format", value_enum, default_value_t)]
     pub(super) format: Format,
-    /// Run these rules instead of the default ones (codes, beginnings of codes, names, ALL)
+    /// Run only these rules (codes, code prefixes, names or ALL)
     #[arg(long, value_name = "RULE", value_delimiter = ',')]
     pub(super) select: Vec<String>,
-    /// Run these rules in addition
+    /// Also run these rules
     #[arg(long, value_name = "RULE", value_delimiter = ',')]
     pub(super) extend_select: Vec<String>,
     /// Do not run these rules
     #[arg(long, value_name = "RULE", value_delimiter = ',')]
     pub(super) ignore: Vec<String>,
-    /// Switch on the rules of a profile
+    /// Enable the rules of a profile
     #[arg(long, value_name = "PROFILE", value_delimiter = ',', value_parser = PROFILES)]
     pub(super) profile: Vec<String>,
-    /// The paths are files that changed: check the robots below the folder you are in that read them, and print
-    /// only what concerns them
+    /// Treat the paths as changed files: check the robots in the current folder that use them, and print only
+    /// findings that concern them
     #[arg(long, conflicts_with_all = ["stdin_filename", "write_baseline"])]
     pub(super) changed: bool,
-    /// Look for packages there first
+    /// Search this folder for packages first; repeatable
     #[arg(long, value_name = "DIR")]
     pub(super) package_path: Vec<String>,
-    /// Check this file as a robot, whatever it looks like
+    /// Treat this file as a robot even if it looks like a macro library
     #[arg(long, value_name = "FILE")]
     pub(super) entry: Vec<PathBuf>,
     /// Use this configuration file instead of the nearest xacro-lint.toml
     #[arg(long, value_name = "FILE")]
     pub(super) config: Option<PathBuf>,
-    /// Fix what can be fixed without changing the meaning, and print what is left
+    /// Apply safe fixes and print the remaining findings
     #[arg(long)]
     pub(super) fix: bool,
-    /// Fix also by fixes that may change numbers and names (with --fix or --diff)
+    /// Also apply fixes that may change numbers or names (with --fix or --diff)
     #[arg(long)]
     pub(super) unsafe_fixes: bool,
-    /// Print what --fix would change, and change nothing
+    /// Print the changes --fix would make, without writing files
     #[arg(long)]
     pub(super) diff: bool,
-    /// Report only what exceeds the findings in this file
+    /// Report only findings that are not in this baseline file
     #[arg(long, value_name = "FILE", conflicts_with = "write_baseline")]
     pub(super) baseline: Option<PathBuf>,
-    /// Write the findings to this file, for --baseline
+    /// Write all findings to this baseline file
     #[arg(long, value_name = "FILE", conflicts_with_all = ["fix", "diff", "show_files"])]
     pub(super) write_baseline: Option<PathBuf>,
-    /// Exit with 1 for findings of this severity or worse
+    /// Exit with 1 if packages of a robot are not found, so that it cannot be checked in full
+    #[arg(long)]
+    pub(super) require_packages: bool,
+    /// Exit with 1 if there are findings of this severity or worse
     #[arg(long, value_enum, value_name = "SEVERITY", default_value_t)]
     pub(super) fail_level: FailLevel,
-    /// Exit with 0 whatever is found
+    /// Exit with 0 even if there are findings
     #[arg(long)]
     pub(super) exit_zero: bool,
-    /// Print findings down to this severity; `all`: every finding at every place, with nothing left out
+    /// Print findings of this severity and worse; `all` prints every finding at every location
     #[arg(long, value_enum, value_name = "SEVERITY")]
     pub(super) show: Option<Show>,
-    /// Report every place as a finding of its own, also where several places are one defect
+    /// Report every location separately, even if several have the same cause
     #[arg(long)]
     pub(super) no_group: bool,
-    /// Print how often each rule fired instead of its findings
+    /// Print the number of findings per rule instead of the findings
     #[arg(long)]
     pub(super) statistics: bool,
-    /// Check again whenever a file changes
+    /// Check again when a file changes
     #[arg(long, conflicts_with_all = ["diff", "write_baseline", "show_files", "stdin_filename"])]
     pub(super) watch: bool,
-    /// Print the files that would be checked
+    /// List the files that would be checked
     #[arg(long)]
     pub(super) show_files: bool,
-    /// Read standard input as the content of this file
+    /// Use this file name for standard input
     #[arg(long, value_name = "NAME")]
     pub(super) stdin_filename: Option<PathBuf>,
 }
@@ -218,36 +226,36 @@ impl CheckArgs {
     }
 }
 
-/// Profiles that rules can belong to.
+/// Profiles of rules.
 const PROFILES: [&str; 4] = ["ros-industrial", "mobile", "gazebo", "pedantic"];
 
-/// Forms of the result of `check`.
+/// Output formats of `check`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(super) enum Format {
-    /// With the source text, for people
+    /// With source excerpts (default)
     #[default]
     Text,
-    /// One line a finding
+    /// One line per finding
     Concise,
-    /// An array of objects
+    /// A JSON array
     Json,
     /// SARIF 2.1.0, for code scanning
     Sarif,
-    /// Annotations of GitHub Actions
+    /// Annotations for GitHub Actions
     Github,
-    /// Code quality report of GitLab
+    /// Code quality report for GitLab
     Gitlab,
-    /// Test results
+    /// Test results for CI servers
     Junit,
 }
 
-/// Forms of lists.
+/// Output formats of lists.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(super) enum Plain {
-    /// For people
+    /// Readable text
     #[default]
     Text,
-    /// For programs
+    /// JSON
     Json,
 }
 
@@ -259,18 +267,18 @@ pub(super) enum FailLevel {
     /// Errors and warnings
     #[default]
     Warning,
-    /// Everything but hints
+    /// Everything except hints
     Info,
 }
 
-/// What is not printed unless asked for.
+/// Which findings are printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Show {
     /// Conventions and portability
     Info,
-    /// Unnecessary things too
+    /// Unnecessary code too
     Hint,
-    /// Everything, however often it occurs
+    /// Everything, at every location
     All,
 }
 
@@ -279,39 +287,39 @@ pub(super) struct FormatArgs {
     /// Files and folders, `-` for standard input
     #[arg(value_name = "PATH", default_value = ".")]
     pub(super) paths: Vec<PathBuf>,
-    /// Print which files would change, change nothing, and exit with 1 when there are any
+    /// List files that are not formatted, without writing; exit with 1 if there are any
     #[arg(long)]
     pub(super) check: bool,
-    /// Print what would change, change nothing, and exit with 1 when there is something
+    /// Print the changes without writing files; exit with 1 if there are any
     #[arg(long, conflicts_with = "check")]
     pub(super) diff: bool,
 }
 
 #[derive(Args, Debug)]
 pub(super) struct TreeArgs {
-    /// The file, and name:=value for its arguments
+    /// The file and its arguments (name:=value)
     #[arg(value_name = "FILE", required = true)]
     pub(super) file: Vec<String>,
-    /// Name the joints and their types
+    /// Show the joints and their types
     #[arg(long)]
     pub(super) joints: bool,
-    /// Form of the tree
+    /// Output format
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: TreeFormat,
-    /// Look for packages there first
+    /// Search this folder for packages first; repeatable
     #[arg(long, value_name = "DIR")]
     pub(super) package_path: Vec<String>,
 }
 
-/// Forms of a tree.
+/// Output formats of a tree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(super) enum TreeFormat {
-    /// As `check_urdf` prints it
+    /// The output of `check_urdf`
     #[default]
     Text,
-    /// For Graphviz
+    /// Graphviz
     Dot,
-    /// For programs
+    /// JSON
     Json,
     /// A picture
     Svg,
@@ -319,85 +327,109 @@ pub(super) enum TreeFormat {
 
 #[derive(Args, Debug)]
 pub(super) struct RenderArgs {
-    /// The file, and name:=value for its arguments
+    /// The file and its arguments (name:=value)
     #[arg(value_name = "FILE", required = true)]
     pub(super) file: Vec<String>,
-    /// The picture: `.png` for shaded shapes, `.svg` for outlines, frames and names
+    /// Output file: `.png` for shaded shapes, `.svg` for outlines, frames and names
     #[arg(short, long, value_name = "PICTURE")]
     pub(super) output: PathBuf,
-    /// From where the robot is seen
+    /// Camera view
     #[arg(long, value_enum, default_value_t)]
     pub(super) view: Viewpoint,
-    /// Width and height, pixels
+    /// Width and height in pixels
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "800x600")]
     pub(super) size: String,
-    /// Put a joint somewhere: radians, degrees as `90deg`, or metres; may be given several times
+    /// Set a joint position: radians (`1.57`), degrees (`90deg`) or meters; repeatable
     #[arg(long, value_name = "NAME=VALUE")]
     pub(super) joint: Vec<String>,
-    /// Draw collisions instead of visuals
+    /// Draw collision geometry instead of visual geometry
     #[arg(long)]
     pub(super) collision: bool,
-    /// Draw the frames of the links too, and shapes so that one sees through them
+    /// Also draw link frames, and make shapes transparent
     #[arg(long)]
     pub(super) frames: bool,
-    /// What is behind the robot: `white`, `black`, `transparent` or `#rrggbb`
+    /// Background color: `white`, `black`, `transparent` or `#rrggbb`
     #[arg(long, value_name = "COLOR", default_value = "white")]
     pub(super) background: String,
-    /// Draw the tree of links and joints, as `tree --format svg` does
+    /// Draw the tree of links and joints (same as `tree --format svg`)
     #[arg(long, conflicts_with_all = ["view", "size", "joint", "collision", "frames", "background"])]
     pub(super) tree: bool,
-    /// Look for packages there first
+    /// Search this folder for packages first; repeatable
     #[arg(long, value_name = "DIR")]
     pub(super) package_path: Vec<String>,
 }
 
-/// Directions to look from.
+/// Camera views.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(super) enum Viewpoint {
-    /// From the front, the right and above
+    /// From the front right, above
     #[default]
     Iso,
     /// From the front
     Front,
-    /// From the right: the robot looks to the right
+    /// From the right; the front of the robot is on the right
     Side,
-    /// From above: the robot looks to the right
+    /// From above; the front of the robot is on the right
     Top,
 }
 
 #[cfg(feature = "preview")]
 #[derive(Args, Debug)]
 pub(super) struct PreviewArgs {
-    /// The file, and name:=value for its arguments
+    /// The file and its arguments (name:=value)
     #[arg(value_name = "FILE", required = true)]
     pub(super) file: Vec<String>,
-    /// Look for packages there first
+    /// Search this folder for packages first; repeatable
     #[arg(long, value_name = "DIR")]
     pub(super) package_path: Vec<String>,
 }
 
+#[cfg(feature = "lsp")]
+#[derive(Args, Debug)]
+pub(super) struct ServerArgs {
+    /// Talk on standard input and output (the only way there is; editors pass it on)
+    #[arg(long)]
+    pub(super) stdio: bool,
+    /// Print version
+    #[arg(short = 'V', long)]
+    pub(super) version: bool,
+}
+
 #[derive(Args, Debug)]
 pub(super) struct PackagesArgs {
-    /// A file or folder that packages are looked for from
+    /// The file or folder to search from
     #[arg(default_value = ".")]
     pub(super) from: PathBuf,
-    /// Look for packages there first
+    /// Search this folder for packages first; repeatable
     #[arg(long, value_name = "DIR")]
     pub(super) package_path: Vec<String>,
-    /// Form of the list
+    /// Output format
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: Plain,
+}
+
+#[derive(Args, Debug)]
+pub(super) struct CallsArgs {
+    /// The folder to search, or the launch file or description whose calls are listed
+    #[arg(default_value = ".")]
+    pub(super) path: PathBuf,
+    /// Search this folder for packages first; repeatable
+    #[arg(long, value_name = "DIR")]
+    pub(super) package_path: Vec<String>,
+    /// Output format
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: Plain,
 }
 
 #[derive(Args, Debug)]
 pub(super) struct DepsArgs {
-    /// The file, and name:=value for its arguments
+    /// The file and its arguments (name:=value)
     #[arg(value_name = "FILE", required = true)]
     pub(super) file: Vec<String>,
-    /// Look for packages there first
+    /// Search this folder for packages first; repeatable
     #[arg(long, value_name = "DIR")]
     pub(super) package_path: Vec<String>,
-    /// Form of the list: files one a line, or everything the result depends on
+    /// Output format: one file per line, or JSON with everything the robot depends on
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: Plain,
 }

@@ -7,7 +7,7 @@ use std::time::Duration;
 use super::args::{CheckArgs, FailLevel, Format, Show};
 use super::diff::unified;
 use super::io::Io;
-use super::listing::{Listing, least_shown, wants_all};
+use super::listing::{Listing, incomplete, least_shown, wants_all};
 use super::options::with_assignment;
 use super::prepare::{Prepared, prepare};
 use super::progress::watched;
@@ -98,6 +98,7 @@ impl Run<'_> {
         if !self.args.fix && !self.args.diff {
             let mut report = watched(io, &options.progress, || session.check(options));
             let reads = std::mem::take(&mut report.reads);
+            self.warn_about_arguments(&report, io);
             return (self.conclude(report, "", io), reads);
         }
         let most = if self.args.unsafe_fixes { Safety::Unsafe } else { Safety::Safe };
@@ -111,7 +112,7 @@ impl Run<'_> {
         fixed.files.retain(|file| match session.vfs.rewrite(&file.path, &file.before, &file.after) {
             Ok(()) => true,
             Err(error) => {
-                usage(io, &format!("{}: cannot be written: {error}", self.shown(&file.path)));
+                usage(io, &format!("cannot write {}: {error}", self.shown(&file.path)));
                 false
             }
         });
@@ -123,16 +124,24 @@ impl Run<'_> {
         (if failed { 2 } else { code }, reads)
     }
 
+    /// Name the arguments of the command line that no robot knows: xacro ignores them without a word.
+    fn warn_about_arguments(&self, report: &Report, io: &mut Io<'_>) {
+        for (name, near) in self.session.undeclared_arguments(&report.roots, &self.options.args) {
+            let near = near.map_or(String::new(), |near| format!("; did you mean `{near}`?"));
+            io.line(&visible(&format!("warning: unknown argument `{name}`{near}")));
+        }
+    }
+
     /// What was fixed, and what came to light by it.
     fn done(&self, fixed: &Fixed) -> String {
         let revealed = match fixed.revealed() {
             0 => String::new(),
-            count => format!("; {} could not be seen before", text::counted(count, "error")),
+            count => format!("; {} appeared after fixing", text::counted(count, "error")),
         };
         match fixed.count {
-            0 if fixed.hidden > 0 => format!("fixed nothing{}", not_made(fixed)),
+            0 if fixed.hidden > 0 || fixed.taken_back > 0 => format!("fixed nothing{}", not_made(fixed)),
             0 => String::new(),
-            _ => format!("fixed {}{revealed}", fixed_in(fixed)),
+            _ => format!("fixed {}{revealed}{}", fixed_in(fixed), taken_back(fixed)),
         }
     }
 
@@ -175,13 +184,13 @@ impl Run<'_> {
         let checked = |path: &Path| !self.args.changed && (files.contains(path) || is_below(path));
         let (known, gone) = baseline.subtract(report, folder, checked);
         if known > 0 {
-            io.line(&format!("note: {} of the baseline not shown", text::counted(known, "finding")));
+            io.line(&format!("note: {} from the baseline not shown", text::counted(known, "finding")));
         }
         if gone > 0 {
             let is_whole = folders.iter().any(|checked| folder.starts_with(checked));
-            let advice = if is_whole { ": --write-baseline writes it anew" } else { "" };
+            let advice = if is_whole { ": update it with --write-baseline" } else { "" };
             let gone = text::counted(gone, "finding");
-            io.line(&format!("note: {gone} of the baseline did not occur{advice}"));
+            io.line(&format!("note: {gone} from the baseline no longer found{advice}"));
         }
     }
 
@@ -189,7 +198,7 @@ impl Run<'_> {
         let path = self.session.vfs.absolute(path);
         let baseline = Baseline::of(report, path.parent().unwrap_or(&path));
         if let Err(error) = write_atomically(&path, baseline.to_json().as_bytes()) {
-            return usage(io, &format!("{}: cannot be written: {error}", self.shown(&path)));
+            return usage(io, &format!("cannot write {}: {error}", self.shown(&path)));
         }
         io.line(&format!("wrote {} to {}", text::counted(baseline.len(), "finding"), self.shown(&path)));
         0
@@ -209,9 +218,12 @@ impl Run<'_> {
             io.line(&format!("warning: {path} was not checked: {}", skipped.reason));
         }
         if report.roots.is_empty() && report.skipped.is_empty() && !self.args.changed {
-            io.line("warning: no xacro or URDF file was found");
+            io.line("warning: no xacro or URDF files found");
         }
         let code = exit_code(&report, self.args);
+        if let Some(incomplete) = incomplete(&report).filter(|_| self.args.require_packages) {
+            io.line(&visible(&format!("error: {incomplete}")));
+        }
         let for_people = matches!(self.args.format, Format::Text | Format::Concise);
         if for_people && self.args.statistics {
             text::statistics(&report, io);
@@ -257,14 +269,18 @@ impl Run<'_> {
     }
 
     fn could_be_fixed(&self, report: &Report) -> String {
+        // what is left then would cause new errors, or cannot be written
+        if self.args.fix && self.args.unsafe_fixes {
+            return String::new();
+        }
         let (safe, other) = self.session.fixable(self.options, report, least_shown(self.args));
         // what is left by `--fix` could not be proved to be safe
         let (safe, other) = if self.args.fix { (0, safe + other) } else { (safe, other) };
         match (safe, other) {
             (0, 0) => String::new(),
-            (safe, 0) => format!("{safe} can be fixed with --fix"),
-            (0, other) => format!("{other} can be fixed with --fix --unsafe-fixes"),
-            (safe, other) => format!("{safe} can be fixed with --fix, {other} more with --unsafe-fixes"),
+            (safe, 0) => format!("{safe} fixable with --fix"),
+            (0, other) => format!("{other} fixable with --fix --unsafe-fixes"),
+            (safe, other) => format!("{safe} fixable with --fix, {other} more with --unsafe-fixes"),
         }
     }
 
@@ -291,15 +307,25 @@ fn fixed_in(fixed: &Fixed) -> String {
 fn not_made(fixed: &Fixed) -> String {
     let mut said = match fixed.unproved {
         0 => String::new(),
-        1 => "; 1 fix may change a robot: --unsafe-fixes".to_owned(),
-        count => format!("; {count} fixes may change a robot: --unsafe-fixes"),
+        1 => "; 1 more fix with --unsafe-fixes, which may change the robot".to_owned(),
+        count => format!("; {count} more fixes with --unsafe-fixes, which may change the robot"),
     };
+    said.push_str(&taken_back(fixed));
     match fixed.hidden {
         0 => {}
-        1 => said.push_str("; 1 finding that is not shown can be fixed: --show hint"),
-        count => said.push_str(&format!("; {count} findings that are not shown can be fixed: --show hint")),
+        1 => said.push_str("; 1 hidden finding is fixable (--show hint)"),
+        count => said.push_str(&format!("; {count} hidden findings are fixable (--show hint)")),
     }
     said
+}
+
+/// That fixes were taken back.
+fn taken_back(fixed: &Fixed) -> String {
+    match fixed.taken_back {
+        0 => String::new(),
+        1 => "; 1 fix was not made because it would cause new errors".to_owned(),
+        count => format!("; {count} fixes were not made because they would cause new errors"),
+    }
 }
 
 /// The least severity that makes the run fail.
@@ -313,5 +339,6 @@ fn least(args: &CheckArgs) -> Severity {
 
 fn exit_code(report: &Report, args: &CheckArgs) -> u8 {
     let fails = report.findings.iter().any(|finding| finding.severity >= least(args));
-    u8::from(fails && !args.exit_zero)
+    let lacks = args.require_packages && !report.incomplete.is_empty();
+    u8::from((fails || lacks) && !args.exit_zero)
 }

@@ -30,7 +30,7 @@ pub(super) fn run(args: &DepsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     }
     let errors = expansion.problems.iter().filter(|p| p.severity == expand::Severity::Error).count();
     if errors > 0 {
-        io.line(&format!("warning: {errors} errors, the list may be short: see `xacro-lint check`"));
+        io.line(&format!("warning: {errors} errors; the list may be incomplete (run `xacro-lint check`)"));
     }
     u8::from(errors > 0)
 }

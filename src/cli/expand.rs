@@ -24,20 +24,20 @@ use workspace::{PackageOptions, Packages, UNQUOTED};
 
 const USAGE: &str = "usage: xacro-lint expand [options] <input> [name:=value ...]";
 const HELP: &str = "\
-Expand a xacro file, exactly as xacro does, and print the result.
+Expand a xacro file exactly as xacro does and print the result.
 
 options:
   -o FILE              write output to FILE instead of stdout
-  --deps               print the files that were included or loaded
-  --root-dir DIR       folder that relative names are relative to
-  --package-path DIR   look for packages there first (may be given again)
-  --source-map FILE    write which source text made which line of the output (JSON)
-  -q                   quiet: no places behind warnings
+  --deps               print the included and loaded files
+  --root-dir DIR       folder for relative paths
+  --package-path DIR   search this folder for packages first (repeatable)
+  --source-map FILE    write the source location of each output line (JSON)
+  -q                   quiet: no locations after warnings
   -v, --verbosity N    accepted for compatibility
   -i, --inorder        accepted for compatibility
-  -h, --help           this text
+  -h, --help           print this help
 
-`-` as input reads standard input. Exit status: 0, or 2 when something is wrong.
+`-` as input reads standard input. Exit status: 0 on success, 2 on errors.
 ";
 
 /// Run `expand`; the exit code is xacro's.
@@ -131,7 +131,7 @@ fn read_stdin(
     if options.input != "-" {
         return Ok(options.input.clone());
     }
-    let text = all_of(io.stdin).map_err(|error| format!("standard input cannot be read: {error}"))?;
+    let text = all_of(io.stdin).map_err(|error| format!("cannot read standard input: {error}"))?;
     let root = options.root_dir.as_deref().unwrap_or("");
     vfs.set_buffer(&env.cwd.join(root).join(NAME), Some(text));
     Ok(NAME.to_owned())
@@ -190,7 +190,7 @@ fn report(expansion: &Expansion, options: &ExpandOptions, packages: &Packages, c
         io.line("");
     }
     if errors > 1 {
-        io.line(&format!("error: {errors} errors, nothing was written"));
+        io.line(&format!("error: {errors} errors, no output written"));
     }
 }
 

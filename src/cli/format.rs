@@ -30,13 +30,13 @@ pub(super) fn run(args: &FormatArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     };
     let is_input = args.paths.iter().any(|path| path == Path::new("-"));
     if is_input && let Err(error) = read_input(&session, io) {
-        return usage(io, &format!("standard input cannot be read: {error}"));
+        return usage(io, &format!("cannot read standard input: {error}"));
     }
     let options = CheckOptions { paths: args.paths.clone(), ..CheckOptions::default() };
     if let Some(missing) =
         args.paths.iter().find(|path| session.vfs.text(path).is_err() && !is_dir(&session, path))
     {
-        return usage(io, &format!("{}: cannot be read", visible(&missing.to_string_lossy())));
+        return usage(io, &format!("cannot read {}", visible(&missing.to_string_lossy())));
     }
     let mut done = Done::default();
     let excluded = |path: &Path| session.settings(path).excludes(path);
@@ -82,12 +82,12 @@ fn one(
     let shown = visible(&shown_path(path, &env.cwd));
     let Ok(source) = session.vfs.document(path) else {
         done.failed += 1;
-        return io.line(&format!("error: {shown}: cannot be read"));
+        return io.line(&format!("error: cannot read {shown}"));
     };
     let document = &source.document;
     if !document.errors().is_empty() {
         done.failed += 1;
-        return io.line(&format!("error: {shown}: left alone, because its syntax is broken"));
+        return io.line(&format!("error: {shown} not formatted because of syntax errors"));
     }
     let config = &session.settings(path).config.format;
     let edits = ide::format(document, &ide::indentation(document), config);
@@ -103,7 +103,7 @@ fn one(
         io.out(&file.after);
     } else if !same && let Err(error) = session.vfs.rewrite(path, &file.before, &file.after) {
         done.failed += 1;
-        return io.line(&format!("error: {shown}: cannot be written: {error}"));
+        return io.line(&format!("error: cannot write {shown}: {error}"));
     }
     done.changed += usize::from(!same);
     done.same += usize::from(same);
@@ -112,9 +112,9 @@ fn one(
 fn summary(args: &FormatArgs, done: &Done) -> String {
     let verb = if args.check || args.diff { "would format" } else { "formatted" };
     match (done.changed, done.same) {
-        (0, 0) => "warning: no xacro or URDF file was found".to_owned(),
+        (0, 0) => "warning: no xacro or URDF files found".to_owned(),
         (0, same) => format!("nothing to format in {}", counted(same, "file")),
         (changed, 0) => format!("{verb} {}", counted(changed, "file")),
-        (changed, same) => format!("{verb} {}, {same} left as they are", counted(changed, "file")),
+        (changed, same) => format!("{verb} {}, {same} unchanged", counted(changed, "file")),
     }
 }

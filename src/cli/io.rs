@@ -62,8 +62,7 @@ pub(super) fn all_of(stdin: &mut dyn Read) -> std::io::Result<String> {
     let mut bytes = Vec::new();
     stdin.take(STDIN_BYTES + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > STDIN_BYTES {
-        let why =
-            format!("it has more than {} MB, the limit: name the file instead", STDIN_BYTES / 1_000_000);
+        let why = format!("input is larger than {} MB; pass the file name instead", STDIN_BYTES / 1_000_000);
         return Err(std::io::Error::other(why));
     }
     Ok(String::from_utf8_lossy(&bytes).into_owned())
@@ -89,7 +88,7 @@ impl Io<'_> {
         match self.failed.take() {
             None => code,
             Some(error) => {
-                self.line(&format!("error: standard output cannot be written: {error}"));
+                self.line(&format!("error: cannot write to standard output: {error}"));
                 2
             }
         }

@@ -1,6 +1,7 @@
 //! `xacro-lint`: the command line.
 
 mod args;
+mod calls;
 mod check;
 mod config;
 mod deps;
@@ -92,13 +93,26 @@ fn dispatch(command: Command, env: &Environment, io: &mut Io<'_>) -> u8 {
         Command::Render(options) => picture::run(&options, env, io),
         #[cfg(feature = "preview")]
         Command::Preview(options) => preview::run(&options, env, io),
+        Command::Calls(options) => calls::run(&options, env, io),
         Command::Packages(options) => packages::run(&options, env, io),
         Command::Deps(options) => deps::run(&options, env, io),
         Command::Explain { rule } => explain::explain(rule.as_deref(), io),
         Command::Rules(options) => explain::rules(&options, io),
         Command::Config(options) => config::run(&options, env, io),
+        #[cfg(feature = "lsp")]
+        Command::Server(options) => serve(&options, env, io),
         Command::Completions { shell } => completions(shell, io),
     }
+}
+
+/// Serve an editor until it is gone. The server reads and writes the streams of the process itself.
+#[cfg(feature = "lsp")]
+fn serve(options: &args::ServerArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
+    if options.version {
+        io.out(concat!("xacro-lsp ", env!("CARGO_PKG_VERSION"), "\n"));
+        return 0;
+    }
+    server::run(env.clone())
 }
 
 /// Print a script for a shell.

@@ -1,5 +1,7 @@
 //! What `check` prints for people: which findings, and what is said below them.
 
+use std::collections::BTreeSet;
+
 use indexmap::IndexMap;
 
 use super::args::{CheckArgs, FailLevel, Show};
@@ -90,8 +92,7 @@ impl<'a> Listing<'a> {
         let hidden = Severity::ALL.into_iter().filter_map(hidden);
         let (kinds, options): (Vec<String>, Vec<String>) =
             hidden.map(|(name, count)| (counted(count, name), format!("--show {name}"))).unzip();
-        let left_out =
-            (self.left_out > 0).then(|| format!("{} more of these not shown: --show all", self.left_out));
+        let left_out = (self.left_out > 0).then(|| format!("{} more not shown (--show all)", self.left_out));
         let hidden =
             (!kinds.is_empty()).then(|| format!("{} not shown: {}", kinds.join(" and "), options.join(", ")));
         left_out.into_iter().chain(hidden).collect()
@@ -101,6 +102,7 @@ impl<'a> Listing<'a> {
     pub(super) fn footer(&self, done: &str, could: &str) -> Vec<String> {
         let mut lines = vec![self.summary()];
         lines.extend(self.without_robot());
+        lines.extend(self.incomplete());
         if self.is_many() {
             lines.extend(self.by_rule());
         }
@@ -113,7 +115,7 @@ impl<'a> Listing<'a> {
     pub(super) fn note(&self, could: &str) -> Vec<String> {
         if !self.is_many() {
             let summary = (!self.hidden.is_empty()).then(|| self.summary());
-            return summary.into_iter().chain(self.without_robot()).collect();
+            return summary.into_iter().chain(self.without_robot()).chain(self.incomplete()).collect();
         }
         let next = [could.to_owned(), self.next()];
         let next: Vec<String> = next.into_iter().filter(|part| !part.is_empty()).collect();
@@ -130,18 +132,21 @@ impl<'a> Listing<'a> {
         let why = match (nameless.first(), roots.is_empty(), skipped.is_empty()) {
             (Some(file), ..) => {
                 let file = file.file_name().unwrap_or_default().to_string_lossy();
-                format!(
-                    "<robot> of `{file}` has no name: add name=\"...\", unless the file is a part of others"
-                )
+                format!("<robot> in `{file}` has no name: add name=\"...\", unless other files include it")
             }
-            (None, true, true) => "there are no descriptions (*.urdf, *.xacro)".to_owned(),
-            (None, true, false) => "all of it is left out".to_owned(),
+            (None, true, true) => "there are no *.urdf or *.xacro files".to_owned(),
+            (None, true, false) => "everything is excluded".to_owned(),
             (None, false, _) => {
-                "a robot has a <robot name=\"...\"> and a link, and these files only give parts of robots"
+                "a robot needs a <robot name=\"...\"> and a link; these files contain only parts of robots"
                     .to_owned()
             }
         };
-        Some(format!("no robot was found: {why}"))
+        Some(format!("no robot found: {why}"))
+    }
+
+    /// That robots were not checked in full: without findings it would look like success.
+    fn incomplete(&self) -> Option<String> {
+        incomplete(self.report)
     }
 
     fn is_many(&self) -> bool {
@@ -168,7 +173,7 @@ impl<'a> Listing<'a> {
         let worst = counts(self.report).first().map(|(_, rule, _)| rule.name);
         match worst.filter(|_| self.is_many()) {
             Some(name) => format!(
-                "`xacro-lint explain {name}` says more about a rule; `--write-baseline FILE` accepts what is there"
+                "run `xacro-lint explain {name}` for details on a rule, or `--write-baseline FILE` to accept these findings"
             ),
             None => String::new(),
         }
@@ -208,4 +213,18 @@ fn summary<'f>(report: &Report, printed: impl Iterator<Item = &'f Finding>, is_a
         true => format!("no errors or warnings ({checked})"),
         false => format!("{} in {} ({checked})", named.join(", "), counted(with_findings.len(), "file")),
     }
+}
+
+/// `1 robot not checked in full: package `arm` not found`
+pub(super) fn incomplete(report: &Report) -> Option<String> {
+    const MOST: usize = 5;
+    let robots = &report.incomplete;
+    let packages: BTreeSet<&String> = robots.values().flatten().collect();
+    let names: Vec<String> = packages.iter().take(MOST).map(|name| format!("`{name}`")).collect();
+    let what = if packages.len() == 1 { "package" } else { "packages" };
+    let more = packages.len().saturating_sub(MOST);
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    let robots = counted(robots.len(), "robot");
+    (!names.is_empty())
+        .then(|| format!("{robots} not checked in full: {what} {}{more} not found", names.join(", ")))
 }

@@ -58,7 +58,7 @@ const LONG: [&str; 8] = [
 /// A complaint about a path, with what to type where it looks like an argument.
 pub(super) fn with_assignment(complaint: &str, path: &str) -> String {
     match path.split_once('=').filter(|(name, _)| is_name(name)) {
-        Some((name, value)) => format!("{complaint}; to give an argument, write `{name}:={value}`"),
+        Some((name, value)) => format!("{complaint}; to pass an argument, write `{name}:={value}`"),
         None => complaint.to_owned(),
     }
 }

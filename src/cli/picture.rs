@@ -79,7 +79,7 @@ fn picture(
     let content = Content { collisions: args.collision, frames: args.frames, positions };
     let scene = Scene::of(&model, &files, &session.vfs, &content)?;
     if scene.is_empty() {
-        io.line("error: the robot has no link, there is nothing to draw");
+        io.line("error: robot has no links, nothing to draw");
         return Ok(None);
     }
     for problem in &scene.problems {
@@ -103,8 +103,10 @@ fn form(output: &Path, tree: bool) -> Result<Form, String> {
     match (ending.as_str(), tree) {
         ("svg", _) => Ok(Form::Svg),
         ("png", false) => Ok(Form::Png),
-        (_, false) => Err(format!("{}: the name of a picture ends in .png or .svg", output.display())),
-        (_, true) => Err(format!("{}: a tree is drawn as SVG, the name ends in .svg", output.display())),
+        (_, false) => Err(format!("{}: file name must end in .png or .svg", output.display())),
+        (_, true) => {
+            Err(format!("{}: a tree is drawn as SVG, so the file name must end in .svg", output.display()))
+        }
     }
 }
 
@@ -117,7 +119,10 @@ fn shot(args: &RenderArgs) -> Result<Shot, String> {
         Viewpoint::Top => View::Top,
     };
     let background = Background::of(&args.background).ok_or_else(|| {
-        format!("background `{}`: it is `white`, `black`, `transparent` or like `#f0f4ff`", args.background)
+        format!(
+            "invalid background `{}`: use `white`, `black`, `transparent` or a color such as `#f0f4ff`",
+            args.background
+        )
     })?;
     Ok(Shot { view, size: size(&args.size)?, background })
 }
@@ -127,13 +132,13 @@ fn size(text: &str) -> Result<[u32; 2], String> {
     let side = |text: &str| text.parse::<u32>();
     let sides = text.split_once('x').map(|(width, height)| (side(width), side(height)));
     let Some((Ok(width), Ok(height))) = sides else {
-        return Err(format!("size `{text}`: it is written like `800x600`"));
+        return Err(format!("invalid size `{text}`: write it as `800x600`"));
     };
     let pixels = u64::from(width) * u64::from(height);
     if pixels == 0 || pixels > MOST_PIXELS || width.max(height) > LONGEST_SIDE {
         let millions = MOST_PIXELS / 1_000_000;
         return Err(format!(
-            "size `{text}`: a picture has 1 to {millions} million pixels, and no side above {LONGEST_SIDE}"
+            "invalid size `{text}`: the limit is {millions} million pixels and {LONGEST_SIDE} per side"
         ));
     }
     Ok([width, height])
@@ -143,12 +148,13 @@ fn size(text: &str) -> Result<[u32; 2], String> {
 fn positions(wanted: &[String], model: &Model) -> Result<Positions, String> {
     let mut positions = Positions::default();
     for text in wanted {
-        let (name, value) =
-            text.split_once('=').ok_or_else(|| format!("joint `{text}`: it is written like `elbow=0.5`"))?;
+        let (name, value) = text
+            .split_once('=')
+            .ok_or_else(|| format!("invalid joint position `{text}`: write it as `elbow=0.5`"))?;
         let joint = model.joints.iter().find(|joint| joint.name == name).ok_or_else(|| {
             let names = model.joints.iter().filter(|joint| movable(joint)).map(|joint| joint.name.as_str());
             let near = nearest(name, names).map(|near| format!("; did you mean `{near}`?"));
-            format!("the robot has no joint `{name}`{}", near.unwrap_or_default())
+            format!("unknown joint `{name}`{}", near.unwrap_or_default())
         })?;
         positions.insert(name.to_owned(), position(joint, value)?);
     }
@@ -159,16 +165,16 @@ fn positions(wanted: &[String], model: &Model) -> Result<Positions, String> {
 fn position(joint: &Joint, value: &str) -> Result<f64, String> {
     let name = &joint.name;
     if let Some(mimic) = &joint.mimic {
-        return Err(format!("joint `{name}` follows joint `{}`: give the position of that one", mimic.joint));
+        return Err(format!("joint `{name}` mimics joint `{}`: set the position of that joint", mimic.joint));
     }
     if !movable(joint) {
-        return Err(format!("joint `{name}` has no position: it is of type {}", joint.kind));
+        return Err(format!("joint `{name}` has no position: its type is {}", joint.kind));
     }
     let number = |text: &str| text.trim().parse().ok().filter(|number: &f64| number.is_finite());
     let found = match value.strip_suffix("deg") {
         Some(degrees) if joint.kind != "prismatic" => number(degrees).map(f64::to_radians),
-        Some(_) => return Err(format!("joint `{name}` moves along its axis: its position is in metres")),
+        Some(_) => return Err(format!("joint `{name}` is prismatic: its position is in meters")),
         None => number(value),
     };
-    found.ok_or_else(|| format!("joint `{name}`: `{value}` is no position: write `0.5` or `30deg`"))
+    found.ok_or_else(|| format!("invalid position `{value}` for joint `{name}`: write `0.5` or `30deg`"))
 }

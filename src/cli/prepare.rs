@@ -59,7 +59,7 @@ pub(super) fn prepare(args: &CheckArgs, env: &Environment, stdin: &mut dyn Read)
         Session::new(env, setup).map_err(|error| format!("{}: {}", error.path.display(), error.reason()))?;
     if let Some(name) = stdin_name(args) {
         let read = read_stdin(&name, &session, stdin);
-        read.map_err(|error| format!("standard input cannot be read: {error}"))?;
+        read.map_err(|error| format!("cannot read standard input: {error}"))?;
     }
     let baseline = args.baseline.as_deref().map(|path| read_baseline(path, &session)).transpose()?;
     Ok(Prepared { session, options, baseline })
@@ -92,7 +92,7 @@ fn options(args: &CheckArgs) -> Result<CheckOptions, String> {
     let mut paths: Vec<PathBuf> = paths.map(PathBuf::from).collect();
     paths.extend(stdin_name(args));
     if paths.iter().chain(&args.entry).any(|path| path.as_os_str().is_empty()) {
-        return Err("a path is empty".to_owned());
+        return Err("empty path".to_owned());
     }
     if paths.is_empty() && args.entry.is_empty() {
         paths.push(".".into());
@@ -120,17 +120,17 @@ fn options(args: &CheckArgs) -> Result<CheckOptions, String> {
 fn contradictions(args: &CheckArgs) -> Result<(), String> {
     let for_people = matches!(args.format, Format::Text | Format::Concise);
     let message = if args.watch && stdin_name(args).is_some() {
-        "--watch has nothing to watch on standard input"
+        "--watch cannot be used with standard input"
     } else if args.statistics && !for_people {
-        "--statistics goes with --format text or concise"
+        "--statistics requires --format text or concise"
     } else if args.diff && !for_people {
-        "--diff prints a diff, whatever the format: leave --format out"
+        "--diff cannot be used with --format"
     } else if args.unsafe_fixes && !args.fix && !args.diff {
-        "--unsafe-fixes goes with --fix or --diff"
+        "--unsafe-fixes requires --fix or --diff"
     } else if args.changed && stdin_name(args).is_some() {
-        "--changed goes with names of files, not with standard input"
+        "--changed requires file names and cannot be used with standard input"
     } else if args.fix && !args.diff && stdin_name(args).is_some() {
-        "standard input cannot be fixed in place: use --diff"
+        "cannot fix standard input in place: use --diff"
     } else {
         return Ok(());
     };

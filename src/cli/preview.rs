@@ -43,6 +43,13 @@ struct Preview {
 }
 
 fn open(args: &PreviewArgs, env: &Environment) -> Result<Preview, String> {
+    if !preview::HAS_VIEWER {
+        return Err(
+            "this program was built without the viewer; run `npm ci` and `npm run build` in editors/viewer, \
+                    build the program again, or install a release"
+                .to_owned(),
+        );
+    }
     let (file, arguments) = file_and_arguments(&args.file)?;
     let mut world = World::new(env.clone(), Vec::new());
     if !args.package_path.is_empty() {
@@ -51,7 +58,7 @@ fn open(args: &PreviewArgs, env: &Environment) -> Result<Preview, String> {
     let vfs = world.session().vfs.clone();
     let path = vfs.absolute(Path::new(&file));
     if !vfs.is_file(&path) {
-        return Err(format!("{file}: there is no such file"));
+        return Err(format!("{file}: no such file"));
     }
     let mut views = Views::default();
     let id = views.open(RootChoice { args: arguments, ..RootChoice::plain(&path) });
@@ -59,7 +66,7 @@ fn open(args: &PreviewArgs, env: &Environment) -> Result<Preview, String> {
     // the other end is gone only when the process ends
     let receive = move |received| drop(say.send(received));
     let hub = Hub::start(views.files().clone(), vfs, receive)
-        .map_err(|error| format!("the preview cannot be started: {error}"))?;
+        .map_err(|error| format!("cannot start the preview: {error}"))?;
     hub.open(id);
     Ok(Preview { world, views, hub, said, id })
 }
@@ -67,7 +74,7 @@ fn open(args: &PreviewArgs, env: &Environment) -> Result<Preview, String> {
 impl Preview {
     fn run(mut self, env: &Environment, io: &mut Io<'_>) -> u8 {
         io.out(&format!("{}\n", self.hub.url(self.id)));
-        io.line("open this address in a browser; Ctrl-C ends");
+        io.line("open this address in a browser; press Ctrl-C to stop");
         io.flush();
         let mut state = State::new();
         let mut around = Instant::now();

@@ -19,7 +19,7 @@ fn section(command: &Command) -> String {
     let about = command.get_about().map(ToString::to_string).unwrap_or_default();
     let mut out = format!("\n### `{}`\n\n{about}.\n", command.get_name());
     if command.get_name() == "fix" {
-        out.push_str("It has the options of `check`.\n");
+        out.push_str("Takes the options of `check`.\n");
         return out;
     }
     let rows: Vec<String> = command

@@ -79,7 +79,7 @@ pub fn render(report: &Report<'_>, color: bool) -> String {
         group = piece.draw(group, AnnotationKind::Context);
     }
     let left = report.trace.len().saturating_sub(MOST_STEPS);
-    let more = format!("{left} more steps led there");
+    let more = format!("{left} more calls not shown");
     if left > 0 {
         group = group.element(Level::NOTE.message(more.as_str()));
     }
@@ -88,8 +88,8 @@ pub fn render(report: &Report<'_>, color: bool) -> String {
     }
     let left = report.places.len().saturating_sub(MOST_PLACES);
     let more_places = format!(
-        "{left} more place{} not drawn: `--no-group` reports each",
-        if left == 1 { " is" } else { "s are" }
+        "{left} more location{} not shown (`--no-group` reports each)",
+        if left == 1 { "" } else { "s" }
     );
     if left > 0 {
         group = group.element(Level::NOTE.message(more_places.as_str()));
@@ -195,7 +195,7 @@ mod tests {
             level: Level::ERROR,
             id: Some("no-links".to_owned()),
             url: Some("https://example.org/no-links".to_owned()),
-            title: "the robot has no link".to_owned(),
+            title: "robot has no links".to_owned(),
             primary: Mark { file: &file, range: TextRange::new(0, 6), label: String::new() },
             trace: Vec::new(),
             places: Vec::new(),

@@ -100,7 +100,8 @@ fn drawing(
 /// Whether the text of a file may be shown. What is no description by its name, or belongs to no robot, may be anything:
 /// a key, say. Its text is not for a log.
 pub(super) fn is_shown(path: &Path, around: &Vicinity<'_>) -> bool {
-    const ENDINGS: [&str; 9] = ["xacro", "urdf", "xml", "srdf", "sdf", "yaml", "yml", "toml", "txt"];
+    const ENDINGS: [&str; 13] =
+        ["xacro", "urdf", "xml", "srdf", "sdf", "yaml", "yml", "toml", "txt", "launch", "py", "sh", "bash"];
     let ending = path.extension().and_then(|ending| ending.to_str());
     ending.is_some_and(|ending| ENDINGS.contains(&ending)) && around.hold(path)
 }

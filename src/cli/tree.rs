@@ -74,8 +74,8 @@ pub(super) fn run(args: &TreeArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
 /// Say that the links make no tree, unless what was found before is why there are none to speak of.
 pub(super) fn no_tree(expansion: &Expansion, io: &mut Io<'_>) {
     match expansion.has_errors() {
-        true => io.line("error: the tree is not drawn before these errors are mended"),
-        false => io.line("error: the links of this robot make no tree"),
+        true => io.line("error: cannot print the tree because of the errors above"),
+        false => io.line("error: cannot print the tree: the links do not form one tree"),
     }
 }
 

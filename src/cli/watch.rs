@@ -34,7 +34,7 @@ pub(super) fn watch(
     }
     loop {
         let present = round.state.values().filter(|state| **state != 0).count();
-        io.line(&format!("watching {}; Ctrl-C ends", counted(present, "file")));
+        io.line(&format!("watching {}; press Ctrl-C to stop", counted(present, "file")));
         io.flush();
         let (now, changed) = loop {
             if !wait() {
@@ -92,7 +92,7 @@ mod tests {
         let code = watch(&mut io, Path::new("/ws"), run, |_| state(), wait);
         assert_eq!(code, 3);
         assert_eq!(String::from_utf8(out).unwrap(), "run 1\nrun 2\nrun 3\n");
-        let watching = "watching 1 file; Ctrl-C ends\n";
+        let watching = "watching 1 file; press Ctrl-C to stop\n";
         let expected = format!("{watching}a.xacro changed\n{watching}a.xacro changed\n{watching}");
         assert_eq!(String::from_utf8(err).unwrap(), expected);
     }

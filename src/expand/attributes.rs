@@ -22,7 +22,7 @@ impl Expander<'_> {
     pub fn required_attr<'a>(&mut self, tag: Tag<'a>, name: &str, cx: Cx) -> Option<(Cow<'a, str>, Place)> {
         let found = self.attr(tag, name, cx);
         if found.is_none() {
-            let message = format!("`{}` needs the attribute `{name}`", tag.name);
+            let message = format!("missing attribute `{name}` in `{}`", tag.name);
             let reference = format!("{}: missing attribute '{name}'", tag.name);
             let problem = self.problem("XAC032", self.tag_origin(tag, cx), message).says(reference);
             let mut others = tag.attrs().filter(|attr| !attr.name().starts_with("xmlns"));
@@ -42,14 +42,14 @@ impl Expander<'_> {
         let names: Vec<&str> = extra.iter().map(|a| a.name()).collect();
         for (i, attr) in extra.iter().enumerate() {
             let at = Origin { src: tag.src, range: attr.name_range(), frame: cx.frame };
-            let message = format!("attribute `{}` means nothing on `{}`", attr.name(), tag.name);
+            let message = format!("unknown attribute `{}` in `{}`", attr.name(), tag.name);
             let mut problem = self.problem("XAC031", at, message).warning();
             if i == 0 {
                 let list = names.join(", ");
                 problem = problem.says(format!("{}: unknown attribute(s): {list}", tag.name));
             }
             if let Some(near) = nearest(attr.name(), allowed.iter().copied()) {
-                problem = problem.help(format!("rename it to `{near}`")).replace_with(near);
+                problem = problem.help(format!("did you mean `{near}`?")).replace_with(near);
             }
             self.push(problem);
         }
@@ -67,10 +67,14 @@ impl Expander<'_> {
         };
         if truth.is_none() {
             let shown = display::to_str(value)?;
+            if let Some(problem) = self.condition_slip(&shown, at, mark) {
+                self.push(problem);
+                return None;
+            }
             let message = if raw == shown {
-                format!("condition `{raw}` is neither true nor false")
+                format!("condition `{raw}` is not a boolean")
             } else {
-                format!("condition `{raw}` is `{shown}`, which is neither true nor false")
+                format!("condition `{raw}` evaluates to `{shown}`, which is not a boolean")
             };
             let reference = format!(
                 "Xacro conditional \"{raw}\" evaluated to \"{shown}\", which is not a boolean expression."
@@ -78,7 +82,7 @@ impl Expander<'_> {
             let mut problem = self
                 .problem("XAC027", at, message)
                 .says(reference)
-                .help("write `true`, `false`, an integer, or an expression such as `${x > 0}`");
+                .help("write `true`, `false`, an integer or an expression such as `${x > 0}`");
             problem.outside = self.outside_of_reads(mark);
             self.push(problem);
         }

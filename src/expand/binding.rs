@@ -106,16 +106,17 @@ impl Expander<'_> {
             return;
         }
         if !missing.is_empty() {
-            let message = format!("macro `{}` needs a block for `{}`", def.name, missing.join("`, `"));
+            let message =
+                format!("call of macro `{}` is missing a block for `{}`", def.name, missing.join("`, `"));
             let problem = self
                 .problem("XAC007", self.tag_origin(tag, cx), message)
                 .says("Not enough blocks")
-                .help("put one element for each block parameter between the start and end tag of the call");
+                .help("write one element per block parameter between the start and end tag of the call");
             self.push_with_definition(problem, def);
         } else if let Some(GivenBlock::Known(extra)) = blocks.next() {
             let node = self.result.tree.get(extra);
             let (name, at) = (node.text.clone(), node.origin);
-            let message = format!("`{name}` is one block more than macro `{}` takes", def.name);
+            let message = format!("too many blocks in call of macro `{}`: unexpected `{name}`", def.name);
             let problem = self.problem("XAC007", at, message).says(format!("Unused block \"{name}\""));
             self.push_with_definition(problem, def);
         }
@@ -173,14 +174,14 @@ impl Expander<'_> {
     fn nothing_to_forward(&mut self, def: &MacroDef, param: &Param, at: Origin, body: Cx) {
         let name = &param.name;
         let message = format!(
-            "parameter `{name}` of macro `{}` takes the caller's `{name}`, which is not defined",
+            "parameter `{name}` of macro `{}` uses `{name}` of the caller, which is not defined",
             def.name
         );
         let problem = self
             .problem("XAC005", at, message)
             .says(format!("Undefined property to forward: {name}"))
             .depends_on(Outside::Includer)
-            .help(format!("pass it: {name}=\"...\""));
+            .help(format!("pass {name}=\"...\" in the call"));
         self.push_with_definition(problem, def);
         self.bind_unknown(param, at, body);
     }
@@ -201,12 +202,14 @@ impl Expander<'_> {
         }
         let names: Vec<&str> = open.iter().map(|p| p.name.as_str()).collect();
         let plural = if names.len() == 1 { "parameter" } else { "parameters" };
-        let message = format!("call of macro `{}` lacks the {plural} `{}`", def.name, names.join("`, `"));
+        let message =
+            format!("call of macro `{}` is missing the {plural} `{}`", def.name, names.join("`, `"));
         let add: Vec<String> = names.iter().map(|n| format!("{n}=\"...\"")).collect();
         let problem = self
             .problem("XAC005", at, message)
             .says(format!("Undefined parameters [{}]", names.join(",")))
-            .help(format!("add {}", add.join(" ")));
+            .help(format!("add {}", add.join(" ")))
+            .detail(add.join(" "));
         self.push_with_definition(problem, def);
         for param in &open {
             self.bind_unknown(param, at, body);
@@ -223,14 +226,13 @@ impl Expander<'_> {
             return false;
         }
         let name = &param.name;
-        let message =
-            format!("parameter `{name}` of macro `{}` is listed twice: no call can give both", def.name);
+        let message = format!("duplicate parameter `{name}` in macro `{}`", def.name);
         let mut problem = self
             .problem("XAC005", again, message)
             .says(format!("Undefined parameters [{name}]"))
             .help("remove one of them, or rename it");
         let place = self.result.place(first);
-        problem.trace.extend(place.map(|place| Step { place, message: "listed here first".to_owned() }));
+        problem.trace.extend(place.map(|place| Step { place, message: "first listed here".to_owned() }));
         self.push(problem);
         true
     }
@@ -245,13 +247,13 @@ impl Expander<'_> {
         name: &str,
         at: Origin,
     ) -> Option<&'d Param> {
-        let message = format!("macro `{}` has no parameter `{name}`", def.name);
+        let message = format!("unknown parameter `{name}` in call of macro `{}`", def.name);
         let mut problem = self.problem("XAC006", at, message).says(format!("Invalid parameter \"{name}\""));
         let names = def.params.iter().map(|p| p.name.as_str()).filter(|_| self.compares());
         let near = nearest(name, names).map(str::to_owned);
         self.compared += def.params.iter().len();
         if let Some(near) = &near {
-            problem = problem.help(format!("rename it to `{near}`")).replace_with(near.as_str());
+            problem = problem.help(format!("did you mean `{near}`?")).replace_with(near.as_str());
         }
         self.push_with_definition(problem, def);
         let near = near.filter(|near| tag.attr(near).is_none() && !near.starts_with('*'))?;

@@ -125,7 +125,7 @@ impl Expander<'_> {
         self.note_read(place.origin, info, UseKind::Insert);
         let at = self.tag_origin(tag, cx);
         if self.block_depth >= BLOCK_DEPTH {
-            let message = format!("block `{name}` inserts itself, more than {BLOCK_DEPTH} deep");
+            let message = format!("block `{name}` inserts itself (more than {BLOCK_DEPTH} levels)");
             return self.stop(at, message, None);
         }
         self.block_depth += 1;
@@ -176,14 +176,13 @@ impl Expander<'_> {
             .problem("XAC004", place.origin, format!("block `{name}` is not defined"))
             .says(format!("Undefined block \"{name}\""));
         if let Some(near) = &missing.near {
-            problem =
-                problem.help(format!("a block with a similar name exists: `{near}`")).replace_with(near);
+            problem = problem.help(format!("did you mean `{near}`?")).replace_with(near);
         } else if self.scopes.find(cx.scope, name).is_some() {
             problem =
-                problem.help(format!("`{name}` is a value; a block parameter is declared as `*{name}`"));
+                problem.help(format!("declare the parameter as `*{name}`; `{name}` is a value, not a block"));
         } else {
             problem = problem.help(format!(
-                "declare it as `*{name}` in the macro's params, or as a property without value"
+                "add `*{name}` to `params` of the macro, or define a property `{name}` without `value`"
             ));
         }
         self.push_undefined(missing, cx.scope, problem);

@@ -155,9 +155,9 @@ impl Expander<'_> {
 
     /// An entity that stands for elements: the tree does not show them.
     fn refuse_markup(&mut self, name: &str, at: Origin) {
-        let message = format!("entity `{name}` holds markup, which is not read here");
+        let message = format!("entity `{name}` contains markup, which is not supported");
         let problem = self.problem("XML001", at, message.clone()).says(message);
-        self.push(problem.help("write the elements where they belong, or as a macro"));
+        self.push(problem.help("write the elements in place of `&{name};`, or use a macro"));
         self.result.complete = false;
         self.content_lost = true;
     }
@@ -264,7 +264,7 @@ impl Expander<'_> {
         self.result.tree.append(out, id);
         self.eval_attributes(tag, id, cx);
         if self.nesting >= ELEMENT_DEPTH {
-            let message = format!("elements are nested more than {ELEMENT_DEPTH} deep");
+            let message = format!("elements are nested more than {ELEMENT_DEPTH} levels deep");
             self.stop(origin, message, None);
             return;
         }
@@ -306,12 +306,12 @@ impl Expander<'_> {
             Value::Unknown => return self.skip_unknown(tag, cx),
             Value::Str(name) if !name.is_empty() => name,
             Value::Str(_) | Value::None => {
-                self.error("XAC025", at, "the name of this element is empty", "xacro:element: empty name");
+                self.error("XAC025", at, "empty name in `xacro:element`", "xacro:element: empty name");
                 return;
             }
             other => {
                 let shown = display::repr(&other).unwrap_or_default();
-                let message = format!("the name of this element is {shown}, which is no text");
+                let message = format!("name in `xacro:element` is {shown}, which is not a string");
                 self.error("XAC025", at, message, format!("xacro:element: invalid name {shown}"));
                 return;
             }
@@ -332,13 +332,13 @@ impl Expander<'_> {
             }
             Value::Unknown => {}
             name if literal::truth(&name) == Some(false) => {
-                let message = "the name of this attribute is empty";
+                let message = "empty name in `xacro:attribute`";
                 self.error("XAC025", at, message, "xacro:attribute: empty name");
             }
             name => {
                 let message = match display::repr(&name) {
-                    Some(shown) => format!("the name of this attribute is {shown}, which is no text"),
-                    None => "the name of this attribute is no text".to_owned(),
+                    Some(shown) => format!("name in `xacro:attribute` is {shown}, which is not a string"),
+                    None => "name in `xacro:attribute` is not a string".to_owned(),
                 };
                 let reference = format!("'{}' object has no attribute 'split'", name.type_name());
                 self.error("XAC025", at, message, reference);

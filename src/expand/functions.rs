@@ -89,7 +89,7 @@ impl Host for ExprHost<'_, '_, '_> {
         // the call begins with the name of what it calls
         let name_range = TextRange::new(range.start, range.start + name.len() as u32);
         let at = self.machine.origin_of(self.at, name_range);
-        let message = format!("bare `{name}` is deprecated: xacro warns about it on each call");
+        let message = format!("using `{name}()` directly is deprecated");
         let reference = format!("Using {name}() directly is deprecated. Use {namespace}.{name}() instead.");
         let problem = self
             .machine
@@ -220,20 +220,14 @@ fn is_telling(value: &Result<Node, YamlError>) -> bool {
 
 /// Why such a file is not loaded from outside of the robot. Its text is not quoted: the message may stand in a public log.
 fn refused(name: &str, loaded: &YamlFile) -> EvalError {
-    const OUTSIDE: &str = "outside of packages and of the folders around the robot";
+    const OUTSIDE: &str = "outside the packages and folders of this robot";
     let text = loaded.file.text.as_bytes();
     let message = match &loaded.value {
-        Ok(_) => format!(
-            "`{name}` is one bare text, as a key or a password is, and lies {OUTSIDE}: it is not loaded. \
-             Move it into the package, or make it a mapping or a list"
-        ),
+        Ok(_) => format!("`{name}` is not loaded: it is a single string and {OUTSIDE}"),
         Err(error) => {
             let before = text.get(..error.range.start as usize).unwrap_or(text);
             let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-            format!(
-                "`{name}` cannot be read as YAML, from line {line} on. It lies {OUTSIDE}, so its text is not \
-                 shown. Move it into the package to see what is wrong"
-            )
+            format!("`{name}` is not valid YAML at line {line}; it is {OUTSIDE}, so its text is not shown")
         }
     };
     EvalError::new(ErrorKind::Xacro, message)

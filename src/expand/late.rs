@@ -130,17 +130,19 @@ impl Expander<'_> {
         }
         let Some(place) = self.result.place(at) else { return };
         let noun = kind.noun();
-        let step = Step { place, message: format!("{noun} `{name}` is defined only here") };
+        let step = Step { place, message: format!("{noun} `{name}` is defined here") };
         for Early { problem, .. } in early {
             let Some(problem) = self.problems.list.get_mut(problem) else { continue };
             problem.code = "XAC037";
             problem.message = format!("{noun} `{name}` is used before it is defined");
             problem.help = Some(match kind {
                 NameKind::Arg => format!(
-                    "the file is read from top to bottom, attributes of the root element first: \
-                     give `{name}:=...` from outside, or do not use `$(arg {name})` above its declaration"
+                    "pass {name}:=..., or move <xacro:arg name=\"{name}\"> before `$(arg {name})`; xacro reads the \
+                     attributes of the root element first"
                 ),
-                _ => "xacro reads from top to bottom: move the definition up".to_owned(),
+                _ => {
+                    "move the definition above its first use; xacro reads files from top to bottom".to_owned()
+                }
             });
             problem.replacement = None;
             problem.trace.insert(0, step.clone());

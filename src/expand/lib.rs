@@ -4,6 +4,7 @@
 //! an error: what cannot be computed becomes an unknown value that flows on quietly, so one run
 //! reports every cause once.
 
+mod advice;
 mod argument;
 mod attributes;
 mod binding;
@@ -27,6 +28,7 @@ mod property;
 mod record;
 mod resolve;
 mod scope;
+mod slips;
 mod source_map;
 mod stack;
 mod substitution;
@@ -47,6 +49,7 @@ pub use problem::{Outside, Place, Problem, Severity, Step};
 pub use record::{Read, Record};
 pub use resolve::{BindingInfo, BindingKind};
 pub use scope::Param;
+pub use slips::meant_number;
 pub use source_map::{MapEntry, MapKind};
 pub use stack::{large_stacks, on_first_thread, spawn_on_large_stack};
 pub use symbols::{Definition, DefinitionId, SourceRange, SymbolKind, Symbols, Use, UseKind};

@@ -124,7 +124,7 @@ pub fn expand(world: World<'_>, request: &Request) -> Expansion {
 
 /// How to raise a limit of the configuration.
 pub(super) fn raise(key: &str) -> String {
-    format!("if the robot really is that large, raise `{key}` under `[limits]` in xacro-lint.toml")
+    format!("raise `{key}` under `[limits]` in xacro-lint.toml if the robot is really that large")
 }
 
 /// Where evaluation stands: the scope chains and the way that led here.
@@ -315,8 +315,8 @@ impl<'w> Expander<'w> {
         let hole = pieces.filter(|piece| piece.unknown).map(|piece| piece.source).next();
         let root = tree.root().map_or(Origin::NOWHERE, |root| tree.get(root).origin);
         let message = match hole {
-            Some(_) => "this cannot be computed here: it uses something of Python that is not supported",
-            None => "some value cannot be computed: it uses something of Python that is not supported",
+            Some(_) => "expression uses an unsupported Python feature",
+            None => "an expression in this file uses an unsupported Python feature",
         };
         self.error("XAC025", hole.unwrap_or(root), message, message);
     }
@@ -353,7 +353,7 @@ impl<'w> Expander<'w> {
         self.ticks += 1;
         if self.result.tree.len() as u64 > self.request.limits.expand_nodes {
             let most = self.request.limits.expand_nodes;
-            self.stop(at, format!("the expansion has more than {most} nodes"), Some("expand-nodes"));
+            self.stop(at, format!("the expanded robot has more than {most} nodes"), Some("expand-nodes"));
         } else if self.ticks.is_multiple_of(256) {
             if self.request.cancel.is_cancelled() {
                 self.stopped = true;

@@ -38,17 +38,20 @@ impl Expander<'_> {
             return self.call(Tag { name: &own, used: &["name"], ..tag }, name, has_next, out, cx);
         }
         let listed = self.parameter_attribute(tag, cx);
-        self.check_attrs(tag, &["name", listed], cx);
+        let attributes = self.params_in_attributes(tag, cx);
+        if attributes.is_empty() {
+            self.check_attrs(tag, &["name", listed], cx);
+        }
         if name == "call" {
-            let message = "a macro cannot be called `call`: `xacro:call` is xacro's own";
+            let message = "invalid macro name `call`: `xacro:call` is reserved";
             return self.error("XAC041", place.origin, message, "Invalid use of macro name 'call'");
         }
         if name.contains('.') {
-            let message = format!("macro name `{name}` holds a `.`, which separates namespaces");
+            let message = format!("macro name `{name}` contains `.`, which is reserved for namespaces");
             let reference = format!("macro names must not contain '.' (reserved for namespaces): {name}");
             self.error("XAC041", place.origin, message, reference);
         } else if let Some(bare) = name.strip_prefix("xacro:") {
-            let message = format!("macro name `{name}` should not have the prefix `xacro:`");
+            let message = format!("macro name `{name}` has the prefix `xacro:`");
             let reference = format!("macro names must not contain prefix 'xacro:': {name}");
             let problem = self.problem("XAC030", place.origin, message).says(reference).warning();
             self.push(problem.help(format!("rename it to `{bare}`")).replace_with(bare));
@@ -60,15 +63,16 @@ impl Expander<'_> {
         let params = params
             .map(|(list, place)| (list.map(|list| self.mended_params(&name, (&text, list), place)), place));
         if let Some((None, place)) = &params {
-            let message = format!("the parameter list of macro `{name}` holds only blanks");
+            let message = format!("`params` of macro `{name}` contains only whitespace");
             self.error("XAC025", place.origin, message, "list index out of range");
         }
         self.defined(NameKind::Macro, &name, cx.scope, place.origin);
         let definition = self.define(SymbolKind::Macro, &name, place.origin);
         let params = params.and_then(|(list, place)| Some((list?, place)));
-        let params = params.map_or(Params::default(), |(list, place)| {
-            Params::new(self.define_params((&text, list), place, definition))
-        });
+        let params = params.map_or_else(
+            || Params::new(attributes),
+            |(list, place)| Params::new(self.define_params((&text, list), place, definition)),
+        );
         let body = SrcRef { src: tag.src, node: tag.node.id() };
         let def = MacroDef { name, body, origin: place.origin, definition, params };
         let def = self.macros.define(cx.macros, def);
@@ -81,15 +85,22 @@ impl Expander<'_> {
     /// The reference takes it as it is.
     fn is_call_meant(&mut self, tag: Tag<'_>, name: &str, cx: Cx) -> bool {
         let others: Vec<&str> = tag.attrs().map(|attr| attr.name()).filter(|attr| *attr != "name").collect();
-        let is_empty = tag.node.child_elements().next().is_none();
-        if !self.request.probe || !is_empty || others.contains(&"params") {
+        if !self.request.probe || others.contains(&"params") {
             return false;
         }
         let Some(def) = self.macros.find(cx.macros, name) else { return false };
+        let blocks = def.params.iter().filter(|param| param.is_block()).count();
+        let children = tag.node.child_elements().count();
+        // the body of another definition would read parameters
+        let is_empty = children == 0;
+        if !is_empty && (children != blocks || others.is_empty()) {
+            return false;
+        }
         if !others.iter().all(|attr| def.params.iter().any(|param| param.name == *attr)) {
             return false;
         }
-        let message = format!("macro `{name}` is defined again here, as an empty one: this does not call it");
+        let what = if is_empty { " with an empty body" } else { "" };
+        let message = format!("macro `{name}` is redefined{what} instead of called");
         let at = self.tag_origin(tag, cx);
         let first =
             tag.node.attrs().next().filter(|attr| attr.name() == "name" && tag.node.end_tag().is_none());
@@ -97,8 +108,9 @@ impl Expander<'_> {
         let problem = self
             .problem("XAC017", Origin { range: whole.unwrap_or(at.range), ..at }, message)
             .warning()
-            .help(format!("to call it, write <xacro:{name} ...> with its parameters as attributes"));
+            .help(format!("write <xacro:{name} ...> with the parameters as attributes to call the macro"));
         let problem = if whole.is_some() { problem.replace_with(format!("<xacro:{name}")) } else { problem };
+        let problem = Problem { detail: (!is_empty).then(|| name.to_owned()), ..problem };
         self.push_with_definition(problem, &def);
         true
     }
@@ -112,13 +124,13 @@ impl Expander<'_> {
             return "params";
         };
         let at = Origin { src: tag.src, range: attr.name_range(), frame: cx.frame };
-        let message = format!("`xacro:macro` knows no `{}`: parameters are listed in `params`", attr.name());
+        let message = format!("unknown attribute `{}` in `xacro:macro`", attr.name());
         let problem = self.problem("XAC032", at, message).says(format!(
             "{}: unknown attribute(s): {}",
             tag.name,
             attr.name()
         ));
-        self.push(problem.help("rename it to `params`").replace_with("params"));
+        self.push(problem.help("did you mean `params`?").replace_with("params"));
         attr.name()
     }
 
@@ -145,11 +157,11 @@ impl Expander<'_> {
     fn bad_parameter(&self, of: &str, param: &Param, names: &[&str], at: Origin) -> Problem {
         let name = &param.name;
         let (why, help) = if name.contains('$') {
-            ("is an expression", "parameters are named plainly")
+            ("contains an expression", "use plain parameter names")
         } else {
-            ("has a comma in it", "parameters are separated by blanks")
+            ("contains a comma", "separate parameters with spaces")
         };
-        let message = format!("parameter `{name}` of macro `{of}` {why}: no call can give it");
+        let message = format!("parameter `{name}` of macro `{of}` {why}");
         let help = match names {
             [] => format!("{help}: remove the comma"),
             names => format!("{help}: write `{}`", names.join(" ")),
@@ -185,7 +197,7 @@ impl Expander<'_> {
     pub fn dynamic_call(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
         let Some((text, place)) = self.required_attr(tag, "macro", cx) else { return };
         if text.is_empty() {
-            let message = "`xacro:call` does not say which macro to call";
+            let message = "missing attribute `macro` in `xacro:call`";
             return self.error(
                 "XAC032",
                 place.origin,
@@ -304,16 +316,16 @@ impl Expander<'_> {
                 // what it would have included or defined is missing
                 self.include_missing |= ["include", "macro", "property"].contains(&keyword);
                 problem = problem
-                    .help(format!("xacro's own tag is `xacro:{keyword}`"))
+                    .help(format!("did you mean `xacro:{keyword}`?"))
                     .replace_with(format!("<xacro:{keyword}"));
             } else if let Some(help) = meant::by_foreign_tag(name) {
                 problem = problem.help(help);
             } else if let Some(near) = &missing.near {
                 problem = problem
-                    .help(format!("a macro with a similar name exists: `{path}{near}`"))
+                    .help(format!("did you mean `{path}{near}`?"))
                     .replace_with(format!("<xacro:{path}{near}"));
             } else {
-                problem = problem.help("include the file that defines it above this place");
+                problem = problem.help("include the file that defines the macro before this call");
             }
             self.push_undefined(missing, cx.scope, problem);
         }
@@ -337,11 +349,11 @@ impl Expander<'_> {
             return true;
         }
         if conditions == self.conditions {
-            let message = format!("macro `{}` calls itself without a condition that could end it", def.name);
+            let message = format!("macro `{}` calls itself without an end condition", def.name);
             let problem = self
                 .problem("XAC034", at, message)
                 .says("maximum recursion depth exceeded")
-                .help("put the inner call into <xacro:if value=\"...\">");
+                .help("put the inner call in <xacro:if value=\"...\">");
             self.push_with_definition(problem, def);
             self.result.complete = false;
             return true;
@@ -353,8 +365,7 @@ impl Expander<'_> {
         let most = self.request.limits.macro_depth;
         let deep = self.calls.len() as u32 >= most;
         if deep {
-            let message =
-                format!("macro calls are nested more than {most} deep, here into macro `{}`", def.name);
+            let message = format!("macro calls are nested more than {most} levels deep: `{}`", def.name);
             self.stop(at, message, Some("macro-depth"));
         }
         deep
@@ -368,7 +379,7 @@ impl Expander<'_> {
             match old {
                 Some(old) if old != attr.value => {
                     let message =
-                        format!("`{}` is bound to `{}` here and to `{old}` around it", attr.name, attr.value);
+                        format!("namespace `{}` is redefined from `{old}` to `{1}`", attr.name, attr.value);
                     let reference = format!(
                         "inconsistent namespace redefinitions for {}:\n old: {old}\n new: {} ({})",
                         attr.name,

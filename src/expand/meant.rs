@@ -14,11 +14,11 @@ pub(super) struct Meant {
 }
 
 impl Meant {
-    fn new(help: impl Into<String>) -> Self {
+    pub fn new(help: impl Into<String>) -> Self {
         Self { help: help.into(), text: None }
     }
 
-    fn with(mut self, text: impl Into<String>) -> Self {
+    pub fn with(mut self, text: impl Into<String>) -> Self {
         self.text = Some(text.into());
         self
     }
@@ -41,12 +41,12 @@ pub(super) fn by_expression(code: &str) -> Option<Meant> {
     let command = code.split_whitespace().next().unwrap_or_default();
     if COMMANDS.contains(&command) && (code != command || command == "dirname") {
         let what = match command {
-            "arg" => "an argument is read",
-            "find" => "a package is found",
-            _ => "this is written",
+            "arg" => "to read an argument",
+            "find" => "to find a package",
+            _ => "for this command",
         };
         let text = format!("$({})", code.split_whitespace().collect::<Vec<_>>().join(" "));
-        return Some(Meant::new(format!("{what} with round brackets: `{text}`")).with(text));
+        return Some(Meant::new(format!("write `{text}` {what}")).with(text));
     }
     SLIPS.iter().find_map(|(help, mend)| {
         let text = mend(code).filter(|text| text != code && expr::parse(text).errors.is_empty())?;
@@ -61,10 +61,10 @@ pub(super) fn by_expression(code: &str) -> Option<Meant> {
 type Slip = (&'static str, fn(&str) -> Option<String>);
 
 const SLIPS: [Slip; 5] = [
-    ("only plain signs and quotes mean something in expressions", |code| Some(plain_signs(code))),
-    ("to multiply, write `*`", |code| Some(code.replace(" x ", " * ").replace(['×', '·'], "*"))),
-    ("to multiply, write `*`", multiplied),
-    ("write `and`, `or` and `not` in expressions", |code| {
+    ("use ASCII operators and quotes", |code| Some(plain_signs(code))),
+    ("use `*` to multiply", |code| Some(code.replace(" x ", " * ").replace(['×', '·'], "*"))),
+    ("use `*` to multiply", multiplied),
+    ("use `and`, `or` and `not`", |code| {
         Some(
             code.replace("&&", " and ")
                 .replace("||", " or ")
@@ -73,7 +73,7 @@ const SLIPS: [Slip; 5] = [
                 .join(" "),
         )
     }),
-    ("to compare, write `==`", |code| code.split_once('=').map(|(left, right)| format!("{left}=={right}"))),
+    ("use `==` to compare", |code| code.split_once('=').map(|(left, right)| format!("{left}=={right}"))),
 ];
 
 /// `2width` as `2*width`.
@@ -108,7 +108,7 @@ pub(super) fn plain_signs(text: &str) -> String {
 pub(super) fn by_failure(code: &str, message: &str) -> Option<Meant> {
     if message.contains("for ^:") {
         let text = format!("${{{}}}", code.replace('^', "**"));
-        let meant = Meant::new(format!("`^` is no power in Python: write `{text}`"));
+        let meant = Meant::new(format!("write `{text}`; the power operator of Python is `**`"));
         return Some(if code.contains(['<', '&', '"', '\'']) { meant } else { meant.with(text) });
     }
     None
@@ -125,7 +125,15 @@ pub(super) fn by_name(name: &str) -> Option<Meant> {
         known.to_lowercase() == bare || known.len() > 4 && known.strip_suffix('s') == Some(bare.as_str())
     };
     let known = *KNOWN.iter().find(is_meant)?;
-    Some(Meant::new(format!("expressions know it as `{known}`")).with(known))
+    Some(Meant::new(format!("did you mean `{known}`?")).with(known))
+}
+
+/// Of a name that nothing defines in `side == right`: the comparison with a string.
+pub(super) fn by_comparison(name: &str, code: &str) -> Option<String> {
+    let (left, right) = code.split_once("==").or_else(|| code.split_once("!="))?;
+    let is_other_name = is_identifier(left.trim()) && left.trim() != name;
+    let before = code.trim().strip_suffix(name)?;
+    (is_other_name && right.trim() == name).then(|| format!("{before}'{name}'"))
 }
 
 /// Xacro's own tag that a misspelled one was meant to be.
@@ -140,10 +148,10 @@ pub(super) fn by_tag(name: &str) -> Option<&'static str> {
 pub(super) fn by_foreign_tag(name: &str) -> Option<&'static str> {
     Some(match name {
         "else" | "elif" | "elseif" => {
-            "xacro has no `else`: close the `xacro:if` and write <xacro:unless value=\"...\"> with the same condition"
+            "close `xacro:if` and write <xacro:unless value=\"...\"> with the same condition; xacro has no `else`"
         }
         "for" | "foreach" | "while" | "loop" => {
-            "xacro has no loops: write a macro that calls itself below a condition"
+            "write a macro that calls itself inside <xacro:if>; xacro has no loops"
         }
         _ => return None,
     })
@@ -159,9 +167,19 @@ pub(super) fn by_include(name: &str) -> Option<Meant> {
     let file = file.trim_start_matches([')', '}']);
     let is_name = !package.is_empty() && package.chars().all(|c| c.is_alphanumeric() || "_-.".contains(c));
     let text = format!("$(find {package}){file}");
-    (is_name && file.starts_with('/')).then(|| {
-        Meant::new(format!("an include finds a package with `$(find ...)`: write `{text}`")).with(text)
-    })
+    (is_name && file.starts_with('/')).then(|| Meant::new(format!("write `{text}`")).with(text))
+}
+
+/// Of a `${` that is closed with `)`, or a `$(` that is closed with `}`; `rest` is the text from there on.
+pub(super) fn by_other_bracket(rest: &str, open: &str) -> Option<Meant> {
+    let (other, close) = if open == "${" { (')', '}') } else { ('}', ')') };
+    let inner = rest.strip_prefix(open)?;
+    let end = inner.find(other)?;
+    let (code, behind) = inner.split_at(end);
+    let is_plain = !code.is_empty() && code.chars().all(|c| c.is_alphanumeric() || " _.".contains(c));
+    let text = format!("{open}{code}{close}");
+    let whole = format!("{text}{}", behind.get(1..)?);
+    is_plain.then(|| Meant::new(format!("write `{text}`")).with(whole))
 }
 
 /// Of a `$(inner)` that is no substitution: a property or an argument, as far as there are such.
@@ -171,11 +189,11 @@ pub(super) fn by_round_brackets(inner: &str, is_property: bool, is_argument: boo
     }
     let (property, argument) = (format!("${{{inner}}}"), format!("$(arg {inner})"));
     Some(match (is_property, is_argument) {
-        (true, _) => {
-            Meant::new(format!("properties and parameters are read with `{property}`")).with(property)
+        (true, _) => Meant::new(format!("write `{property}` to read a property or parameter")).with(property),
+        (false, true) => Meant::new(format!("write `{argument}` to read an argument")).with(argument),
+        _ => {
+            Meant::new(format!("write `{property}` to read a property, or `{argument}` to read an argument"))
         }
-        (false, true) => Meant::new(format!("an argument is read with `{argument}`")).with(argument),
-        _ => Meant::new(format!("a property is read with `{property}`, an argument with `{argument}`")),
     })
 }
 

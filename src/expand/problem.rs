@@ -2,6 +2,7 @@
 
 use ecow::EcoString;
 
+use super::advice;
 use super::origin::Origin;
 use super::{Expansion, Frame, FrameKind};
 use base::{FastMap, TextRange};
@@ -61,6 +62,8 @@ pub struct Problem {
     pub help: Option<String>,
     /// Text that would mend it, in place of the text of `place`.
     pub replacement: Option<String>,
+    /// What a fix needs to know beyond that: the attributes to add, the path that was looked for.
+    pub detail: Option<String>,
     /// What outside of this expansion may make it go away.
     pub outside: Option<Outside>,
     /// Found in a macro that nothing calls: the document does not suffer from it.
@@ -85,6 +88,7 @@ impl Problem {
             reference: String::new(),
             help: None,
             replacement: None,
+            detail: None,
             outside: None,
             probed: false,
             excused: false,
@@ -126,6 +130,13 @@ impl Problem {
     #[must_use]
     pub fn replace_with(mut self, text: impl Into<String>) -> Self {
         self.replacement = Some(text.into());
+        self
+    }
+
+    /// With what a fix needs to know.
+    #[must_use]
+    pub fn detail(mut self, detail: impl Into<String>) -> Self {
+        self.detail = Some(detail.into());
         self
     }
 
@@ -179,7 +190,10 @@ impl Problems {
         }
     }
 
-    pub fn push(&mut self, problem: Problem) {
+    pub fn push(&mut self, mut problem: Problem) {
+        if problem.help.is_none() {
+            problem.help = Some(advice::of(&problem));
+        }
         if let Some(known) = self.find(problem.code, problem.place, &problem.message) {
             return self.add_call(known, problem.trace.into_iter().next());
         }
@@ -215,6 +229,6 @@ pub(super) fn step_message(frame: &Frame) -> String {
         FrameKind::Root => "in this file".to_owned(),
         FrameKind::Include => "included here".to_owned(),
         FrameKind::Macro => format!("in this call of macro `{}`", frame.name),
-        FrameKind::Block => format!("in block `{}`, inserted here", frame.name),
+        FrameKind::Block => format!("in block `{}` inserted here", frame.name),
     }
 }

@@ -37,7 +37,7 @@ impl Expander<'_> {
         let scope = self.attr(tag, "scope", cx);
         if let Some((_, place)) = &default {
             if scope.is_some() {
-                let message = format!("`default` of property `{name}` ignores `scope`");
+                let message = format!("`scope` of property `{name}` is ignored because it has a `default`");
                 let reference = format!("{name}: default property value can only be defined on local scope");
                 let at = scope.as_ref().map_or(place.origin, |(_, p)| p.origin);
                 self.warn("XAC040", at, message, reference);
@@ -104,11 +104,11 @@ impl Expander<'_> {
     ) {
         let Some(target) = target else {
             let at = scope.map_or(at, |(_, place)| place.origin);
-            let message = format!("property `{}` is at the top: there is no parent scope", info.name);
+            let message = format!("property `{}` has scope=\"parent\" outside a macro", info.name);
             let problem = self
                 .problem("XAC039", at, message)
                 .says("'dict' object has no attribute '_setitem'")
-                .help("drop scope=\"parent\"");
+                .help("remove scope=\"parent\"");
             return self.push(problem);
         };
         let is_value = !matches!(state, State::Block(_));
@@ -124,7 +124,7 @@ impl Expander<'_> {
     /// Put a binding into a scope.
     pub fn bind(&mut self, scope: ScopeId, key: EcoString, state: State, mut info: BindingInfo, at: Origin) {
         if is_global_symbol(&key) {
-            let message = format!("`{key}` hides the built-in symbol of that name");
+            let message = format!("property `{key}` shadows the built-in symbol `{key}`");
             self.warn("XAC018", at, message, format!("redefining global symbol: {key}"));
         }
         self.defined(super::late::NameKind::Property, &key, scope, at);
@@ -151,7 +151,7 @@ impl Expander<'_> {
     fn property_name(&mut self, name: &Value, place: Place) -> Option<EcoString> {
         let Value::Str(name) = name else {
             if let Some(shown) = display::to_str(name) {
-                let message = format!("property name `{shown}` is not an identifier");
+                let message = format!("invalid property name `{shown}`");
                 let reference = format!("Property names must be valid python identifiers: {shown}");
                 self.error("XAC022", place.origin, message, reference);
             }
@@ -166,15 +166,14 @@ impl Expander<'_> {
         };
         let lookup = normalized(name);
         let (message, help) = if name.starts_with("__") {
-            (format!("property name `{name}` must not start with two underscores"), None)
+            (format!("property name `{name}` starts with two underscores"), None)
         } else if is_identifier(&lookup) {
-            let message =
-                format!("property name `{name}` cannot be looked up: expressions look for `{lookup}`");
+            let message = format!("property `{name}` is never found: expressions look for `{lookup}`");
             (message, Some(format!("write `{lookup}`, the NFKC form of the same name")))
         } else {
-            (format!("property name `{name}` is not an identifier"), None)
+            (format!("invalid property name `{name}`"), None)
         };
-        let general = "use letters, digits and `_`, do not start with a digit, and avoid Python's keywords";
+        let general = "use letters, digits and `_`; do not start with a digit or use a Python keyword";
         let help = help.unwrap_or_else(|| general.to_owned());
         let problem = self.problem("XAC022", place.origin, message).says(reference).help(help);
         self.push(problem);
@@ -200,11 +199,7 @@ impl Expander<'_> {
         let range = given.last().map_or(tag.node.name_range(), |a| a.range());
         let at = Origin { src: tag.src, range, frame: cx.frame };
         let problem = self
-            .problem(
-                "XAC036",
-                at,
-                format!("property `{name}` has {}: only one of them can be", names.join(" and ")),
-            )
+            .problem("XAC036", at, format!("property `{name}` has more than one of {}", names.join(" and ")))
             .says(format!("Property attributes default, value, and remove are mutually exclusive: {name}"));
         self.push(problem);
         // later uses of the name are no news
@@ -215,7 +210,7 @@ impl Expander<'_> {
     fn remove_property(&mut self, scope: ScopeId, name: &EcoString, place: Place) {
         self.scopes.remove_everywhere(scope, name);
         if is_global_symbol(name) {
-            let message = format!("the built-in symbol `{name}` cannot be removed");
+            let message = format!("cannot remove the built-in symbol `{name}`");
             self.warn("XAC018", place.origin, message, format!("Cannot remove global symbol: {name}"));
         }
     }

@@ -110,7 +110,7 @@ impl Expander<'_> {
             return self.circular(holder, &name, at);
         }
         if self.lazy_uses.len() >= LAZY_DEPTH {
-            let message = format!("more than {LAZY_DEPTH} properties need each other here");
+            let message = format!("properties depend on each other more than {LAZY_DEPTH} levels deep");
             self.error("XAC025", at, message, "maximum recursion depth exceeded");
             return Value::Unknown;
         }
@@ -157,16 +157,16 @@ impl Expander<'_> {
         let reference = format!(
             "circular variable definition: {chain}\nConsider disabling lazy evaluation via lazy_eval=\"false\""
         );
-        let message = format!("properties refer to each other: {}", names.join(" -> "));
+        let message = format!("circular property definition: {}", names.join(" -> "));
         let origin = cycle.first().map_or(at, |&(_, origin)| origin);
         let mut problem = self
             .problem("XAC023", origin, message)
             .says(reference)
-            .help("give one of them a value of its own, or evaluate it at once with lazy_eval=\"false\"");
+            .help("give one of them a constant value, or add lazy_eval=\"false\" to it");
         let others = cycle.iter().skip(1).filter_map(|&(name, origin)| {
             Some(Step {
                 place: self.result.place(origin)?,
-                message: format!("`{name}` is part of the circle"),
+                message: format!("`{name}` is part of the cycle"),
             })
         });
         problem.trace.splice(0..0, others.collect::<Vec<_>>());
@@ -195,19 +195,20 @@ impl Expander<'_> {
             problem = meant.said_of(problem);
         } else if is_block {
             problem = problem.help(format!(
-                "`{name}` is a block: write <xacro:insert_block name=\"{name}\"/> where an element can stand"
+                "write <xacro:insert_block name=\"{name}\"/> where an element is allowed; `{name}` is a block"
             ));
         } else if let Some(call) = self.call_of(name) {
-            problem =
-                problem.help(format!("`{name}` is a macro: call it with {call}, where an element can stand"));
+            problem = problem.help(format!("write {call} where an element is allowed; `{name}` is a macro"));
         } else if let Some(near) = &missing.near {
+            problem = problem.help(format!("did you mean `{near}`?")).replace_with(near);
+        } else if let Some(text) = meant::by_comparison(name, code) {
             problem =
-                problem.help(format!("a property with a similar name exists: `{near}`")).replace_with(near);
+                problem.help(format!("quote the string: `${{{text}}}`")).replace_with(format!("'{name}'"));
         } else if self.args.contains_key(name) {
-            problem = problem.help(format!("`{name}` is an argument: write `$(arg {name})`"));
+            problem = problem.help(format!("write `$(arg {name})`; `{name}` is an argument"));
         } else {
             let define = format!("<xacro:property name=\"{name}\" value=\"...\"/>");
-            problem = problem.help(format!("define it above this place: {define}"));
+            problem = problem.help(format!("add {define} before this expression"));
         }
         self.push_undefined(missing, scope, problem);
     }
@@ -250,11 +251,9 @@ impl Expander<'_> {
         };
         let mut problem = self.problem("XAC003", at, format!("argument `{name}` is not defined")).says(said);
         problem = match &missing.near {
-            Some(near) => problem
-                .help(format!("an argument with a similar name exists: `{near}`"))
-                .replace_with(near),
+            Some(near) => problem.help(format!("did you mean `{near}`?")).replace_with(near),
             None => problem.help(format!(
-                "declare it above this place: <xacro:arg name=\"{name}\" default=\"...\"/>, or give {name}:=..."
+                "add <xacro:arg name=\"{name}\" default=\"...\"/> before this use, or pass {name}:=..."
             )),
         };
         self.push_undefined(missing, Scopes::TOP, problem);

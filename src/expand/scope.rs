@@ -294,6 +294,12 @@ pub struct Param {
 }
 
 impl Param {
+    /// A parameter without default that no list names.
+    pub(super) fn named(name: EcoString) -> Self {
+        let range = TextRange::default();
+        Self { name, range, definition: None, forward: false, default: None, default_at: None }
+    }
+
     /// One of the names in a name that is none, with the default if it is the last one. The places stay inside the whole.
     pub(super) fn part(&self, name: &str, is_last: bool) -> Self {
         let start = self.range.start + self.name.find(name).unwrap_or(0) as u32;

@@ -121,16 +121,15 @@ impl Expander<'_> {
                     format!("\"package '{}' not found, searching: [{}]\"", name.text, places.join(", "));
                 let reference =
                     format!("<class 'ament_index_python.packages.PackageNotFoundError'>: {text} {text}");
-                let message =
-                    format!("package `{}` is not found (looked in {} places)", name.text, places.len());
+                let message = format!("package `{}` not found (searched {} places)", name.text, places.len());
                 let mut problem =
                     self.problem("PKG001", at, message).says(reference).depends_on(Outside::File);
                 problem = match missing.nearest {
                     Some(near) => {
-                        problem.help(format!("a package with a similar name exists: `{near}`")).replace_with(near)
+                        problem.help(format!("did you mean `{near}`?")).replace_with(near)
                     }
                     None => problem.help(
-                        "name its folder with --package-path (or `package-path` in xacro-lint.toml), or source its workspace"
+                        "source its workspace, or pass its folder with --package-path (or set `package-path` in xacro-lint.toml)"
                     ),
                 };
                 self.push(problem);
@@ -203,8 +202,8 @@ impl Expander<'_> {
         let inner = here.inner.trim();
         let is_unknown = message.starts_with("Unknown substitution command");
         let said = match inner.split_whitespace().next().filter(|_| is_unknown) {
-            Some(word) => format!("`$({inner})` begins with `{word}`, which xacro does not know"),
-            None => format!("`$({inner})` cannot be replaced: {message}"),
+            Some(word) => format!("unknown substitution command `{word}` in `$({inner})`"),
+            None => format!("cannot evaluate `$({inner})`: {message}"),
         };
         let mut problem =
             self.problem("XAC025", at, said).says(format!("<class '{class}'>: {message} {message}"));
@@ -216,16 +215,16 @@ impl Expander<'_> {
         if let Some(package) = inner.strip_prefix("find-pkg-share ") {
             let find = format!("$(find {})", package.trim());
             problem = problem
-                .help(format!("`find-pkg-share` belongs to launch files; xacro has `{find}`"))
+                .help(format!("write `{find}`; `find-pkg-share` works only in launch files"))
                 .replace_with(find);
         } else if inner == "dirname" {
             problem = problem
-                .help("relative names are relative to the file they stand in: leave `$(dirname)/` out");
+                .help("remove `$(dirname)/`; relative paths are relative to the file that contains them");
         } else if is_unknown {
             let is_property = self.scopes.find(scope, inner).is_some();
             problem = match meant::by_round_brackets(inner, is_property, self.args.contains_key(inner)) {
                 Some(meant) => meant.said_of(problem),
-                None => problem.help("`$(...)` holds `find`, `arg`, `env`, `optenv` or `eval`"),
+                None => problem.help("use $(find PACKAGE), $(arg NAME), $(env NAME), $(optenv NAME DEFAULT) or $(eval EXPRESSION)"),
             };
         }
         self.push(problem);

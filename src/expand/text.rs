@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
+use super::advice;
 use super::functions::ExprHost;
 use super::machine::{Cx, Expander, raise};
 use super::meant;
@@ -109,9 +110,9 @@ impl Expander<'_> {
             return value;
         }
         let name = inner.slice(site.text).trim();
-        let message = format!("property `{name}` is not defined: `{name}` is a built-in function of Python");
+        let message = format!("property `{name}` is not defined; `{name}` is a Python function");
         let problem = self.problem("XAC001", self.origin_in(site, *range), message);
-        let help = format!("define it above this place: <xacro:property name=\"{name}\" value=\"...\"/>");
+        let help = format!("add <xacro:property name=\"{name}\" value=\"...\"/> before this expression");
         self.push(problem.help(help).depends_on(Outside::Includer));
         Value::Unknown
     }
@@ -124,7 +125,11 @@ impl Expander<'_> {
         let admitted = self.budget.charge(bytes);
         if !admitted {
             let most = self.request.limits.output_bytes >> 20;
-            self.stop(site.place.origin, format!("the texts of this file grow beyond {most} MB"), None);
+            self.stop(
+                site.place.origin,
+                format!("the evaluated text of this file is larger than {most} MB"),
+                None,
+            );
         }
         admitted
     }
@@ -187,13 +192,18 @@ impl Expander<'_> {
         let problem = match unclosed {
             Some(open) => {
                 let close = if open == "${" { "}" } else { ")" };
-                self.problem("XAC026", at, format!("`{open}` is not closed: `{close}` is missing"))
-                    .says(reference)
+                let problem = self
+                    .problem("XAC026", at, format!("unclosed `{open}`: missing `{close}`"))
+                    .says(reference);
+                match meant::by_other_bracket(rest, open) {
+                    Some(meant) => meant.said_of(problem),
+                    None => problem,
+                }
             }
             None => self
-                .problem("XAC024", at, format!("`{}` can stand only in front of `{{` or `(`", lead(rest)))
+                .problem("XAC024", at, format!("`{}` is not followed by `{{` or `(`", lead(rest)))
                 .says(reference)
-                .help("write a single `$` for a dollar sign"),
+                .help("write a single `$` for a literal dollar sign"),
         };
         self.push(problem);
         Value::Unknown
@@ -266,9 +276,9 @@ impl Expander<'_> {
         let code = at.code.trim();
         let mut problem = match error.kind {
             ExprErrorKind::ForbiddenName => self.problem("XAC024", whole, error.message.clone()),
-            _ if code.is_empty() => self.problem("XAC024", whole, "the expression is empty"),
+            _ if code.is_empty() => self.problem("XAC024", whole, "empty expression"),
             _ => {
-                let message = format!("`{}` is not an expression: {}", shortened(code), error.message);
+                let message = format!("invalid expression `{}`: {}", shortened(code), error.message);
                 self.problem("XAC024", whole, message)
             }
         }
@@ -281,6 +291,13 @@ impl Expander<'_> {
     }
 
     fn evaluation_error(&mut self, error: &EvalError, at: CodeSite<'_>, mark: usize) {
+        let slip = match error.kind {
+            ErrorKind::Io => self.folder_slip(error),
+            _ => self.number_slip(error, mark),
+        };
+        if let Some(problem) = slip {
+            return self.push(problem);
+        }
         let reference = format!("{} \nwhen evaluating expression '{}'", error.message, at.code);
         let (code, place) = match error.kind {
             ErrorKind::Reported => return,
@@ -289,8 +306,8 @@ impl Expander<'_> {
             _ => ("XAC025", self.origin_in(at.site, at.whole)),
         };
         let message = match code {
-            "XAC001" => error.message.clone(),
-            _ => format!("`{}` cannot be evaluated: {}", shortened(at.code.trim()), error.message),
+            "XAC001" => advice::headline(error),
+            _ => format!("cannot evaluate `{}`: {}", shortened(at.code.trim()), advice::headline(error)),
         };
         let mut problem = self.problem(code, place, message).says(reference);
         if code == "XAC025" {

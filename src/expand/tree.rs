@@ -21,11 +21,13 @@ impl XId {
     pub const DOCUMENT: XId = XId(0);
     const NIL: XId = XId(u32::MAX);
 
+    #[inline]
     fn some(self) -> Option<XId> {
         (self != XId::NIL).then_some(self)
     }
 
     /// Place in the arena, for tables beside it.
+    #[inline]
     pub fn index(self) -> usize {
         self.0 as usize
     }
@@ -70,6 +72,7 @@ pub struct XNode {
 
 impl XNode {
     /// Whether it has no children.
+    #[inline]
     pub fn is_leaf(&self) -> bool {
         self.first == XId::NIL
     }
@@ -90,6 +93,7 @@ impl Attrs {
 impl Deref for Attrs {
     type Target = [XAttr];
 
+    #[inline]
     fn deref(&self) -> &[XAttr] {
         self.0.as_deref().unwrap_or_default()
     }
@@ -179,56 +183,67 @@ impl XTree {
     }
 
     /// How many nodes were ever made.
+    #[inline]
     pub fn len(&self) -> usize {
         self.nodes.len()
     }
 
     /// Whether nothing was made but the document itself.
+    #[inline]
     pub fn is_empty(&self) -> bool {
         self.nodes.len() <= 1
     }
 
     /// The node of an id.
+    #[inline]
     pub fn get(&self, id: XId) -> &XNode {
         &self.nodes[id.index()]
     }
 
     /// The node of an id, to be changed.
+    #[inline]
     pub fn get_mut(&mut self, id: XId) -> &mut XNode {
         &mut self.nodes[id.index()]
     }
 
     /// The node's parent.
+    #[inline]
     pub fn parent(&self, id: XId) -> Option<XId> {
         self.get(id).parent.some()
     }
 
     /// The first child.
+    #[inline]
     pub fn first_child(&self, id: XId) -> Option<XId> {
         self.get(id).first.some()
     }
 
     /// The last child.
+    #[inline]
     pub fn last_child(&self, id: XId) -> Option<XId> {
         self.get(id).last.some()
     }
 
     /// The sibling behind.
+    #[inline]
     pub fn next_sibling(&self, id: XId) -> Option<XId> {
         self.get(id).next.some()
     }
 
     /// The sibling in front.
+    #[inline]
     pub fn prev_sibling(&self, id: XId) -> Option<XId> {
         self.get(id).prev.some()
     }
 
     /// The children in order.
+    #[inline]
     pub fn children(&self, id: XId) -> impl Iterator<Item = XId> + '_ {
         std::iter::successors(self.first_child(id), |&c| self.next_sibling(c))
     }
 
     /// The child elements in order.
+    #[inline]
     pub fn elements(&self, id: XId) -> impl Iterator<Item = XId> + '_ {
         self.children(id).filter(|&c| self.get(c).kind == XKind::Element)
     }
@@ -255,6 +270,7 @@ impl XTree {
     }
 
     /// An attribute by name.
+    #[inline]
     pub fn attr(&self, id: XId, name: &str) -> Option<&XAttr> {
         self.get(id).attrs.iter().find(|a| a.name == name)
     }

@@ -108,7 +108,7 @@ impl Host for GlobalsOnly {
     }
 
     fn call(&mut self, _: HostFn, _: &[Value], _: &[(Str, Value)], _: TextRange) -> Result<Value, EvalError> {
-        Err(EvalError::new(ErrorKind::Xacro, "functions of xacro cannot be called in a value with a unit"))
+        Err(EvalError::new(ErrorKind::Xacro, "xacro functions are not allowed in a YAML value with a unit"))
     }
 
     fn deprecated(&mut self, _: &str, _: &str, _: TextRange) {}

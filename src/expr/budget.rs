@@ -75,9 +75,7 @@ impl Budget {
     pub(crate) fn int_bits(&mut self, bits: u128) -> Eval<()> {
         if bits > u128::from(INTEGER_BITS) {
             let limit = INTEGER_BITS;
-            return Err(Stop::budget(format!(
-                "value would have {bits} bits, more than the limit of {limit} bits"
-            )));
+            return Err(Stop::budget(format!("value has {bits} bits; the limit is {limit} bits")));
         }
         self.spend(bits / 8, bits, "bits")
     }
@@ -91,9 +89,7 @@ impl Budget {
     pub(crate) fn grown(&self, len: usize) -> Eval<()> {
         if len as u64 > EVAL_VALUE_BYTES {
             let limit = EVAL_VALUE_BYTES >> 20;
-            return Err(Stop::budget(format!(
-                "value would have {len} characters, more than the limit of {limit} MB"
-            )));
+            return Err(Stop::budget(format!("value has {len} characters; the limit is {limit} MB")));
         }
         Ok(())
     }
@@ -101,9 +97,7 @@ impl Budget {
     fn spend(&mut self, bytes: u128, count: u128, unit: &str) -> Eval<()> {
         if bytes > u128::from(EVAL_VALUE_BYTES) {
             let limit = EVAL_VALUE_BYTES >> 20;
-            return Err(Stop::budget(format!(
-                "value would have {count} {unit}, more than the limit of {limit} MB"
-            )));
+            return Err(Stop::budget(format!("value has {count} {unit}; the limit is {limit} MB")));
         }
         let bytes = u64::try_from(bytes).unwrap_or(u64::MAX);
         // A step per 256 bytes keeps long texts from being walked for free.
@@ -114,7 +108,7 @@ impl Budget {
                 Ok(())
             }
             None => Err(Stop::budget(format!(
-                "evaluation would need more than the limit of {} MB of values",
+                "evaluation needs more than the limit of {} MB",
                 self.total_bytes >> 20
             ))),
         }
@@ -122,6 +116,6 @@ impl Budget {
 
     fn out_of_steps(&mut self) -> Stop {
         self.steps = 0;
-        Stop::budget(format!("evaluation would take more than the limit of {} steps", self.total_steps))
+        Stop::budget(format!("evaluation takes more than the limit of {} steps", self.total_steps))
     }
 }

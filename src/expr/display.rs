@@ -88,9 +88,7 @@ impl Writer {
     fn value(&mut self, value: &Value) -> Eval<()> {
         if self.out.len() as u64 > self.limit {
             let limit = self.limit;
-            return Err(Stop::budget(format!(
-                "the text of a value would be longer than the limit of {limit} bytes"
-            )));
+            return Err(Stop::budget(format!("text of a value is longer than the limit of {limit} bytes")));
         }
         match value {
             Value::Unknown | Value::Scope(_) | Value::Module(_) => return Err(Stop::Unknown),

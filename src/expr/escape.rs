@@ -88,7 +88,7 @@ impl Decoder<'_> {
             self.chars.next();
         }
         if read < digits {
-            let message = format!("`{form}` needs {digits} hexadecimal digits");
+            let message = format!("`{form}` must be followed by {digits} hexadecimal digits");
             return self.fail(2 + read, &message, &format!("truncated {form} escape"));
         }
         match char::from_u32(value) {
@@ -97,7 +97,7 @@ impl Decoder<'_> {
                 self.out.text.push(char::REPLACEMENT_CHARACTER);
                 self.out.not_supported = Some("half of a surrogate pair is not supported");
             }
-            None => return self.fail(2 + read, "there is no such character", "illegal Unicode character"),
+            None => return self.fail(2 + read, "unknown character", "illegal Unicode character"),
         }
         self.position += 2 + read;
         true
@@ -106,7 +106,7 @@ impl Decoder<'_> {
     /// `\N{NAME}`: known to Python, but we carry no table of names.
     fn named(&mut self, at: usize) -> bool {
         let rest = self.source.get(at + 2..).unwrap_or("");
-        let message = "`\\N` needs a name in braces";
+        let message = "`\\N` must be followed by a name in braces";
         let Some(inner) = rest.strip_prefix('{') else {
             return self.fail(2, message, "malformed \\N character escape");
         };
@@ -160,7 +160,7 @@ pub(super) fn decode_bytes(source: &str) -> (Vec<u8>, Option<EscapeError>) {
                     rest = tail.get(2..).unwrap_or(&[]);
                 }
                 None => {
-                    let message = "`\\x` needs two hexadecimal digits".to_owned();
+                    let message = "`\\x` must be followed by two hexadecimal digits".to_owned();
                     let reference = format!("(value error) invalid \\x escape at position {at}");
                     return (out, Some(EscapeError { message, reference }));
                 }

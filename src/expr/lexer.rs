@@ -111,7 +111,7 @@ impl Lexer<'_, '_, '_> {
                 let start = self.pos;
                 self.pos += 1;
                 let range = self.range_from(start);
-                let message = "a `\\` may only stand at the end of a line";
+                let message = "`\\` is allowed only at the end of a line";
                 self.error(range, message, "unexpected character after line continuation character");
             }
         }
@@ -148,7 +148,7 @@ impl Lexer<'_, '_, '_> {
         self.pos += 1;
         let range = self.range_from(start);
         let reference = format!("invalid non-printable character U+{b:04X}");
-        self.error(range, "a control character cannot stand here", &reference);
+        self.error(range, "unexpected control character", &reference);
     }
 
     fn word(&mut self) {
@@ -194,9 +194,9 @@ impl Lexer<'_, '_, '_> {
         let code = c as u32;
         if is_printable(c) {
             let reference = format!("invalid character '{c}' (U+{code:04X})");
-            self.error(range, format!("`{c}` cannot stand here"), &reference);
+            self.error(range, format!("unexpected character `{c}`"), &reference);
         } else {
-            let message = format!("the invisible character U+{code:04X} cannot stand here");
+            let message = format!("unexpected invisible character U+{code:04X}");
             self.error(range, message, &format!("invalid non-printable character U+{code:04X}"));
         }
     }
@@ -210,7 +210,12 @@ impl Lexer<'_, '_, '_> {
             None => self.push(Tok::Number, range),
             Some(reference) => {
                 self.push(Tok::BadNumber, range);
-                let message = format!("`{}` is no number: {reference}", range.slice(self.text));
+                let detail = if reference.starts_with("leading zeros") {
+                    "; leading zeros are not allowed"
+                } else {
+                    ""
+                };
+                let message = format!("`{}` is not a number{detail}", range.slice(self.text));
                 self.error(range, message, &reference);
             }
         }
@@ -227,7 +232,7 @@ impl Lexer<'_, '_, '_> {
         if closed {
             return;
         }
-        let message = format!("the closing `{}` of this string is missing", char::from(quote));
+        let message = format!("string has no closing `{}`", char::from(quote));
         let detected = self.report.line(range.end);
         let kind = if triple { "triple-quoted string" } else { "string" };
         self.error(range, message, &format!("unterminated {kind} literal (detected at line {detected})"));
@@ -263,7 +268,7 @@ impl Lexer<'_, '_, '_> {
         if self.stack.len() >= BRACKETS - usize::from(self.bracketed) {
             self.error(
                 TextRange::new(at, at + 1),
-                format!("brackets are nested more than {BRACKETS} deep"),
+                format!("brackets are nested more than {BRACKETS} levels deep"),
                 "too many nested parentheses",
             );
             self.pos = self.text.len();
@@ -279,7 +284,7 @@ impl Lexer<'_, '_, '_> {
         match self.stack.last().copied() {
             Some((open, _)) if open == bracket => {}
             None => {
-                self.error(at, format!("`{found}` closes nothing"), &format!("unmatched '{found}'"));
+                self.error(at, format!("unmatched `{found}`"), &format!("unmatched '{found}'"));
                 self.pos += 1;
                 return;
             }
@@ -321,11 +326,11 @@ impl Lexer<'_, '_, '_> {
         }
         while let Some((open, at)) = self.stack.pop() {
             self.push(Tok::Close(open), end);
-            let (open, close) = (open.open(), open.close());
+            let open = open.open();
             self.report.add(
                 Stage::Unclosed,
                 TextRange::new(at, at + 1),
-                format!("`{close}` is missing for the `{open}` here"),
+                format!("unclosed `{open}`"),
                 &format!("'{open}' was never closed"),
             );
         }

@@ -102,7 +102,7 @@ impl Parser<'_> {
         let start = self.start();
         if self.tokens.len() == 1 {
             let line = usize::from(!self.text.trim_matches(is_python_space).is_empty());
-            let message = "an expression is missing here";
+            let message = "expected an expression";
             self.report.add_at_line(Stage::Grammar, self.gap(), message, "invalid syntax", line);
             return self.missing();
         }
@@ -162,7 +162,7 @@ impl Parser<'_> {
                 Stage::Grammar,
                 kind,
                 range,
-                format!("the expression is nested more than {EXPRESSION_DEPTH} deep"),
+                format!("expression is nested more than {EXPRESSION_DEPTH} levels deep"),
                 reference.into(),
             );
         }
@@ -201,7 +201,7 @@ impl Parser<'_> {
         } else {
             if !hole {
                 let reference = if self.at(Tok::Colon) { "invalid syntax" } else { no_else };
-                self.error_from(start, self.gap(), "`else` and a value are missing here", reference);
+                self.error_from(start, self.gap(), "expected `else` and a value after `if`", reference);
             }
             self.missing()
         };
@@ -306,7 +306,7 @@ impl Parser<'_> {
         };
         let start = self.start();
         if op == UnaryOp::Not && min > power::NOT {
-            self.unexpected("`not` needs parentheses here");
+            self.unexpected("`not` must be in parentheses here");
         }
         self.bump();
         let value = self.operand(if op == UnaryOp::Not { power::NOT } else { power::UNARY });

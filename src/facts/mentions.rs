@@ -3,6 +3,7 @@
 use ecow::EcoString;
 
 use base::TextRange;
+use expr::ast::{Expr, ExprKind};
 use expr::{self, Code, Subst, Template, Token};
 use xml::{Entities, decode_text, source_offset};
 
@@ -33,6 +34,8 @@ pub struct Mention {
 pub enum MentionKind {
     /// A property, a parameter, a namespace or a symbol of Python.
     Name,
+    /// A name behind a dot: of the name, or the member, in front of it.
+    Member,
     /// `$(arg name)`
     Argument,
     /// `$(find package)`
@@ -82,10 +85,40 @@ fn collect(template: &Template, text: &str, found: &mut Vec<Mention>) {
     }
 }
 
-/// The free names of an expression that begins at `start`.
-fn names(expr: &expr::ast::Expr, start: u32, kind: MentionKind, found: &mut Vec<Mention>) {
-    let names = expr::names(expr).into_iter();
-    found.extend(names.map(|used| Mention { kind, name: used.name.into(), range: used.range.shift(start) }));
+/// The free names of an expression that begins at `start`, and their members.
+fn names(expr: &Expr, start: u32, kind: MentionKind, found: &mut Vec<Mention>) {
+    let mention =
+        |kind, name: &str, range: TextRange| Mention { kind, name: name.into(), range: range.shift(start) };
+    let free = expr::names(expr);
+    let first = found.len();
+    found.extend(free.iter().map(|used| mention(kind, used.name, used.range)));
+    if kind == MentionKind::Name {
+        members(expr, &mut |root, name, range| {
+            if free.iter().any(|used| used.range == root) {
+                found.push(mention(MentionKind::Member, name, range));
+            }
+        });
+    }
+    if let Some(own) = found.get_mut(first..) {
+        own.sort_by_key(|mention| mention.range.start);
+    }
+}
+
+/// The members of names, `b` and `c` of `a.b.c`, with the place of the name in front.
+fn members<'e>(expr: &'e Expr, found: &mut dyn FnMut(TextRange, &'e str, TextRange)) {
+    if let (ExprKind::Attribute { name, name_range, .. }, Some(root)) = (&expr.kind, root_name(expr)) {
+        found(root, name, *name_range);
+    }
+    expr::visit::children(expr, &mut |child| members(child, found));
+}
+
+/// The name in front of all dots.
+fn root_name(expr: &Expr) -> Option<TextRange> {
+    match &expr.kind {
+        ExprKind::Name(_) => Some(expr.range),
+        ExprKind::Attribute { value, .. } => root_name(value),
+        _ => None,
+    }
 }
 
 fn substitution(inner: &str, start: u32, found: &mut Vec<Mention>) {

@@ -33,6 +33,7 @@ mod selection;
 mod source_map;
 mod tag_reader;
 mod tags;
+mod text_names;
 mod tokens;
 mod typed;
 mod values;
@@ -50,22 +51,22 @@ pub use completion::{
 pub use context::Cx;
 pub use expand_at::{ExpandedAt, expand_at};
 pub use folding::{Fold, FoldKind, folds, largest};
-pub use format::{Indent, format, format_range, indentation};
+pub use format::{Indent, format, format_range, indentation, own_indentation};
 pub use hints::{Hint, HintKind, HintSettings, hints};
 pub use hover::{Hover, declared_argument, hover, hover_while_typing, value_of};
 pub use instances::{Pin, pin, pinned};
 pub use locate::{At, Part, locate};
 pub use moved::{Move, renamed_files};
-pub use names::{
-    NameUse, RobotThing, Target, definition_of, definitions, occurrences, robot_name_at, uses_of,
-};
+pub use names::{NameUse, RobotThing, Target, definition_of, definitions, robot_name_at, uses_of};
 pub use navigate::{FilePlace, declaration, file_definition, implementations, is_text, type_definition};
 pub use on_type::{Insertion, on_type};
 pub use outline::{Outline, OutlineKind, outline};
 pub use paths::{FileKind, FileName, FileTarget, file_names};
-pub use rename::{definition_at, places, rename, renameable};
+pub use rename::{definition_at, kind_at, places, rename, renameable};
 pub use search::{Hit, fit, search};
 pub use selection::selection;
 pub use source_map::{Lines, SourceMap, entry_at, instances, origin_of, source_map, steps};
 pub use tags::{matching_tags, same_tag_names};
+pub use text_names::{Given, Meaning, NameText, TextNames, definitions_by_text, occurrences};
 pub use tokens::{Modifiers, Token, TokenKind, tokens};
+pub use values::cut;

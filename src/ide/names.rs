@@ -59,20 +59,17 @@ pub fn definition_of(cx: &Cx<'_>, id: DefinitionId) -> Option<Target> {
     Some(Target { whole, name })
 }
 
-/// All places of the name at an offset, its definition among them; none when there is no name.
-pub fn occurrences(cx: &Cx<'_>, offset: u32) -> Vec<NameUse> {
-    if let Some((id, _)) = cx.symbol_at(offset) {
-        let given = cx.expansion.symbols.get(id).and_then(|definition| cx.span(definition.place));
-        let given = given.map(|span| NameUse { span, is_definition: true });
-        let uses = cx
-            .expansion
-            .symbols
-            .all_uses()
-            .filter(|used| used.definition == id)
-            .filter_map(|used| Some(NameUse { span: cx.span(used.place)?, is_definition: false }));
-        return given.into_iter().chain(uses).collect();
-    }
-    robot_name_at(cx, offset).map(|name| uses_of(cx, &name)).unwrap_or_default()
+/// A definition and its uses, as far as they were evaluated.
+pub(super) fn evaluated_uses(cx: &Cx<'_>, id: DefinitionId) -> Vec<NameUse> {
+    let given = cx.expansion.symbols.get(id).and_then(|definition| cx.span(definition.place));
+    let given = given.map(|span| NameUse { span, is_definition: true });
+    let uses = cx
+        .expansion
+        .symbols
+        .all_uses()
+        .filter(|used| used.definition == id)
+        .filter_map(|used| Some(NameUse { span: cx.span(used.place)?, is_definition: false }));
+    given.into_iter().chain(uses).collect()
 }
 
 /// The name of a link, joint or material.

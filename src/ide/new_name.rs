@@ -8,36 +8,54 @@ use expr::{is_global_symbol, is_identifier};
 use facts::{MentionKind, facts, is_keyword};
 use xml::{Document, Node, NodeKind};
 
-/// Whether a definition may be called `new`, where its name stands at `places`.
+/// Whether nothing of the same kind is called `new` already.
 ///
 /// # Errors
-/// Why not, for the user.
-pub(super) fn admit(cx: &Cx<'_>, id: DefinitionId, new: &str, places: &[Span]) -> Result<(), String> {
+/// That it is, for the user.
+pub(super) fn is_free(cx: &Cx<'_>, id: DefinitionId, new: &str) -> Result<(), String> {
     let symbols = &cx.expansion.symbols;
-    let Some(definition) = symbols.get(id) else { return Err("this name is not known any more".to_owned()) };
-    if definition.kind == SymbolKind::Macro && is_keyword(new) {
-        return Err(format!("`xacro:{new}` is a tag of xacro"));
-    }
-    if !fits(definition.kind, new) {
-        return Err(format!(
-            "`{new}` is no good name here: letters, digits and `_`, not a digit first, not a keyword of Python"
-        ));
-    }
+    let Some(definition) = symbols.get(id) else { return Err("this name no longer exists".to_owned()) };
     let clashes = |other: &&Definition| {
         other.name == new
             && class(other.kind) == class(definition.kind)
             && (other.of.is_none() || other.of == definition.of)
     };
     if symbols.definitions.iter().any(|other| clashes(&other)) {
-        return Err(format!("`{new}` is defined already"));
+        return Err(format!("`{new}` is already defined"));
     }
+    Ok(())
+}
+
+/// Whether a definition may be called `new`, where its name stands at `places`.
+///
+/// # Errors
+/// Why not, for the user.
+pub(super) fn admit(cx: &Cx<'_>, id: DefinitionId, new: &str, places: &[Span]) -> Result<(), String> {
+    let symbols = &cx.expansion.symbols;
+    let Some(definition) = symbols.get(id) else { return Err("this name no longer exists".to_owned()) };
     // what a call gives is named after the parameter, whatever is around the call
     let uses = symbols.all_uses().filter(|used| used.definition == id && used.kind == UseKind::Given);
     let given: Vec<Span> = uses.filter_map(|used| cx.span(used.place)).collect();
     let reads: Vec<Span> = places.iter().filter(|place| !given.contains(place)).copied().collect();
     match hidden(cx, definition, new, &reads) || hides(cx, id, definition, new) {
-        true => Err(format!("`{new}` stands for something else where the name is used")),
+        true => Err(format!("`{new}` has another meaning where the name is used")),
         false => Ok(()),
+    }
+}
+
+/// Whether a name is good for a kind of things.
+///
+/// # Errors
+/// Why not, for the user.
+pub(super) fn fits_kind(kind: SymbolKind, new: &str) -> Result<(), String> {
+    if kind == SymbolKind::Macro && is_keyword(new) {
+        return Err(format!("`xacro:{new}` is reserved by xacro"));
+    }
+    match fits(kind, new) {
+        true => Ok(()),
+        false => Err(format!(
+            "invalid name `{new}`: use letters, digits and `_`; do not start with a digit or use a Python keyword"
+        )),
     }
 }
 

@@ -15,13 +15,14 @@ pub struct Insertion {
 }
 
 /// What to add behind the character that was just typed in front of `offset`. `unit` is one step of indentation.
-pub fn on_type(document: &Document, offset: u32, character: char, unit: &str) -> Option<Insertion> {
+/// No edit reaches over the offset, so that editors keep the cursor where it is.
+pub fn on_type(document: &Document, offset: u32, character: char, unit: &str) -> Vec<Insertion> {
     let typed = typed(document, offset);
     match character {
-        '>' => end_tag(&typed),
-        '/' => name_of_end_tag(&typed),
-        '\n' => indentation(document, &typed, unit),
-        _ => None,
+        '>' => end_tag(&typed).into_iter().collect(),
+        '/' => name_of_end_tag(&typed).into_iter().collect(),
+        '\n' => indentation(document, &typed, unit).unwrap_or_default(),
+        _ => Vec::new(),
     }
 }
 
@@ -37,16 +38,33 @@ fn end_tag(typed: &Typed) -> Option<Insertion> {
     (ends < same).then(|| Insertion { range: TextRange::empty(typed.offset), text: format!("</{name}>") })
 }
 
-/// Behind `</`: the name of the open element, and the `>`.
+/// Behind `</`: the name of the open element, and the `>`. Where its end tag follows already, somebody types by habit
+/// what was added: that end tag gives way to the one that is typed.
 fn name_of_end_tag(typed: &Typed) -> Option<Insertion> {
     let is_here = typed.what == Typing::EndTag && typed.before.is_empty();
     let open = typed.open.last().filter(|_| is_here && !typed.after.starts_with(is_name_char))?;
+    if let Some(length) = added_end_tag(typed, &open.name) {
+        let range = TextRange::new(typed.offset, typed.offset + length);
+        return Some(Insertion { range, text: String::new() });
+    }
     let end = if typed.after.starts_with('>') { "" } else { ">" };
     Some(Insertion { range: TextRange::empty(typed.offset), text: format!("{}{end}", open.name) })
 }
 
-/// Behind a line end between tags: the indentation of the new line.
-fn indentation(document: &Document, typed: &Typed, unit: &str) -> Option<Insertion> {
+/// The length of the end tag of the innermost open element, when nothing but blanks is in front of it.
+fn added_end_tag(typed: &Typed, name: &str) -> Option<u32> {
+    let rest = typed.after.trim_start();
+    rest.strip_prefix("</")?.strip_prefix(name).filter(|rest| rest.starts_with('>'))?;
+    let same = typed.open.iter().filter(|open| open.name == name).count();
+    let mut reader = Reader::new(&typed.after).until_unmatched(same);
+    reader.run();
+    let ends = reader.unmatched.iter().take_while(|end| *end == name).count();
+    let blanks = typed.after.len() - rest.len();
+    (ends >= same).then_some((blanks + "</>".len() + name.len()) as u32)
+}
+
+/// Behind a line end between tags: the indentation of the new line, and an end tag in a line of its own.
+fn indentation(document: &Document, typed: &Typed, unit: &str) -> Option<Vec<Insertion>> {
     if typed.what != Typing::Content || !typed.before.trim().is_empty() {
         return None;
     }
@@ -54,26 +72,37 @@ fn indentation(document: &Document, typed: &Typed, unit: &str) -> Option<Inserti
     let start = document.offset(LineCol { line, col: 0 }, Encoding::Utf8);
     let closes = typed.after.trim_start_matches([' ', '\t']).starts_with("</");
     let blanks = typed.rest_of_word(|c| matches!(c, ' ' | '\t'));
-    let wanted = match typed.just_opened {
+    let behind = TextRange::new(typed.offset, typed.offset + blanks);
+    let (wanted, rest) = match typed.just_opened {
         Some((tag, _)) => {
             let base = indent(&document.line_text(document.line_col(tag, Encoding::Utf8).line));
-            match closes {
-                true => format!("{base}{unit}{}{base}", line_end(document, start)),
-                false => format!("{base}{unit}"),
-            }
+            let own_line = closes.then(|| {
+                // with the `<`: an editor moves the cursor behind what is inserted at it
+                let range = TextRange::new(behind.start, behind.end + 1);
+                Insertion { range, text: format!("{}{base}<", line_end(document, start)) }
+            });
+            (format!("{base}{unit}"), own_line)
         }
         None => {
             let before = (0..line).rev().take(100).map(|line| document.line_text(line));
             let before = before.into_iter().find(|text| !text.trim().is_empty())?;
             let base = indent(&before);
-            match closes && !before.trim_start().starts_with("</") {
+            let wanted = match closes && !before.trim_start().starts_with("</") {
                 true => base.strip_suffix(unit).unwrap_or(&base).to_owned(),
                 false => base,
-            }
+            };
+            (wanted, (!behind.is_empty()).then_some(Insertion { range: behind, text: String::new() }))
         }
     };
-    let range = TextRange::new(start, typed.offset + blanks);
-    (document.slice(range) != wanted).then_some(Insertion { range, text: wanted })
+    let range = TextRange::new(start, typed.offset);
+    let there = document.slice(range);
+    let own = match wanted.strip_suffix(&*there) {
+        Some("") => None,
+        // at the start of the line, so that the cursor moves along
+        Some(more) => Some(Insertion { range: TextRange::empty(start), text: more.to_owned() }),
+        None => Some(Insertion { range, text: wanted }),
+    };
+    Some(own.into_iter().chain(rest).collect())
 }
 
 fn indent(line: &str) -> String {
@@ -96,14 +125,11 @@ mod tests {
         let offset = text.find('|').unwrap();
         let text = text.replacen('|', "", 1);
         let document = Document::parse(&text);
-        match on_type(&document, offset as u32, character, "  ") {
-            None => text,
-            Some(edit) => {
-                let mut text = text;
-                text.replace_range(edit.range.start as usize..edit.range.end as usize, &edit.text);
-                text
-            }
+        let mut text = text;
+        for edit in on_type(&document, offset as u32, character, "  ").iter().rev() {
+            text.replace_range(edit.range.start as usize..edit.range.end as usize, &edit.text);
         }
+        text
     }
 
     #[test]
@@ -131,6 +157,10 @@ mod tests {
             ("<a><b></|>", "<a><b></b>"),
             ("<a><b></|b>", "<a><b></b>"),
             ("<a><b x=\"/|\"", "<a><b x=\"/\""),
+            // typed by habit: the end tag that was added goes
+            ("<a><b></|</b></a>", "<a><b></</a>"),
+            ("<a>\n  <b>\n    <c/>\n  </|\n  </b>\n</a>", "<a>\n  <b>\n    <c/>\n  </\n</a>"),
+            ("<b><b></|</b>", "<b><b></b></b>"),
         ] {
             assert_eq!(edited(text, '/'), expected);
         }

@@ -76,10 +76,10 @@ pub(super) fn renameable(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, String)
 pub(super) fn rename(cx: &Cx<'_>, offset: u32, new: &str) -> Result<Vec<Span>, String> {
     let is_plain = |c: char| !c.is_whitespace() && !matches!(c, '<' | '&' | '"' | '\'' | '$' | '{' | '}');
     if new.is_empty() || !new.chars().all(is_plain) {
-        return Err(format!("`{new}` is no good name of a link or joint"));
+        return Err(format!("invalid link or joint name `{new}`"));
     }
     let all = with_parts(cx);
-    let nowhere = || "no name that can be renamed stands here".to_owned();
+    let nowhere = || "nothing to rename here".to_owned();
     let first = asked(cx, &all, offset).ok_or_else(nowhere)?;
     let mut work = Work {
         cx,
@@ -158,7 +158,7 @@ impl Work<'_, '_> {
         let overlap =
             |pair: &[Span]| matches!(pair, [a, b] if a.file == b.file && b.range.start < a.range.end);
         match sorted.windows(2).any(overlap) {
-            true => Err("parts of this name are written inside of each other".to_owned()),
+            true => Err("cannot rename: parts of this name overlap in the source".to_owned()),
             false => Ok(()),
         }
     }
@@ -187,7 +187,7 @@ impl Work<'_, '_> {
     /// Why a name cannot be changed there.
     fn refusal(&self, number: usize) -> String {
         let Some((name, _)) = self.all.get(number) else {
-            return "this name is not known any more".to_owned();
+            return "this name no longer exists".to_owned();
         };
         let (cx, text) = (self.cx, name.text);
         let mut calls = cx.expansion.frames_of(text.origin).filter(|frame| frame.kind == FrameKind::Macro);
@@ -199,7 +199,7 @@ impl Work<'_, '_> {
         let raw = |(span, file): (Span, &SourceFile)| file.document.slice(span.range);
         let maker = calls.next().map(|frame| frame.name.to_string()).or_else(|| file.map(raw));
         format!(
-            "`{}` is made by `{}` at line {}: rename the suffix there or change the argument",
+            "`{}` comes from `{}` on line {}: rename the suffix there or change the argument",
             text.value,
             maker.unwrap_or_default(),
             file.map_or(0, line),
@@ -224,7 +224,7 @@ impl Work<'_, '_> {
                 changed.replace_range(range.start as usize..range.end as usize, new);
             }
             if staying.get(changed.as_str()).is_some_and(|kind| kind.is(name.kind)) {
-                return Err(format!("`{changed}` is defined already"));
+                return Err(format!("`{changed}` is already defined"));
             }
         }
         Ok(())

@@ -24,6 +24,20 @@ pub fn attribute(node: Node<'_>, name: &str) -> Option<&'static AttributeSpec> {
     element(node).into_iter().find_map(|spec| spec.attribute(name))
 }
 
+/// Whether an attribute holds angles in radians.
+pub fn is_angle(node: Node<'_>, name: &str) -> bool {
+    let joint = |node: Node<'_>| {
+        let kind = node.parent().and_then(|joint| joint.attr("type")).map(|kind| kind.raw().to_owned());
+        !matches!(kind.as_deref(), Some("prismatic" | "fixed" | "floating"))
+    };
+    if matches!(node.name(), "limit" | "safety_controller" | "calibration") && !joint(node) {
+        return false;
+    }
+    let specs = element(node);
+    let own = specs.iter().flat_map(|spec| spec.attributes).filter(|attribute| attribute.name == name);
+    own.into_iter().any(|attribute| matches!(attribute.unit, Some("rad" | "rad or m")))
+}
+
 enum Around<'a> {
     Element(Node<'a>),
     Robot,

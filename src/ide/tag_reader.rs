@@ -28,9 +28,10 @@ impl Open {
         }
     }
 
-    /// The value of an attribute as written.
-    pub fn attr(&self, name: &str) -> Option<&str> {
-        self.attrs.iter().find(|(given, _)| given == name).map(|(_, value)| value.as_str())
+    /// The value of an attribute, line ends and tabs as the blanks that XML takes them for.
+    pub fn attr(&self, name: &str) -> Option<String> {
+        let (_, value) = self.attrs.iter().find(|(given, _)| given == name)?;
+        Some(value.replace(['\n', '\r', '\t'], " "))
     }
 }
 

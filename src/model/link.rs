@@ -1,5 +1,7 @@
 //! What a link is made of: inertia, visuals and collisions, geometry, materials.
 
+use std::sync::OnceLock;
+
 use super::pose::Pose;
 use super::source::child;
 use super::text::Text;
@@ -35,6 +37,8 @@ pub struct Inertial {
     pub inertia_element: Option<XId>,
     /// `ixx ixy ixz iyy iyz izz`, kg m^2.
     pub inertia: [Option<Text>; 6],
+    /// Its numbers: many rules ask for them.
+    entries: OnceLock<Option<[f64; 6]>>,
 }
 
 impl Inertial {
@@ -51,6 +55,7 @@ impl Inertial {
             mass: mass_element.and_then(|mass| Text::attr(tree, mass, "value")),
             inertia_element,
             inertia: Self::ENTRIES.map(|name| Text::attr(tree, inertia_element?, name)),
+            entries: OnceLock::new(),
         }
     }
 
@@ -61,11 +66,13 @@ impl Inertial {
 
     /// `ixx ixy ixz iyy iyz izz` in kg m^2, when all are known.
     pub fn entries(&self) -> Option<[f64; 6]> {
-        let mut numbers = [0.0; 6];
-        for (slot, text) in numbers.iter_mut().zip(&self.inertia) {
-            *slot = text.as_ref()?.number()?;
-        }
-        Some(numbers)
+        *self.entries.get_or_init(|| {
+            let mut numbers = [0.0; 6];
+            for (slot, text) in numbers.iter_mut().zip(&self.inertia) {
+                *slot = text.as_ref()?.number()?;
+            }
+            Some(numbers)
+        })
     }
 }
 

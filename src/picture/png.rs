@@ -29,6 +29,6 @@ pub fn picture_png(scene: &Scene, shot: &Shot) -> Result<Vec<u8>, String> {
         writer.write_image_data(&data)?;
         writer.finish()
     });
-    written.map_err(|error| format!("the picture cannot be written as PNG: {error}"))?;
+    written.map_err(|error| format!("cannot write the picture as PNG: {error}"))?;
     Ok(file)
 }

@@ -58,7 +58,7 @@ pub(super) fn pixels(scene: &Scene, shot: &Shot) -> Result<Vec<u8>, String> {
     glass.sort_by(|a, b| nearness(a).total_cmp(&nearness(b)));
     let sides = shot.size.map(|side| f64::from(side) * SAMPLES as f64);
     if solid.iter().chain(&glass).map(|facet| facet.looks(sides)).sum::<f64>() > MOST_LOOKS {
-        return Err("too many shapes lie behind each other: choose a smaller size".to_owned());
+        return Err("too many overlapping shapes: choose a smaller size".to_owned());
     }
     let [_, height] = shot.size.map(|side| side as usize);
     let bands: Vec<Vec<u8>> = (0..height.div_ceil(ROWS))

@@ -97,7 +97,7 @@ impl Scene {
                 let part = scene.part(&link.name, number, body, &mut shapes, placed, content);
                 triangles += part.solid.triangles.len();
                 if triangles > MOST_TRIANGLES {
-                    return Err(format!("the robot has more than {MOST_TRIANGLES} triangles"));
+                    return Err(format!("robot has more than {MOST_TRIANGLES} triangles"));
                 }
                 scene.parts.push(part);
             }
@@ -203,13 +203,13 @@ impl Solids<'_> {
             Shape::Unknown { problem } => Err(problem.clone()),
             Shape::Mesh { uri, scale, mesh, problem } => {
                 let Some(id) = mesh else {
-                    let why = problem.as_deref().unwrap_or("it was not found");
+                    let why = problem.as_deref().unwrap_or("not found");
                     return Err(format!("mesh `{uri}`: {why}"));
                 };
                 let read = || match self.files.path(id).map(|path| Meshes::triangles(self.vfs, &path)) {
                     Some(Ok(triangles)) => Ok(Arc::new(Solid::from(triangles))),
                     Some(Err(defect)) => Err(format!("mesh `{uri}`: {}", defect.message)),
-                    None => Err(format!("mesh `{uri}`: it was not found")),
+                    None => Err(format!("mesh `{uri}`: not found")),
                 };
                 let solid = self.meshes.entry(id.clone()).or_insert_with(read).clone()?;
                 Ok((solid, *scale))

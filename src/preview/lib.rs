@@ -24,3 +24,7 @@ pub use model::{Body, Joint, Link, Model, Pose};
 pub use places::{Location, Names, Point, Stretch, file_uri};
 pub use shapes::Shape;
 pub use views::{MeshBytes, Views, still};
+
+/// Whether browsers can be shown anything: a build from source holds the viewer only when it was built before.
+#[cfg(feature = "browser")]
+pub const HAS_VIEWER: bool = viewer::SCRIPT.is_some();

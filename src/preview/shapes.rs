@@ -149,7 +149,7 @@ impl<'a> Shapes<'a> {
             }
             ShapeKind::Other => None,
         };
-        found.unwrap_or_else(|| Shape::Unknown { problem: "its dimensions are not known".to_owned() })
+        found.unwrap_or_else(|| Shape::Unknown { problem: "its dimensions are unknown".to_owned() })
     }
 
     fn mesh(&mut self, name: &model::Text, scale: [f64; 3]) -> Shape {
@@ -162,15 +162,15 @@ impl<'a> Shapes<'a> {
 
     /// The file that a name leads to.
     fn find(&self, name: &model::Text) -> Result<PathBuf, String> {
-        let from = self.file_of(name.origin).ok_or("its file is not known")?;
-        let uri = name.name().ok_or("its name is not known")?;
+        let from = self.file_of(name.origin).ok_or("its file is unknown")?;
+        let uri = name.name().ok_or("its name is unknown")?;
         match self.session.packages.resolve_uri(uri, from).outcome {
             UriOutcome::Found(path) if self.session.vfs.is_file(&path) => Ok(path),
-            UriOutcome::Found(path) => Err(format!("{} is no file", path.display())),
-            UriOutcome::Missing(path) => Err(format!("there is no {}", path.display())),
-            UriOutcome::UnknownPackage(_) => Err("its package is not known".to_owned()),
+            UriOutcome::Found(path) => Err(format!("{} is not a file", path.display())),
+            UriOutcome::Missing(path) => Err(format!("{} not found", path.display())),
+            UriOutcome::UnknownPackage(_) => Err("its package was not found".to_owned()),
             UriOutcome::Malformed(why) => Err(why.to_owned()),
-            UriOutcome::Elsewhere => Err("it is not on this machine".to_owned()),
+            UriOutcome::Elsewhere => Err("it is not on this computer".to_owned()),
         }
     }
 

@@ -122,9 +122,9 @@ fn meshes_bring_the_files_they_name() {
 #[test]
 fn a_mesh_that_is_not_there_says_why() {
     let cases = [
-        ("package://bot/no.stl", "there is no "),
-        ("package://nobody/a.stl", "its package is not known"),
-        ("http://example.org/a.stl", "it is not on this machine"),
+        ("package://bot/no.stl", "no.stl not found"),
+        ("package://nobody/a.stl", "its package was not found"),
+        ("http://example.org/a.stl", "it is not on this computer"),
         ("package:/bot/a.stl", "slashes"),
     ];
     for (name, why) in cases {
@@ -132,7 +132,7 @@ fn a_mesh_that_is_not_there_says_why() {
         assert!(shape["mesh"].is_null() && shape["problem"].as_str().unwrap().contains(why), "{shape}");
     }
     let folder = Shown::new(&visual("<mesh filename=\"package://bot/\"/>", "")).shape();
-    assert!(folder["problem"].as_str().unwrap().ends_with("is no file"), "{folder}");
+    assert!(folder["problem"].as_str().unwrap().ends_with("is not a file"), "{folder}");
 }
 
 #[test]
@@ -162,5 +162,5 @@ fn a_file_that_is_gone_is_an_error() {
     views.open(RootChoice::plain(&tree.path("no.urdf")));
     let world = World::new(tree.environment(&[]), Vec::new());
     let message = Shown { tree, world, views }.messages().pop().unwrap();
-    assert!(!message.ok && message.errors[0].message.contains("cannot be read"), "{message:?}");
+    assert!(!message.ok && message.errors[0].message.contains("cannot read the file"), "{message:?}");
 }

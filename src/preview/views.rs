@@ -170,7 +170,7 @@ impl Views {
 
     /// The bytes of a file that a model names.
     pub fn mesh(&self, world: &World, id: &str) -> Result<MeshBytes, String> {
-        let path = self.files.path(id).ok_or("no robot that is shown has such a file")?;
+        let path = self.files.path(id).ok_or("no open preview uses this file")?;
         let bytes = world.session().vfs.bytes(&path, SENT_BYTES);
         let bytes = bytes.map_err(|error| format!("it cannot be read: {}", error.reason()))?;
         Ok(MeshBytes { name: path.file_name().unwrap_or_default().to_string_lossy().into_owned(), bytes })
@@ -306,7 +306,7 @@ fn errors(names: &Names<'_>, analyzed: &Analyzed, root: &RootChoice) -> Vec<Mode
         Some(ModelError { message: problem.message.clone(), code: code.to_owned(), location })
     });
     let unreadable = expansion.root_error.as_ref().and_then(|error| {
-        let message = format!("the file cannot be read: {}", error.reason());
+        let message = format!("cannot read the file: {}", error.reason());
         let location = Location::start((names.uri)(&root.file)?);
         Some(ModelError { message, code: "unreadable-file".to_owned(), location })
     });

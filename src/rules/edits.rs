@@ -62,7 +62,7 @@ pub(super) fn rename<'s, 'a>(
     new: &str,
 ) -> Reported<'s, 'a> {
     if text.is_literal() && !is_called(expansion, text.origin) {
-        report.replace_with(Safety::Unsafe, format!("rename it to `{new}`"), new)
+        report.replace_with(Safety::Unsafe, format!("rename to `{new}`"), new)
     } else {
         report
     }

@@ -59,7 +59,7 @@ impl Finding {
         Self {
             rule,
             severity: rule.severity,
-            message: message.into(),
+            message: without_placeholders(message.into()),
             span,
             related: Vec::new(),
             help: None,
@@ -72,6 +72,36 @@ impl Finding {
             places: Vec::new(),
         }
     }
+}
+
+/// A message in which a thing whose name is empty, or not known as a whole, is "this link" instead of "link `?`".
+fn without_placeholders(message: String) -> String {
+    const KINDS: [&str; 7] = ["link", "joint", "material", "plugin", "robot", "ros2_control", "transmission"];
+    let is_open = |name: &str| name.is_empty() || name.contains('?') && !name.contains([' ', '$', '{', '(']);
+    if !message.contains('?') && !message.contains("``") {
+        return message;
+    }
+    let mut text = String::with_capacity(message.len());
+    for (number, part) in message.split('`').enumerate() {
+        let kind = KINDS.iter().find(|kind| {
+            text.strip_suffix(' ').is_some_and(|before| before.rsplit(' ').next() == Some(**kind))
+        });
+        match kind.filter(|_| number % 2 == 1 && is_open(part)) {
+            Some(kind) => {
+                text.truncate(text.len() - kind.len() - 1);
+                text.push_str("this ");
+                text.push_str(kind);
+            }
+            None if number % 2 == 1 => {
+                text.push('`');
+                text.push_str(part);
+                text.push('`');
+            }
+            None => text.push_str(part),
+        }
+    }
+    // an odd number of backticks is not ours
+    if message.matches('`').count().is_multiple_of(2) { text } else { message }
 }
 
 /// A further place of a finding.
@@ -103,4 +133,22 @@ pub struct Edit {
     pub span: Span,
     /// The new text.
     pub content: String,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_placeholders;
+
+    #[test]
+    fn things_without_a_name_are_this_thing() {
+        for (message, expected) in [
+            ("link `?` has no inertial", "this link has no inertial"),
+            ("mesh `a.stl` of link `?tool` is open", "mesh `a.stl` of this link is open"),
+            ("material `` has no color", "this material has no color"),
+            ("unknown link `a`; did you mean `b`?", "unknown link `a`; did you mean `b`?"),
+            ("cannot evaluate `a if b else ?`: x", "cannot evaluate `a if b else ?`: x"),
+        ] {
+            assert_eq!(without_placeholders(message.to_owned()), expected);
+        }
+    }
 }

@@ -41,7 +41,7 @@ pub use grouping::Group;
 pub use linter::{
     Directive, Malformed, Selector, Suppression, Suppressions, invalid_config, unused_suppression,
 };
-pub use package::Manifests;
+pub use package::{Manifests, launched_file_not_found, missing_packages, unknown_launch_argument};
 pub use registry::{
     Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector,
     unknown_selector,
@@ -52,3 +52,4 @@ pub use semantic::{holds_for_semantic, is_semantic};
 pub use sink::Sink;
 pub use thresholds::{THRESHOLDS, Threshold};
 pub use xacro::include_tags;
+pub use xml::missing_robot_name;

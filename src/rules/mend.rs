@@ -14,12 +14,15 @@ use xml::{Document, Node};
 /// How to mend a problem in a file, if there is a way.
 pub(super) fn fix(problem: &Problem, document: &Document, span: Span, vfs: &Vfs) -> Option<Fix> {
     match problem.code {
-        "XML001" => blanks_in_front(document, span).or_else(|| straight_quotes(document, span)),
+        "XML001" => blanks_in_front(document, span)
+            .or_else(|| straight_quotes(document, span))
+            .or_else(|| other_text(document, span)),
         "XML002" => declare_namespace(document, span),
         "XAC005" => add_parameters(problem, span),
         "XAC006" => remove_attribute(document, span, Safety::Unsafe),
         "XAC031" => remove_attribute(document, span, Safety::Safe),
         "XAC008" => other_file(problem, document, span, vfs),
+        "XAC017" => call_instead(problem, document, span),
         "XAC022" => identifier(document, span),
         "XAC033" => remove_children(document, span),
         _ => None,
@@ -35,7 +38,7 @@ fn blanks_in_front(document: &Document, span: Span) -> Option<Fix> {
     let range = TextRange::new(0, blank as u32);
     (declared && blank > 0 && only_this).then(|| Fix {
         safety: Safety::Safe,
-        message: "remove what stands in front of the XML declaration".to_owned(),
+        message: "remove everything before the XML declaration".to_owned(),
         edits: vec![Edit { span: Span { range, ..span }, content: String::new() }],
     })
 }
@@ -56,6 +59,25 @@ fn straight_quotes(document: &Document, span: Span) -> Option<Fix> {
     })
 }
 
+/// `&&` in an expression, and an end tag too many.
+fn other_text(document: &Document, span: Span) -> Option<Fix> {
+    let text = document.text();
+    let (start, end) = (span.range.start as usize, span.range.end as usize);
+    let (end, content, message) = match text.get(start..end)? {
+        "&" if text.get(start..)?.starts_with("&&") => (start + 2, "and", "write `and`"),
+        extra if extra.starts_with("</") && extra.ends_with('>') => (end, "", "remove the end tag"),
+        _ => return None,
+    };
+    let whole = format!("{}{content}{}", text.get(..start)?, text.get(end..)?);
+    let mends = Document::parse(&whole).errors().len() < document.errors().len();
+    let range = TextRange::new(span.range.start, end as u32);
+    mends.then(|| Fix {
+        safety: Safety::Safe,
+        message: message.to_owned(),
+        edits: vec![Edit { span: Span { range, ..span }, content: content.to_owned() }],
+    })
+}
+
 fn declare_namespace(document: &Document, span: Span) -> Option<Fix> {
     let root = document.root().filter(|root| root.attr("xmlns:xacro").is_none())?;
     let range = TextRange::empty(root.name_range().end);
@@ -69,13 +91,13 @@ fn declare_namespace(document: &Document, span: Span) -> Option<Fix> {
     })
 }
 
-/// The help names the attributes to add.
+/// The detail of the problem is the attributes to add.
 fn add_parameters(problem: &Problem, span: Span) -> Option<Fix> {
-    let attributes = problem.help.as_deref()?.strip_prefix("add ")?.replace("\"...\"", "\"\"");
+    let attributes = problem.detail.as_deref()?.replace("\"...\"", "\"\"");
     let range = TextRange::empty(span.range.end);
     Some(Fix {
         safety: Safety::Unsafe,
-        message: "add the missing parameters, empty".to_owned(),
+        message: "add the missing parameters with empty values".to_owned(),
         edits: vec![Edit { span: Span { range, ..span }, content: format!(" {attributes}") }],
     })
 }
@@ -96,9 +118,9 @@ fn remove_attribute(document: &Document, span: Span, safety: Safety) -> Option<F
     })
 }
 
-/// The help names the path; a file beside it may have almost its name.
+/// The detail of the problem is the path; a file in the same folder may have almost its name.
 fn other_file(problem: &Problem, document: &Document, span: Span, vfs: &Vfs) -> Option<Fix> {
-    let path = Path::new(problem.help.as_deref()?.strip_prefix("looked for ")?);
+    let path = Path::new(problem.detail.as_deref()?);
     let old = path.file_name()?.to_str()?;
     let written = document.slice(span.range);
     let names = vfs.list_dir(path.parent()?);
@@ -130,7 +152,7 @@ fn identifier(document: &Document, span: Span) -> Option<Fix> {
     let mended = is_identifier(&new) && !old.contains('$');
     mended.then(|| Fix {
         safety: Safety::Unsafe,
-        message: format!("rename it to `{new}`"),
+        message: format!("rename to `{new}`"),
         edits: vec![Edit { span, content: new }],
     })
 }
@@ -146,5 +168,22 @@ fn remove_children(document: &Document, span: Span) -> Option<Fix> {
         safety: Safety::Safe,
         message: "remove the content of the include".to_owned(),
         edits: vec![Edit { span: Span { range, ..span }, content: String::new() }],
+    })
+}
+
+/// The detail of the problem is the macro that was meant to be called: its name goes into the tags.
+fn call_instead(problem: &Problem, document: &Document, span: Span) -> Option<Fix> {
+    let call = format!("xacro:{}", problem.detail.as_deref()?);
+    let place = document.item_at(span.range.start);
+    let at = |node: &Node<'_>| node.start_tag_range().shift(place.start).start == span.range.start;
+    let node = place.item.all_nodes().find(at)?;
+    let name = node.attrs().next().filter(|attr| attr.name() == "name")?;
+    let tag = TextRange::new(node.name_range().start, name.range().end).shift(place.start);
+    let end = node.end_name_range()?.shift(place.start);
+    let edit = |range| Edit { span: Span { range, ..span }, content: call.clone() };
+    Some(Fix {
+        safety: Safety::Unsafe,
+        message: format!("call macro `{}`", call.trim_start_matches("xacro:")),
+        edits: vec![edit(tag), edit(end)],
     })
 }

@@ -70,7 +70,7 @@ pub(super) fn from_degrees<'s, 'a>(
         }
         _ => return report,
     };
-    report.replace_with(Safety::Unsafe, format!("take it for degrees: `{new}`"), new)
+    report.replace_with(Safety::Unsafe, format!("convert from degrees: `{new}`"), new)
 }
 
 /// Whether the part `range` of a value comes from a property or an argument that somebody gave a number, as opposed to a
@@ -105,7 +105,7 @@ fn with_definitions<'s, 'a>(
         match origin {
             // a long list of definitions explains nothing
             Some(origin) if seen.len() <= MOST_DEFINITIONS => {
-                report = report.also(origin, format!("`{}` is given here", binding.name));
+                report = report.also(origin, format!("`{}` is passed here", binding.name));
             }
             Some(_) => {}
             None => reads.extend(expansion.read_in(binding.reads)),

@@ -24,7 +24,7 @@ pub(super) fn syntax(document: &Document, file: FileId) -> Option<(TextRange, Op
     match (error.kind, error.related) {
         // the end tag that comes too early is in the way, not the element that lacks one
         (SyntaxErrorKind::UnclosedElement, Some((range, _))) => {
-            Some((range, related(error.range, "this element is still open")))
+            Some((range, related(error.range, "this element is not closed")))
         }
         (SyntaxErrorKind::BadDeclaration, _) if document.slice(error.range).starts_with("<?xml") => {
             let end = error.range.start + "<?xml".len() as u32;

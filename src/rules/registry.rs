@@ -311,11 +311,14 @@ fn with_word(word: &str) -> Vec<&'static str> {
 /// What to tell the user about a selector that means no rule.
 pub fn unknown_selector(selector: &str) -> String {
     match nearest_selector(selector) {
-        Some(near) => format!("`{selector}` is no rule; a similar one is `{near}`"),
+        Some(near) => format!("unknown rule `{selector}`; did you mean `{near}`?"),
         None if !with_word(selector).is_empty() => {
-            format!("`{selector}` is no rule; these have the word: `{}`", with_word(selector).join("`, `"))
+            format!(
+                "unknown rule `{selector}`; rules that contain the word: `{}`",
+                with_word(selector).join("`, `")
+            )
         }
-        None => format!("`{selector}` is no rule; `xacro-lint rules` lists them"),
+        None => format!("unknown rule `{selector}`; run `xacro-lint rules` to list all rules"),
     }
 }
 

@@ -12,8 +12,9 @@ use super::package::{is_news, warn_once};
 use super::place;
 use super::registry::{Check, Rule, Safety, Severity, all, by_code};
 use super::sink::{Sink, limit_calls, span};
-use super::vocabulary::outside_free_zones;
+use super::vocabulary::{is_urdf_element, outside_free_zones};
 use super::xacro::{is_unprefixed, shadowing_is_news};
+use super::xml::is_xacro_uri;
 use base::{CancelFlag, FastMap, FastSet, FileId, Span, TextRange};
 use expand::{Expansion, FileIdx, FileUse, Problem, Step};
 use facts::is_keyword;
@@ -170,11 +171,12 @@ struct Unprefixed {
 
 impl Unprefixed {
     fn of(expansion: &Expansion) -> Self {
-        let mut found = Self::default();
+        let structure = lacks_calls(expansion) || has_other_prefix(expansion);
+        let mut found = Self { structure, ..Self::default() };
         for file in &expansion.files {
             let document = &file.source.document;
             let elements = outside_free_zones(elements(document)).map(|(_, node)| node);
-            for node in elements.filter(|&node| is_unprefixed(document, node)) {
+            for node in elements.filter(|&node| is_unprefixed(expansion, document, node)) {
                 found.structure |= node.name() != "property" && node.name() != "arg";
                 found.names.extend(node.attr("name").map(|name| name.raw().to_owned()));
             }
@@ -194,6 +196,37 @@ impl Unprefixed {
     }
 }
 
+/// Whether tags have another prefix that stands for xacro: nothing of what they say is there.
+fn has_other_prefix(expansion: &Expansion) -> bool {
+    expansion.files.iter().any(|file| {
+        let document = &file.source.document;
+        let attrs = document.root().into_iter().flat_map(|root| root.attrs());
+        let prefixes = attrs.filter(|attr| is_xacro_uri(attr.raw()));
+        let mut prefixes = prefixes
+            .filter_map(|attr| attr.name().strip_prefix("xmlns:"))
+            .filter(|&prefix| prefix != "xacro");
+        let has = |prefix: &str| {
+            let is_it = |name: &str| name.strip_prefix(prefix).is_some_and(|rest| rest.starts_with(':'));
+            elements(document).any(|(_, node)| is_it(node.name()))
+        };
+        prefixes.any(has)
+    })
+}
+
+/// Whether a macro is called without its prefix: what it gives is missing.
+fn lacks_calls(expansion: &Expansion) -> bool {
+    let documents = || expansion.files.iter().map(|file| &file.source.document);
+    let unknown = |name: &str| !name.contains(':') && !is_urdf_element(name);
+    let mut tags = documents().flat_map(|document| outside_free_zones(elements(document)));
+    // most robots have no such tag
+    if !tags.any(|(_, node)| unknown(node.name())) {
+        return false;
+    }
+    let macros = named_macros(expansion);
+    let mut tags = documents().flat_map(|document| outside_free_zones(elements(document)));
+    tags.any(|(_, node)| unknown(node.name()) && macros.contains(node.name()))
+}
+
 /// A missing package is reported once for each name and file; where no ROS is, as a note.
 fn excuse_packages(findings: &mut Vec<Finding>, world: Surroundings<'_>) {
     let mut first: FastMap<(FileId, String), usize> = FastMap::default();
@@ -202,7 +235,7 @@ fn excuse_packages(findings: &mut Vec<Finding>, world: Surroundings<'_>) {
         if finding.rule.code == "PKG001" {
             let known = first.entry((finding.span.file, finding.message.clone())).or_insert(kept.len());
             if let Some(known) = kept.get_mut(*known) {
-                let message = "named here too".to_owned();
+                let message = "also used here".to_owned();
                 known.related.push(Related { span: finding.span, message, is_call: false });
                 if let (Some(fix), Some(more)) = (&mut known.fix, finding.fix) {
                     fix.edits.extend(more.edits);
@@ -244,7 +277,7 @@ fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Option<Findin
     }
     let fix = problem.replacement.as_ref().map(|content| Fix {
         safety: rule.fix.unwrap_or(Safety::Unsafe),
-        message: format!("replace by `{content}`"),
+        message: format!("replace with `{content}`"),
         edits: vec![Edit { span: Span { file, range }, content: content.clone() }],
     });
     let fix = fix.or_else(|| mend::fix(problem, document, place, vfs));

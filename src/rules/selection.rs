@@ -57,6 +57,7 @@ impl Selection {
     }
 
     /// Whether a rule runs.
+    #[inline]
     pub fn runs(&self, rule: &Rule) -> bool {
         self.rules.contains_key(rule.code)
     }
@@ -111,6 +112,7 @@ mod tests {
     }
 
     /// Whether a rule runs, by code.
+    #[inline]
     fn runs(options: &SelectionOptions, code: &str) -> bool {
         Selection::new(options).runs(by_code(code).unwrap())
     }

@@ -49,7 +49,7 @@ impl Holds {
         let mut found = Self::default();
         for (_, item) in document.parts().skip(1) {
             // an item holds one child of the root
-            found.note(item.all_nodes().find(|node| node.kind() == NodeKind::Element).into_iter());
+            found.note(item.all_nodes().find(|node| node.kind() == NodeKind::Element));
             if found.link {
                 break;
             }
@@ -57,11 +57,13 @@ impl Holds {
         found
     }
 
-    fn note<'a>(&mut self, nodes: impl Iterator<Item = Node<'a>>) {
-        for node in nodes.filter(|node| node.kind() == NodeKind::Element) {
+    fn note(&mut self, element: Option<Node<'_>>) {
+        // not by recursion: a file may nest conditions as deep as it likes
+        let mut open: Vec<Node<'_>> = element.into_iter().collect();
+        while let Some(node) = open.pop() {
             match node.name() {
                 "link" => self.link = true,
-                "xacro:macro" | "xacro:if" | "xacro:unless" => self.note(node.child_elements()),
+                "xacro:macro" | "xacro:if" | "xacro:unless" => open.extend(node.child_elements()),
                 name => self.srdf |= ELEMENTS.contains(&name),
             }
         }

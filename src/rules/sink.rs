@@ -257,8 +257,8 @@ pub(super) fn span(expansion: &Expansion, place: Place) -> Option<Span> {
 
 fn call_message(frame: &Frame) -> String {
     match frame.kind {
-        FrameKind::Macro => format!("expanded from this call of macro `{}`", frame.name),
-        FrameKind::Block => format!("in block `{}`, inserted here", frame.name),
+        FrameKind::Macro => format!("in this call of macro `{}`", frame.name),
+        FrameKind::Block => format!("in block `{}` inserted here", frame.name),
         FrameKind::Include | FrameKind::Root => "included here".to_owned(),
     }
 }
@@ -310,6 +310,6 @@ fn list_calls(finding: &mut Finding, mut first: Vec<Related>, count: usize) {
     let more = count.saturating_sub(first.len());
     finding.related.append(&mut first);
     if more > 0 {
-        finding.message.push_str(&format!(" (and {more} more calls lead here)"));
+        finding.message.push_str(&format!(" (and {more} more calls)"));
     }
 }

@@ -30,7 +30,7 @@ pub(super) const MAX_JOINT_OFFSET: Threshold = Threshold {
     name: "max-joint-offset-m",
     rule: "origin-units-mm",
     default: 20.0,
-    docs: "the longest origin of a joint, in metres",
+    docs: "the greatest length of a joint origin, in meters",
 };
 
 /// The fastest revolute joint, rad/s.
@@ -45,28 +45,28 @@ pub(super) const MAX_COLLISION_TRIANGLES: Threshold = Threshold {
     name: "max-collision-triangles",
     rule: "collision-mesh-too-detailed",
     default: 5000.0,
-    docs: "Triangles that a collision mesh may have.",
+    docs: "Number of triangles a collision mesh may have.",
 };
 
 pub(super) const WARN_COLLISION_TRIANGLES: Threshold = Threshold {
     name: "warn-collision-triangles",
     rule: "collision-mesh-too-detailed",
     default: 20_000.0,
-    docs: "Triangles of a collision mesh above which the finding is a warning.",
+    docs: "Number of triangles of a collision mesh above which the finding is a warning.",
 };
 
 pub(super) const MAX_EXTENT: Threshold = Threshold {
     name: "max-extent-m",
     rule: "mesh-scale-suspicious",
     default: 10.0,
-    docs: "Greatest length of a mesh along an axis, in metres.",
+    docs: "Greatest length of a mesh along an axis, in meters.",
 };
 
 pub(super) const MIN_EXTENT: Threshold = Threshold {
     name: "min-extent-m",
     rule: "mesh-scale-suspicious",
     default: 1e-4,
-    docs: "Least length of a mesh along its longest axis, in metres.",
+    docs: "Least length of a mesh along its longest axis, in meters.",
 };
 
 impl Threshold {

@@ -4,6 +4,7 @@ use crate::convert::places;
 use crate::documents::refresh_others;
 use crate::lifecycle::scan_first;
 use crate::publishing::publish;
+use crate::requests::actions::sentence_case;
 use crate::roots::tell_contexts;
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{Hash, Hasher};
@@ -26,9 +27,6 @@ use analysis::Report;
 use base::CancelFlag;
 use base::limits::{DIAGNOSTICS, RELATED};
 use rules::{Finding, Severity};
-
-/// A diagnostic and the file it is shown in.
-type Shown = (PathBuf, Diagnostic);
 
 /// Make and publish diagnostics; given up when a job comes in meanwhile, and tried again later.
 pub fn make_diagnostics(state: &mut State) {
@@ -77,18 +75,13 @@ fn spread(state: &mut State, report: &Report) -> BTreeMap<PathBuf, Vec<Diagnosti
     let mut left_out: BTreeMap<PathBuf, usize> = BTreeMap::new();
     let mut places = places(state);
     for finding in &report.findings {
-        let (at_call, own) = shown(&mut places, report, finding);
-        // one error of a call is enough to lead there
-        let at_call = at_call.filter(|(path, at)| {
-            !found.get(path).is_some_and(|list| list.iter().any(|known| known.range == at.range))
-        });
-        for (path, diagnostic) in at_call.into_iter().chain(own) {
-            let list = found.entry(path.clone()).or_default();
-            if list.len() < DIAGNOSTICS {
-                list.push(diagnostic);
-            } else {
-                *left_out.entry(path).or_default() += 1;
-            }
+        let Some(diagnostic) = diagnostic(&mut places, finding) else { continue };
+        let path = report.path(finding.span.file);
+        let list = found.entry(path.to_path_buf()).or_default();
+        if list.len() < DIAGNOSTICS {
+            list.push(diagnostic);
+        } else {
+            *left_out.entry(path.to_path_buf()).or_default() += 1;
         }
     }
     for list in found.values_mut() {
@@ -173,31 +166,6 @@ fn report_of(
     })
 }
 
-/// A finding at its place, which comes second. An error in a file that is not open, such as a macro of
-/// another package, is shown at the call that led there as well: that is the text the author has changed.
-fn shown(places: &mut Places<'_>, report: &Report, finding: &Finding) -> (Option<Shown>, Option<Shown>) {
-    let own = diagnostic(places, finding).map(|own| (report.path(finding.span.file).to_path_buf(), own));
-    let state = places.state;
-    let open = |file| state.documents.contains_key(report.path(file));
-    if finding.severity != Severity::Error || open(finding.span.file) {
-        return (None, own);
-    }
-    let call = finding.related.iter().find(|related| related.is_call && open(related.span.file));
-    let at_call = call.zip(own.as_ref()).and_then(|(call, (_, own))| {
-        let place = places.location(finding.span)?;
-        let cause = DiagnosticRelatedInformation { location: place, message: "caused here".to_owned() };
-        let related = std::iter::once(cause).chain(own.related_information.clone().unwrap_or_default());
-        let at_call = Diagnostic {
-            range: places.location(call.span)?.range,
-            related_information: Some(related.take(RELATED).collect()),
-            data: None,
-            ..own.clone()
-        };
-        Some((report.path(call.span.file).to_path_buf(), at_call))
-    });
-    (at_call, own)
-}
-
 pub fn diagnostic(places: &mut Places<'_>, finding: &Finding) -> Option<Diagnostic> {
     let place = places.location(finding.span)?;
     let related = finding.related.iter().take(RELATED).filter_map(|related| {
@@ -233,7 +201,9 @@ fn fix_data(places: &mut Places<'_>, finding: &Finding) -> Option<serde_json::Va
             Some(serde_json::json!({ "uri": place.uri, "range": place.range, "newText": edit.content }))
         })
         .collect();
-    Some(serde_json::json!({ "title": fix.message, "safety": fix.safety.name(), "edits": edits? }))
+    Some(
+        serde_json::json!({ "title": sentence_case(&fix.message), "safety": fix.safety.name(), "edits": edits? }),
+    )
 }
 
 /// Says that there are more findings than are shown.
@@ -241,7 +211,7 @@ fn more(count: usize) -> Diagnostic {
     Diagnostic {
         severity: Some(DiagnosticSeverity::INFORMATION),
         source: Some("xacro".to_owned()),
-        message: format!("{count} more findings in this file are not shown"),
+        message: format!("{count} more findings in this file not shown"),
         ..Diagnostic::default()
     }
 }

@@ -2,9 +2,11 @@
 
 use crate::lifecycle::ask_for_settings;
 use crate::publishing::withdraw;
+use std::path::Path;
+
 use lsp_types::{
     DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidChangeWorkspaceFoldersParams,
-    DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams,
+    DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams, MessageType,
 };
 
 use crate::convert;
@@ -17,9 +19,26 @@ pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
     let path = state.path(&document.uri);
     state.world.set_text(&path, document.text);
     let open = OpenDocument { uri: document.uri, version: version(document.version) };
+    offer_source(state, &path);
     state.documents.insert(path, open);
     // what there is to say of a file should not wait for a pause in typing
     state.due = Some(std::time::Instant::now());
+}
+
+/// Who has opened an installed copy should edit the source: the next build replaces the copy.
+fn offer_source(state: &State, path: &Path) {
+    let Some(source) = state.world.session().packages.source_of(path) else { return };
+    let Some(uri) = state.uri(&source) else { return };
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let message = format!(
+        "`{name}` is an installed copy, which the next build replaces; its source is `{}`",
+        source.display()
+    );
+    if state.client.shows_documents {
+        state.outbox.ask(Question::Offer { message, action: "Open Source", uri });
+    } else {
+        state.outbox.show(MessageType::INFO, message);
+    }
 }
 
 pub fn changed(state: &mut State, params: DidChangeTextDocumentParams) {
@@ -27,7 +46,7 @@ pub fn changed(state: &mut State, params: DidChangeTextDocumentParams) {
     let Some(open) = state.documents.get_mut(&path) else {
         return state
             .outbox
-            .log(format!("changes of `{}`, which is not open, are ignored", params.text_document.uri));
+            .log(format!("ignored changes of `{}`, which is not open", params.text_document.uri));
     };
     open.version = version(params.text_document.version);
     for change in params.content_changes {
@@ -42,7 +61,11 @@ pub fn changed(state: &mut State, params: DidChangeTextDocumentParams) {
     state.schedule();
 }
 
-pub fn saved(state: &mut State, _: DidSaveTextDocumentParams) {
+/// Who saves wants to know how things are: what other programs did to the disk meanwhile is asked for as well, since
+/// not all clients tell of it.
+pub fn saved(state: &mut State, params: DidSaveTextDocumentParams) {
+    let path = state.path(&params.text_document.uri);
+    state.world.changed_on_disk(&[path]);
     state.schedule();
 }
 
@@ -82,7 +105,7 @@ pub fn folders_changed(state: &mut State, params: DidChangeWorkspaceFoldersParam
 /// Something came in that is no message.
 pub fn bad_message(state: &mut State, params: serde_json::Value) {
     let reason = params.get("reason").and_then(serde_json::Value::as_str).unwrap_or("");
-    state.outbox.log(format!("a message was passed over: {reason}"));
+    state.outbox.log(format!("ignored a message: {reason}"));
 }
 
 /// Have the client ask again for what it has asked for before.

@@ -21,7 +21,9 @@ impl Failure {
     pub fn into_error(self) -> Error {
         let (code, message) = match self {
             Failure::Cancelled => (ErrorCode::RequestCancelled, "cancelled".to_owned()),
-            Failure::Outdated => (ErrorCode::ContentModified, "the text has changed: ask anew".to_owned()),
+            Failure::Outdated => {
+                (ErrorCode::ContentModified, "the text has changed; repeat the request".to_owned())
+            }
             Failure::Invalid(message) => (ErrorCode::InvalidParams, message),
             // `RequestFailed` of LSP 3.17
             Failure::Refused(message) => (ErrorCode::ServerError(-32803), message),

@@ -102,7 +102,7 @@ pub fn rewrite_mesh(state: &mut State, mesh: &TextDocumentIdentifier) -> Result<
     let refuse = |message: String| Failure::Refused(format!("`{}` {message}", path.display()));
     let is_stl = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("stl"));
     if !is_stl || !is_ours(state, &path) {
-        return Err(refuse("is no STL file of the workspace".to_owned()));
+        return Err(refuse("is not an STL file in the workspace".to_owned()));
     }
     let bytes = state.world.session().vfs.bytes(&path, REWRITTEN_MESH_BYTES);
     let bytes = bytes.map_err(|error| refuse(format!("cannot be read: {}", error.reason())))?;

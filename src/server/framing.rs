@@ -129,7 +129,7 @@ fn checked(body: &[u8]) -> (Cow<'_, [u8]>, bool) {
     let id_fits = head.id.as_ref().is_none_or(|id| id.is_string() || id.is_i64() || id.is_null());
     let is_reply = head.method.is_none() && head.id.is_some() && (head.result || head.error);
     if head.jsonrpc.as_deref() != Some("2.0") || !id_fits || !(head.method.is_some() || is_reply) {
-        return bad("it is no message of JSON-RPC 2.0".to_owned());
+        return bad("not a JSON-RPC 2.0 message".to_owned());
     }
     match (head.method.as_deref(), &head.id) {
         // some clients send `null` for no parameters, which the service would refuse

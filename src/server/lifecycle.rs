@@ -131,7 +131,7 @@ fn own_settings(state: &mut State, settings: &Value) {
         match delay.as_u64() {
             Some(delay) => state.delay = Duration::from_millis(delay.min(60_000)),
             None => {
-                let message = "`xacro.diagnostics.delay` is no number of milliseconds; the default holds";
+                let message = "`xacro.diagnostics.delay` is not a number of milliseconds; using the default";
                 warn_once(state, message.to_owned());
             }
         }
@@ -140,7 +140,7 @@ fn own_settings(state: &mut State, settings: &Value) {
     if let Some(contexts) = settings.pointer("/diagnostics/contexts").or_else(dotted) {
         state.world.set_all_contexts(contexts == "all");
         if contexts != "all" && contexts != "active" {
-            let message = "`xacro.diagnostics.contexts` is neither `active` nor `all`; the default holds";
+            let message = "`xacro.diagnostics.contexts` is not `active` or `all`; using the default";
             warn_once(state, message.to_owned());
         }
     }

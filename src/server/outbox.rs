@@ -4,12 +4,13 @@
 //! knows whose the replies are.
 
 use crate::lifecycle::{configured, progress_created};
+use std::collections::HashMap;
 use std::time::Duration;
 
 use lsp_types::notification::{LogMessage, Notification, ShowMessage};
 use lsp_types::{
-    LogMessageParams, MessageType, Range, Registration, ShowDocumentParams, ShowMessageParams, Url,
-    WorkspaceEdit,
+    LogMessageParams, MessageActionItem, MessageType, Range, Registration, ShowDocumentParams,
+    ShowMessageParams, Url, WorkspaceEdit,
 };
 use serde::Serialize;
 use tokio::sync::mpsc::{UnboundedReceiver, UnboundedSender, unbounded_channel};
@@ -34,6 +35,8 @@ pub(super) enum Question {
     ShowPage(Url),
     /// Edits to be made.
     ApplyEdit(Box<WorkspaceEdit>),
+    /// A message with the offer to show a document.
+    Offer { message: String, action: &'static str, uri: Url },
 }
 
 /// What a client can be told to ask for again.
@@ -54,6 +57,8 @@ pub(super) struct Outbox {
 
 /// Requests to the client wait no longer than this for an answer.
 const PATIENCE: Duration = Duration::from_secs(10);
+/// Requests that the user answers wait longer.
+const PATIENCE_WITH_USERS: Duration = Duration::from_secs(600);
 
 impl Outbox {
     /// An outbox, the notifications to be written, and the requests to be made.
@@ -108,8 +113,12 @@ pub(super) fn notification(method: &str, params: &impl Serialize) -> Vec<u8> {
 /// Send requests until the process ends. What waits for an answer does not hold up what follows.
 pub(super) async fn ask_all(client: Client, queue: Queue, mut questions: UnboundedReceiver<Question>) {
     while let Some(question) = questions.recv().await {
+        let patience = match question {
+            Question::Offer { .. } => PATIENCE_WITH_USERS,
+            _ => PATIENCE,
+        };
         let asked = ask(client.clone(), queue.clone(), question);
-        drop(tokio::spawn(tokio::time::timeout(PATIENCE, asked)));
+        drop(tokio::spawn(tokio::time::timeout(patience, asked)));
     }
 }
 
@@ -127,6 +136,15 @@ async fn ask(client: Client, queue: Queue, question: Question) {
             let external = Some(true);
             let params = ShowDocumentParams { uri, external, take_focus: None, selection: None };
             let _ = client.show_document(params).await;
+        }
+        Question::Offer { message, action, uri } => {
+            let item = MessageActionItem { title: action.to_owned(), properties: HashMap::new() };
+            let chosen = client.show_message_request(MessageType::INFO, message, Some(vec![item])).await;
+            if let Ok(Some(_)) = chosen {
+                let params =
+                    ShowDocumentParams { uri, external: None, take_focus: Some(true), selection: None };
+                let _ = client.show_document(params).await;
+            }
         }
         Question::ApplyEdit(edit) => drop(client.apply_edit(*edit).await),
         Question::CreateProgress(token) => {

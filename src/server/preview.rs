@@ -206,7 +206,9 @@ fn tell_model(state: &State, message: &ModelMessage) {
 fn open_view(state: &mut State, params: SubscribeParams) -> Result<u32, Failure> {
     let root = view_root(state, params)?;
     if state.previews.views.ids().len() >= VIEWS {
-        return Err(Failure::Refused(format!("{VIEWS} previews are open: close one first")));
+        return Err(Failure::Refused(format!(
+            "the limit of {VIEWS} open previews is reached: close one first"
+        )));
     }
     state.previews.due = true;
     Ok(state.previews.views.open(root))
@@ -220,7 +222,7 @@ fn view_root(state: &mut State, params: SubscribeParams) -> Result<RootChoice, F
             let (path, _) = state.source(&document.uri)?;
             Ok(state.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path)))
         }
-        (None, None) => Err(Failure::Invalid("name a `root` or a `textDocument`".to_owned())),
+        (None, None) => Err(Failure::Invalid("missing parameter: pass `root` or `textDocument`".to_owned())),
     }
 }
 
@@ -264,7 +266,9 @@ pub fn preview_page(state: &mut State, argument: Value) -> Result<Value, Failure
 /// There is no server for browsers in this build.
 #[cfg(not(feature = "preview"))]
 pub fn preview_page(_: &mut State, _: Value) -> Result<Value, Failure> {
-    Err(Failure::Refused("this build has no preview: build it with the feature `preview`".to_owned()))
+    Err(Failure::Refused(
+        "this build does not include the preview: build it with the feature `preview`".to_owned(),
+    ))
 }
 
 #[cfg(feature = "preview")]
@@ -289,13 +293,13 @@ mod pages {
             return Ok(hub.clone());
         }
         let Some(queue) = state.queue.clone() else {
-            return Err(Failure::Refused("the preview cannot be started here".to_owned()));
+            return Err(Failure::Refused("cannot start the preview here".to_owned()));
         };
         let files = state.previews.views.files().clone();
         let vfs = state.world.session().vfs.clone();
         let receive = move |received| queue.notify(received, page_said);
         let hub = Hub::start(files, vfs, receive)
-            .map_err(|error| Failure::Refused(format!("the preview cannot be started: {error}")))?;
+            .map_err(|error| Failure::Refused(format!("cannot start the preview: {error}")))?;
         state.previews.hub = Some(hub.clone());
         Ok(hub)
     }
@@ -324,7 +328,7 @@ mod pages {
                 let Some(root) = named(root) else { return };
                 let params = ShowParams { id, root, compare: compare.and_then(named) };
                 if let Err(Failure::Invalid(why)) = show_root(state, params, &CancelFlag::default()) {
-                    state.outbox.log(format!("the preview cannot show that: {why}"));
+                    state.outbox.log(format!("cannot show this in the preview: {why}"));
                 }
             }
             // pages ask for files in another way
@@ -348,5 +352,5 @@ mod pages {
 }
 
 fn no_view(id: u32) -> Failure {
-    Failure::Invalid(format!("there is no preview {id}"))
+    Failure::Invalid(format!("unknown preview {id}"))
 }

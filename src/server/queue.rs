@@ -1,7 +1,7 @@
 //! Between the protocol and the analysis: handlers add jobs, one thread works them off in order.
 //!
 //! A handler may not touch state. It sends its job as its first statement and then only waits, so jobs are
-//! worked off in the order in which their messages arrived.
+//! processed in the order in which their messages arrived.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender};
@@ -128,7 +128,7 @@ impl Queue {
             Ok(result) => result.map_err(Failure::into_error),
             // the job panicked: that was logged
             Err(_) => Err(jsonrpc::Error {
-                message: "an internal fault: the log says more".into(),
+                message: "internal error; see the log for details".into(),
                 ..jsonrpc::Error::internal_error()
             }),
         }

@@ -197,7 +197,7 @@ fn context_text(state: &mut State, path: &std::path::Path, context: &Context, ca
 pub fn tree(state: &mut State, params: TreeParams, cancel: &CancelFlag) -> Result<Tree, Failure> {
     let asked = params.root.as_ref().map(|root| TextDocumentIdentifier { uri: root.uri.clone() });
     let Some(document) = params.text_document.or(asked) else {
-        return Err(Failure::Invalid("name a `root` or a `textDocument`".to_owned()));
+        return Err(Failure::Invalid("missing parameter: pass `root` or `textDocument`".to_owned()));
     };
     let (_, analyzed) = shown_under(state, &document, params.root, cancel)?;
     Ok(Tree { nodes: nodes(state, &analyzed), problems: errors(state, &analyzed.expansion) })

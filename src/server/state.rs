@@ -125,7 +125,7 @@ impl State {
         let known = self.documents.contains_key(&path);
         let source = if known || self.may_read(&path) { self.world.document(&path) } else { None };
         let source =
-            source.ok_or_else(|| Failure::Invalid(format!("`{uri}` is not open and cannot be read")))?;
+            source.ok_or_else(|| Failure::Invalid(format!("cannot read `{uri}`, which is not open")))?;
         Ok((path, source))
     }
 

@@ -126,27 +126,34 @@ fn exists(path: &Path) -> bool {
 
 /// A pattern for one name: `*`, `?`, `[abc]`, `[!abc]`, as Python's `fnmatch` reads them.
 #[derive(Clone, Debug)]
-pub struct Wildcard(Vec<Token>);
+pub struct Wildcard {
+    tokens: Vec<Token>,
+    literal: Option<String>,
+}
 
 impl Wildcard {
     /// The pattern `text`; every text is one.
     pub fn new(text: &str) -> Self {
-        Self(compile(text))
-    }
-
-    /// The only name that fits, where there is only one.
-    pub fn literal(&self) -> Option<String> {
         let letter = |token: &Token| match token {
             Token::Literal(letter) => Some(*letter),
             _ => None,
         };
-        self.0.iter().map(letter).collect()
+        let tokens = compile(text);
+        Self { literal: tokens.iter().map(letter).collect(), tokens }
+    }
+
+    /// The only name that fits, where there is only one.
+    pub fn literal(&self) -> Option<&str> {
+        self.literal.as_deref()
     }
 
     /// Whether the whole of `name` fits.
     pub fn matches(&self, name: &str) -> bool {
+        if let Some(literal) = &self.literal {
+            return literal == name;
+        }
         let name: Vec<char> = name.chars().collect();
-        covers(&self.0, &name, |token| matches!(token, Token::Many), |token, c| token.takes(*c))
+        covers(&self.tokens, &name, |token| matches!(token, Token::Many), |token, c| token.takes(*c))
     }
 }
 

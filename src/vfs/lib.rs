@@ -231,7 +231,7 @@ impl Vfs {
                 return Ok(None);
             }
             let is_utf8 = std::str::from_utf8(text).is_ok();
-            let why = if is_utf8 { "it changed in the meantime" } else { "it is not UTF-8" };
+            let why = if is_utf8 { "it was changed by another program" } else { "it is not UTF-8" };
             Err(std::io::Error::new(std::io::ErrorKind::InvalidData, why))
         })
     }

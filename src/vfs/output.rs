@@ -61,7 +61,7 @@ fn replace(path: &Path, bytes: &[u8], as_before: &dyn Fn() -> bool) -> io::Resul
 }
 
 fn changed_meanwhile() -> io::Error {
-    io::Error::other("it changed in the meantime")
+    io::Error::other("it was changed by another program")
 }
 
 /// Where a link leads, be there a file or not.
@@ -188,7 +188,7 @@ fn keep_owner(_: &File, _: &Metadata) {}
 fn new_beside(target: &Path) -> io::Result<(PathBuf, File)> {
     static NUMBER: AtomicU64 = AtomicU64::new(0);
     let Some(prefix) = temporary_prefix(target) else {
-        return Err(io::Error::new(io::ErrorKind::IsADirectory, "not the name of a file"));
+        return Err(io::Error::new(io::ErrorKind::IsADirectory, "not a file name"));
     };
     let (process, options) = (std::process::id(), new_file(target.exists()));
     loop {

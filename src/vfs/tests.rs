@@ -216,7 +216,7 @@ fn files_are_rewritten_only_as_they_were_read() {
     assert_eq!(std::fs::read_to_string(&path).unwrap(), "\u{FEFF}<robot name='é'/>\r\n");
     assert_eq!(vfs.text(&path).unwrap().text, "<other/>");
     let error = |before: &str| vfs.rewrite(&path, before, "").unwrap_err().to_string();
-    assert_eq!(error("<robot/>\r\n"), "it changed in the meantime");
+    assert_eq!(error("<robot/>\r\n"), "it was changed by another program");
     std::fs::write(&path, b"<?xml encoding='latin-1'?><r n='\xe9'/>").unwrap();
     assert_eq!(error("<?xml encoding='latin-1'?><r n='é'/>"), "it is not UTF-8");
     assert!(vfs.rewrite(&tree.path("none"), "", "").is_err());

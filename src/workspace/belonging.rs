@@ -7,7 +7,7 @@ use base::FastSet;
 
 /// What is said instead of a message about a file that belongs to no robot: the message may quote the file.
 pub const UNQUOTED: &str =
-    "this file lies outside of packages and of the folders around the robot, so nothing of it is quoted";
+    "the file is outside the packages and folders of this robot, so its text is not shown";
 
 /// What belongs to some robots: see [`Packages::around`].
 pub struct Vicinity<'p> {

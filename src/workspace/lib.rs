@@ -4,7 +4,9 @@ mod belonging;
 mod callers;
 pub mod config;
 mod distribution;
+mod hardware;
 mod install;
+pub mod launch;
 mod manifest;
 mod memo;
 mod namesakes;
@@ -20,7 +22,7 @@ mod uri;
 mod tests;
 
 pub use belonging::{UNQUOTED, Vicinity};
-pub use callers::{Caller, Callers, GivenArg};
+pub use callers::{Caller, Callers, Era, GivenArg, RobotCall};
 pub use install::{BUILD_FILES, Build, Built};
 pub use packages::{Entry, Found, NotFound, Package, PackageOptions, Packages, Target};
 pub use root::is_built;

@@ -10,8 +10,8 @@ use super::memo::Memo;
 use super::namesakes::Index;
 use super::root::workspace_root;
 use super::scan::{Rules, Tree, scan};
-use super::similar::{edit_distance, has_part, nearest};
-use super::steps::{Layout, Prefix, Step, distributions, overlays};
+use super::similar::{edit_distance, has_part, is_another, nearest};
+use super::steps::{Layout, Prefix, Step, distributions, overlays, own_prefixes};
 use base::FastSet;
 use vfs::{Environment, Vfs};
 
@@ -114,6 +114,8 @@ pub struct Packages {
     installed: Memo<Prefix, Arc<Vec<String>>>,
     pub(super) indexes: Memo<PathBuf, Arc<Index>>,
     pub(super) builds: Memo<PathBuf, Arc<Build>>,
+    /// Classes of C++ that export interfaces of their own, by folder.
+    pub(super) exporting: Memo<PathBuf, Arc<FastSet<String>>>,
     /// Names of packages without a manifest, by folder.
     pub(super) unlisted: Memo<PathBuf, Option<String>>,
 }
@@ -131,6 +133,7 @@ impl Packages {
             installed: Memo::default(),
             indexes: Memo::default(),
             builds: Memo::default(),
+            exporting: Memo::default(),
             unlisted: Memo::default(),
         }
     }
@@ -158,18 +161,22 @@ impl Packages {
     fn meant(&self, name: &str, from: &Path) -> Option<String> {
         /// Letters that a slip of the fingers changes.
         const SLIP: usize = 2;
-        let owner = self.containing(from);
-        let manifest = owner.and_then(|owner| self.vfs.text(&owner.folder.join(MANIFEST)).ok());
+        let known = self.all(from);
+        let text = |folder: &Path| self.vfs.text(&self.env.cwd.join(folder).join(MANIFEST)).ok();
+        let manifest = self.containing(from).and_then(|owner| text(&owner.folder));
         let manifest = manifest.map(|manifest| manifest.text.clone()).unwrap_or_default();
-        // each text between two tags: those of dependencies are among them
-        let declared = || manifest.split('>').filter_map(|part| Some(part.split_once('<')?.0.trim()));
-        if declared().any(|declared| declared == name) {
+        let declared = || between_tags(&manifest);
+        // what a package of the workspace depends on is there somewhere
+        let mut others = known.iter().filter(|entry| entry.step == Step::Workspace);
+        let depends = |entry: &Entry| {
+            text(&entry.path).is_some_and(|file| between_tags(&file.text).any(|own| own == name))
+        };
+        if declared().any(|declared| declared == name) || others.any(depends) {
             return None;
         }
-        let known = self.all(from);
         let names = known.iter().map(|entry| entry.name.as_str());
         let near = nearest(name, names.chain(declared().filter(|name| is_package_name(name))));
-        let near = near.filter(|near| edit_distance(name, near) <= SLIP);
+        let near = near.filter(|near| edit_distance(name, near) <= SLIP && !is_another(name, near));
         // only among sources: of all that is installed, something always begins alike
         let is_source = |entry: &&Entry| entry.step <= Step::Workspace && entry.step != Step::OwnPackage;
         let sources = known.iter().filter(is_source);
@@ -221,6 +228,20 @@ impl Packages {
         })
     }
 
+    /// The source that a build has copied to `file`; none for sources, links to them, and what has no source here.
+    pub fn source_of(&self, file: &Path) -> Option<PathBuf> {
+        let owner = self.containing(file)?;
+        if own_prefixes(&self.vfs, file).is_empty() {
+            return None;
+        }
+        let mut tops = self.tree_tops(Step::Workspace, file).into_iter();
+        let folder =
+            tops.find_map(|(top, rules)| Some(self.tree(&top, rules).get(&owner.name, file)?.to_owned()))?;
+        let source = folder.join(file.strip_prefix(&owner.folder).ok()?);
+        let is_copy = self.vfs.is_file(&source) && self.vfs.canonical(&source) != self.vfs.canonical(file);
+        is_copy.then_some(source)
+    }
+
     /// Forget what was searched: manifests or folders have come, gone or changed.
     pub fn forget(&self) {
         self.trees.clear();
@@ -229,6 +250,7 @@ impl Packages {
         self.installed.clear();
         self.indexes.clear();
         self.builds.clear();
+        self.exporting.clear();
         self.unlisted.clear();
     }
 
@@ -310,6 +332,7 @@ impl Packages {
             Step::ColconPrefixPath => {
                 self.env_prefixes("COLCON_PREFIX_PATH", &[Layout::Isolated, Layout::Merged])
             }
+            Step::OwnPrefix => own_prefixes(&self.vfs, &self.vfs.absolute(from)),
             Step::Distribution => self.distributions(),
             _ => Vec::new(),
         }
@@ -377,6 +400,11 @@ impl Packages {
     fn installed_names(&self, prefix: &Prefix) -> Arc<Vec<String>> {
         self.installed.get(prefix.clone(), || Arc::new(prefix.names(&self.vfs, &self.env.cwd)))
     }
+}
+
+/// Each text between two tags of a manifest: the names of dependencies are among them.
+fn between_tags(manifest: &str) -> impl Iterator<Item = &str> {
+    manifest.split('>').filter_map(|part| Some(part.split_once('<')?.0.trim()))
 }
 
 /// The path with `folder/..` taken out, by its text alone.

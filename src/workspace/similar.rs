@@ -75,6 +75,17 @@ pub(super) fn has_part(name: &str, part: &str) -> bool {
         || rest(name.strip_suffix(part), |rest| rest.ends_with('_'))
 }
 
+/// Whether two similar names are meant to differ: in digits only, or in all letters of a word.
+pub(super) fn is_another(a: &str, b: &str) -> bool {
+    let (one, other): (Vec<&str>, Vec<&str>) = (a.split('_').collect(), b.split('_').collect());
+    let mut pairs = one.iter().zip(&other).filter(|(one, other)| one != other);
+    let (Some((one, other)), None, true) = (pairs.next(), pairs.next(), one.len() == other.len()) else {
+        return false;
+    };
+    let letters = |word: &str| word.chars().filter(|c| !c.is_ascii_digit()).collect::<String>();
+    letters(one) == letters(other) || !one.is_empty() && edit_distance(one, other) >= one.chars().count()
+}
+
 /// The candidate that is almost surely meant by `word`, which is none of them: it differs by one slip of the fingers.
 pub fn misspelled<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     candidates.into_iter().find(|candidate| word != *candidate && is_slip(word, candidate))
@@ -162,7 +173,7 @@ fn different<'a>(a: &'a [char], b: &'a [char]) -> (&'a [char], &'a [char]) {
 
 #[cfg(test)]
 mod tests {
-    use super::{counts, distance, edit_distance, far, is_slip, nearest};
+    use super::{counts, distance, edit_distance, far, is_another, is_slip, nearest};
 
     #[test]
     fn words() {
@@ -187,6 +198,20 @@ mod tests {
         assert_eq!(nearest("abc", ["abd", "abe"]), Some("abd"));
         assert_eq!(nearest("ab", ["a", "b"]), None);
         assert_eq!(nearest(&"x".repeat(2000), ["y".repeat(2000).as_str()]), None);
+    }
+
+    #[test]
+    fn other_names() {
+        for (name, other, expected) in [
+            ("sr_description", "a1_description", true),
+            ("ur5_description", "ur3_description", true),
+            ("arm1", "arm2", true),
+            ("arm_descripton", "arm_description", false),
+            ("arm_description", "am_description", false),
+            ("ram_description", "arm_description", false),
+        ] {
+            assert_eq!(is_another(name, other), expected, "{name} {other}");
+        }
     }
 
     /// Words over few letters, so that many are near each other.

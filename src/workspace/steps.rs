@@ -25,13 +25,15 @@ pub enum Step {
     ColconPrefixPath,
     /// `ROS_PACKAGE_PATH`.
     RosPackagePath,
+    /// The prefix that the file itself is installed in.
+    OwnPrefix,
     /// An installed distribution that no variable names.
     Distribution,
 }
 
 impl Step {
     /// All of them in the usual order.
-    pub const ALL: [Step; 8] = [
+    pub const ALL: [Step; 9] = [
         Step::PackagePath,
         Step::OwnPackage,
         Step::Workspace,
@@ -39,6 +41,7 @@ impl Step {
         Step::AmentPrefixPath,
         Step::ColconPrefixPath,
         Step::RosPackagePath,
+        Step::OwnPrefix,
         Step::Distribution,
     ];
 
@@ -58,6 +61,7 @@ impl fmt::Display for Step {
             Step::AmentPrefixPath => "AMENT_PREFIX_PATH",
             Step::ColconPrefixPath => "COLCON_PREFIX_PATH",
             Step::RosPackagePath => "ROS_PACKAGE_PATH",
+            Step::OwnPrefix => "installed beside",
             Step::Distribution => "/opt/ros",
         })
     }
@@ -136,6 +140,17 @@ pub(super) fn overlays(workspace: &Path) -> [Prefix; 3] {
         Prefix::new(install, Layout::Merged),
         Prefix::new(workspace.join("devel"), Layout::Devel),
     ]
+}
+
+/// The prefixes that a file is installed in: the one with an ament index above it, and where each package has a prefix of
+/// its own, those beside it.
+pub(super) fn own_prefixes(vfs: &Vfs, file: &Path) -> Vec<Prefix> {
+    let mut shares = file.ancestors().filter(|folder| folder.file_name().is_some_and(|name| name == "share"));
+    let Some(share) = shares.find(|share| vfs.is_dir(&share.join("ament_index"))) else { return Vec::new() };
+    let Some(prefix) = share.parent() else { return Vec::new() };
+    let beside = prefix.parent().filter(|base| vfs.is_file(&base.join(".colcon_install_layout")));
+    let beside = beside.map(|base| Prefix::new(base.to_owned(), Layout::Isolated));
+    std::iter::once(Prefix::new(prefix.to_owned(), Layout::Merged)).chain(beside).collect()
 }
 
 /// ROS 1 distributions; every other name is one of ROS 2.

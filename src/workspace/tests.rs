@@ -240,6 +240,50 @@ fn overlays_lie_beside_the_workspace() {
 }
 
 #[test]
+fn an_installed_file_finds_what_is_installed_beside_it() {
+    let tree = Tree::new();
+    for name in ["a", "b"] {
+        package(&tree, &format!("merged/share/{name}"), name);
+        tree.write(&format!("merged/{INDEX}/{name}"), "");
+        package(&tree, &format!("alone/{name}/share/{name}"), name);
+        tree.write(&format!("alone/{name}/{INDEX}/{name}"), "");
+        package(&tree, &format!("plain/share/{name}"), name);
+    }
+    tree.write("alone/.colcon_install_layout", "isolated");
+    let packages = packages(&tree, &[], options(&tree));
+    let table = [
+        ("merged/share/a/urdf/a.xacro", "installed beside merged/share/b"),
+        ("alone/a/share/a/urdf/a.xacro", "installed beside alone/b/share/b"),
+        ("plain/share/a/urdf/a.xacro", "none, near None"),
+    ];
+    for (from, expected) in table {
+        assert_eq!(find(&tree, &packages, "b", from), expected, "{from}");
+    }
+}
+
+#[test]
+fn an_installed_copy_has_a_source() {
+    let tree = Tree::new();
+    package(&tree, "ws/src/a", "a");
+    package(&tree, "ws/install/a/share/a", "a");
+    tree.write(&format!("ws/install/a/{INDEX}/a"), "");
+    for file in
+        ["ws/src/a/urdf/a.xacro", "ws/install/a/share/a/urdf/a.xacro", "ws/install/a/share/a/made.xacro"]
+    {
+        tree.write(file, "<robot/>");
+    }
+    // built with --symlink-install
+    #[cfg(unix)]
+    std::os::unix::fs::symlink(tree.path("ws/src/a"), tree.path("ws/install/a/share/a/linked")).unwrap();
+    let packages = packages(&tree, &[], options(&tree));
+    let source = |file: &str| packages.source_of(&tree.path(file));
+    assert_eq!(source("ws/install/a/share/a/urdf/a.xacro"), Some(tree.path("ws/src/a/urdf/a.xacro")));
+    assert_eq!(source("ws/install/a/share/a/made.xacro"), None);
+    assert_eq!(source("ws/src/a/urdf/a.xacro"), None);
+    assert_eq!(source("ws/install/a/share/a/linked/urdf/a.xacro"), None);
+}
+
+#[test]
 fn prefixes_are_spelled_as_the_variable_spells_them() {
     let tree = Tree::new();
     tree.write(&format!("two/{INDEX}/p"), "");

@@ -83,15 +83,15 @@ impl Packages {
     fn in_package(&self, kind: UriKind, rest: &str, from_file: &Path) -> UriResult {
         let malformed = |why| UriResult::new(kind, UriOutcome::Malformed(why));
         let Some(rest) = rest.strip_prefix("//") else {
-            return malformed("two slashes are missing behind the colon");
+            return malformed("missing two slashes after the colon");
         };
         let (name, path) = match rest.split_once('/') {
             Some((name, path)) => (name, path),
-            None if kind == UriKind::Package => return malformed("no path behind the package name"),
+            None if kind == UriKind::Package => return malformed("missing path after the package name"),
             None => (rest, ""),
         };
         if name.is_empty() {
-            return malformed("no package name behind the two slashes");
+            return malformed("missing package name after the two slashes");
         }
         // readers put a slash between the folder and the path: a second one changes nothing
         let path = path.trim_start_matches('/');
@@ -120,7 +120,7 @@ impl Packages {
             None => rest,
         };
         if !path.starts_with('/') {
-            let why = "the path of a file URI is absolute: three slashes behind the colon";
+            let why = "`file:` must be followed by `///` and an absolute path";
             return UriResult::new(UriKind::File, UriOutcome::Malformed(why));
         }
         let mut places = vec![PathBuf::from(path)];

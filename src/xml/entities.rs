@@ -20,7 +20,7 @@ pub struct Entities {
     /// Bytes all values take.
     total: usize,
     /// The attributes with an `ATTLIST`, by element and name: whether their type is other than `CDATA`.
-    attributes: FastMap<Box<str>, Vec<(Box<str>, bool)>>,
+    attributes: FastMap<Box<str>, FastMap<Box<str>, bool>>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -69,9 +69,7 @@ impl Entities {
     /// Note the type of an attribute; the first declaration counts.
     pub(super) fn declare_attribute(&mut self, element: &str, attribute: &str, is_tokenized: bool) {
         let known = self.attributes.entry(element.into()).or_default();
-        if known.iter().all(|(name, _)| **name != *attribute) {
-            known.push((attribute.into(), is_tokenized));
-        }
+        known.entry(attribute.into()).or_insert(is_tokenized);
     }
 
     /// Whether the document declares types of attributes.
@@ -82,7 +80,7 @@ impl Entities {
     /// Whether the blanks of an attribute are reduced to single ones between its words.
     pub(super) fn is_tokenized(&self, element: &str, attribute: &str) -> bool {
         let declared = self.attributes.get(element);
-        declared.is_some_and(|known| known.iter().any(|(name, tokenized)| **name == *attribute && *tokenized))
+        declared.and_then(|known| known.get(attribute)).is_some_and(|tokenized| *tokenized)
     }
 
     /// Work out all values; to be called when all declarations are known.

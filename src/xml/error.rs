@@ -11,12 +11,27 @@ pub struct SyntaxError {
     pub range: TextRange,
     /// A second place that belongs to the mistake, with a word on it.
     pub related: Option<(TextRange, &'static str)>,
-    /// Lower-case sentence that names the thing and says what to do.
+    /// The headline, lower case, which names the thing; after a line feed, what to do.
     pub message: String,
     /// What expat, the parser of the reference, says to this.
     pub expat: &'static str,
     /// Where expat stops. Grows along a list of errors: the first error is the one expat reports.
     pub expat_offset: u32,
+}
+
+impl SyntaxError {
+    /// What is wrong, in one line.
+    pub fn headline(&self) -> &str {
+        self.message.split('\n').next().unwrap_or_default()
+    }
+
+    /// What to do.
+    pub fn help(&self) -> &str {
+        match self.message.split_once('\n') {
+            Some((_, help)) => help,
+            None => "write the text itself instead of the entity, and remove the DOCTYPE",
+        }
+    }
 }
 
 /// The kinds of mistakes.

@@ -108,45 +108,54 @@ impl<'a> Node<'a> {
         Self { item, id }
     }
 
+    #[inline]
     fn data(self) -> &'a NodeData {
         self.item.nodes.get(self.id.0 as usize).unwrap_or(&NO_NODE)
     }
 
+    #[inline]
     fn slice(self, start: u32, end: u32) -> &'a str {
         TextRange::new(start, end).slice(&self.item.text)
     }
 
     /// What the node is.
+    #[inline]
     pub fn kind(self) -> NodeKind {
         self.data().kind
     }
 
     /// Its number in the item.
+    #[inline]
     pub fn id(self) -> NodeId {
         self.id
     }
 
     /// The item it belongs to.
+    #[inline]
     pub fn item(self) -> &'a Item {
         self.item
     }
 
     /// All of its text, relative to the item. The root's, in the header, is its start tag.
+    #[inline]
     pub fn range(self) -> TextRange {
         TextRange::new(self.data().start, self.data().end)
     }
 
     /// The name of an element as written, the target of an instruction; else empty.
+    #[inline]
     pub fn name(self) -> &'a str {
         self.name_range().slice(&self.item.text)
     }
 
     /// The part of the name behind the prefix.
+    #[inline]
     pub fn local_name(self) -> &'a str {
         self.name().split_once(':').map_or(self.name(), |(_, local)| local)
     }
 
     /// Where the name of the start tag stands.
+    #[inline]
     pub fn name_range(self) -> TextRange {
         let data = self.data();
         let start = data.start
@@ -159,11 +168,13 @@ impl<'a> Node<'a> {
     }
 
     /// The start tag from `<` to `>`.
+    #[inline]
     pub fn start_tag_range(self) -> TextRange {
         TextRange::new(self.data().start, self.data().start_tag_end)
     }
 
     /// The end tag from `</` to `>`. `None` for the root: see [`Document::root_end_tag`](super::Document::root_end_tag).
+    #[inline]
     pub fn end_tag(self) -> Option<TextRange> {
         let data = self.data();
         (data.end_tag != NONE).then(|| TextRange::new(data.end_tag, data.end))
@@ -178,11 +189,13 @@ impl<'a> Node<'a> {
     }
 
     /// Whether the start tag ends in `/>`.
+    #[inline]
     pub fn is_self_closing(self) -> bool {
         self.data().flags & SELF_CLOSING != 0
     }
 
     /// The attributes in document order, namespace declarations included.
+    #[inline]
     pub fn attrs(self) -> impl ExactSizeIterator<Item = Attr<'a>> + DoubleEndedIterator {
         let (start, end) = self.data().attrs;
         let item = self.item;
@@ -191,21 +204,25 @@ impl<'a> Node<'a> {
     }
 
     /// The first attribute with this name (as written).
+    #[inline]
     pub fn attr(self, name: &str) -> Option<Attr<'a>> {
         self.attrs().find(|attr| attr.name() == name)
     }
 
     /// The nodes inside, in order.
+    #[inline]
     pub fn children(self) -> Siblings<'a> {
         Siblings::new(self.item, self.id.0 + 1, self.data().subtree_end)
     }
 
     /// The elements inside, in order.
+    #[inline]
     pub fn child_elements(self) -> impl Iterator<Item = Node<'a>> {
         self.children().filter(|node| node.kind() == NodeKind::Element)
     }
 
     /// The first node inside.
+    #[inline]
     pub fn first_child(self) -> Option<Node<'a>> {
         self.children().next()
     }
@@ -220,6 +237,7 @@ impl<'a> Node<'a> {
     }
 
     /// The element around; `None` for the top-level nodes of an item.
+    #[inline]
     pub fn parent(self) -> Option<Node<'a>> {
         let parent = self.data().parent;
         (parent != NONE).then_some(Node { item: self.item, id: NodeId(parent) })
@@ -227,6 +245,7 @@ impl<'a> Node<'a> {
 
     /// Text as written; comments, CDATA and instructions without their delimiters (an instruction also
     /// without target and the white space behind it); other nodes in full.
+    #[inline]
     pub fn raw(self) -> &'a str {
         self.raw_range().slice(&self.item.text)
     }
@@ -259,6 +278,7 @@ impl<'a> Node<'a> {
     }
 
     /// Whether the raw text of a text node holds a `$`; for elements: whether an attribute does.
+    #[inline]
     pub fn has_dollar(self) -> bool {
         match self.kind() {
             NodeKind::Element => self.attrs().any(Attr::has_dollar),
@@ -305,6 +325,7 @@ impl<'a> Siblings<'a> {
 impl<'a> Iterator for Siblings<'a> {
     type Item = Node<'a>;
 
+    #[inline]
     fn next(&mut self) -> Option<Node<'a>> {
         if self.next >= self.end {
             return None;
@@ -324,41 +345,49 @@ pub struct Attr<'a> {
 
 impl<'a> Attr<'a> {
     /// The item it belongs to.
+    #[inline]
     pub fn item(self) -> &'a Item {
         self.item
     }
 
     /// The name as written.
+    #[inline]
     pub fn name(self) -> &'a str {
         self.name_range().slice(&self.item.text)
     }
 
     /// Where the name stands, relative to the item.
+    #[inline]
     pub fn name_range(self) -> TextRange {
         TextRange::new(self.data.name, self.data.name + self.data.name_len)
     }
 
     /// Name, `=` and value with its quotes, as far as they are there.
+    #[inline]
     pub fn range(self) -> TextRange {
         TextRange::new(self.data.name, self.data.end)
     }
 
     /// The text between the quotes as written.
+    #[inline]
     pub fn raw(self) -> &'a str {
         self.value_range().slice(&self.item.text)
     }
 
     /// Where [`raw`](Self::raw) stands.
+    #[inline]
     pub fn value_range(self) -> TextRange {
         TextRange::new(self.data.value, self.data.value_end)
     }
 
     /// Whether there is a `=`.
+    #[inline]
     pub fn has_equals(self) -> bool {
         self.data.flags & HAS_EQUALS != 0
     }
 
     /// Whether the value has both its quotes.
+    #[inline]
     pub fn is_quoted(self) -> bool {
         self.data.flags & QUOTED != 0
     }
@@ -385,6 +414,7 @@ impl<'a> Attr<'a> {
     }
 
     /// Whether the raw value holds a `$`.
+    #[inline]
     pub fn has_dollar(self) -> bool {
         self.data.flags & HAS_DOLLAR != 0
     }

@@ -222,16 +222,19 @@ fn a_broken_root_keeps_its_content() {
 #[test]
 fn errors_name_the_thing_and_the_remedy() {
     for (text, message) in [
-        ("<r><link name=\"a\"></r>", "`<link>` is not closed before `</r>`: add `</link>`"),
-        ("<r><x:a/></r>", "prefix `x` is not declared: add `xmlns:x=\"...\"` to the root"),
-        ("<r a='1' a='2'/>", "attribute `a` is given twice: remove one"),
-        ("<r>a & b</r>", "a plain `&` must be written `&amp;`"),
+        ("<r><link name=\"a\"></r>", "unclosed element `<link>` before `</r>`\nadd `</link>`"),
+        ("<r><x:a/></r>", "undeclared prefix `x`\nadd xmlns:x=\"...\" to the root element"),
+        ("<r a='1' a='2'/>", "duplicate attribute `a`\nremove one of them"),
+        ("<r>a & b</r>", "unescaped `&`\nwrite `&amp;`"),
         (
             "<r>&nbsp;</r>",
-            "entity `nbsp` is not defined: XML knows only `amp`, `lt`, `gt`, `quot` and `apos`",
+            "undefined entity `nbsp`\nuse `amp`, `lt`, `gt`, `quot` or `apos`, or write `&amp;` for a literal `&`",
         ),
-        ("<r><a></b></r>", "`</b>` does not match `<a>`: rename one of them"),
-        ("", "there is no element: a description begins with `<robot name=\"...\">`"),
+        (
+            "<r><a></b></r>",
+            "end tag `</b>` does not match start tag `<a>`\nwrite `</a>`, or rename the start tag",
+        ),
+        ("", "no root element\nadd <robot name=\"...\">"),
     ] {
         assert_eq!(Document::parse(text).errors()[0].message, message, "{text}");
     }

@@ -51,7 +51,7 @@ impl<'a> Found<'a> {
                     continue;
                 }
                 error.message =
-                    format!("prefix `{prefix}` is not declared: add `xmlns:{prefix}=\"...\"` to the root");
+                    format!("undeclared prefix `{prefix}`\nadd xmlns:{prefix}=\"...\" to the root element");
             }
             error.range = error.range.shift(start);
             error.related = error.related.map(|(range, label)| (range.shift(start), label));
@@ -101,7 +101,7 @@ impl Document {
                     range: TextRange::empty(start),
                     related: None,
                     message: format!(
-                        "the entities of this file expand to more than {ENTITY_FACTOR} times the text it has"
+                        "entities expand to more than {ENTITY_FACTOR} times the size of the file"
                     ),
                     expat: expat::AMPLIFICATION,
                     expat_offset: start,
@@ -150,40 +150,41 @@ fn describe(fault: EntityFault, name: &str) -> (SyntaxErrorKind, &'static str, S
         EntityFault::Undefined => (
             UndefinedEntity,
             expat::UNDEFINED_ENTITY,
-            format!("entity `{name}` is not defined: XML knows only `amp`, `lt`, `gt`, `quot` and `apos`"),
+            format!(
+                "undefined entity `{name}`\nuse `amp`, `lt`, `gt`, `quot` or `apos`, or write `&amp;` for a literal `&`"
+            ),
         ),
         EntityFault::Recursive => {
             (BadEntity, expat::RECURSIVE_ENTITY, format!("entity `{name}` refers to itself"))
         }
         EntityFault::TooLarge => {
             let message = format!(
-                "entity `{name}` grows to more than {} MB, all entities to more than {} MB, or they are nested more \
-                 than {ENTITY_DEPTH} deep",
+                "entity `{name}` exceeds a limit: {} MB for one entity, {} MB for all, {ENTITY_DEPTH} levels",
                 ENTITY_BYTES >> 20,
                 ENTITIES_BYTES >> 20
             );
             (BadEntity, expat::AMPLIFICATION, message)
         }
-        EntityFault::Unparsed => {
-            (BadEntity, expat::BINARY_ENTITY, format!("entity `{name}` stands for data that is no text"))
-        }
+        EntityFault::Unparsed => (BadEntity, expat::BINARY_ENTITY, format!("entity `{name}` is not text")),
         EntityFault::ExternalInAttribute => (
             BadEntity,
             expat::EXTERNAL_IN_ATTRIBUTE,
-            format!("entity `{name}` is external: it may not stand in an attribute"),
+            format!("external entity `{name}` is not allowed in an attribute"),
         ),
-        EntityFault::BadCharacter => {
-            (BadEntity, expat::BAD_CHAR_REF, format!("entity `{name}` holds a character XML does not allow"))
-        }
+        EntityFault::BadCharacter => (
+            BadEntity,
+            expat::BAD_CHAR_REF,
+            format!("entity `{name}` contains a character that is not allowed in XML"),
+        ),
         EntityFault::Unfinished => {
-            (BadEntity, expat::UNCLOSED_TOKEN, format!("the text of entity `{name}` ends inside a reference"))
+            (BadEntity, expat::UNCLOSED_TOKEN, format!("text of entity `{name}` ends inside a reference"))
         }
         EntityFault::Markup(verdict) => {
-            let message = format!("the markup in the text of entity `{name}` is not well-formed by itself");
+            let message = format!("markup in entity `{name}` is not well-formed");
             (BadEntity, verdict, message)
         }
         EntityFault::Malformed => {
-            (BadEntity, expat::INVALID, format!("the text of entity `{name}` does not fit here"))
+            (BadEntity, expat::INVALID, format!("text of entity `{name}` is not allowed here"))
         }
     }
 }

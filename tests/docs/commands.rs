@@ -239,7 +239,7 @@ fn commands_in_running_text_exist() {
             let mut words = call.split_whitespace().skip(1);
             let command = words.next().unwrap_or("");
             if !reference.contains(&format!("### `{command}`\n")) {
-                wrong.push(format!("{page}: `{call}`: there is no command `{command}`"));
+                wrong.push(format!("{page}: `{call}`: unknown command `{command}`"));
             }
             // `expand` has the options of xacro, which no table lists
             for option in words.filter(|word| word.starts_with("--") && command != "expand") {

@@ -23,7 +23,7 @@ WORK = os.path.join(REPOSITORY, 'target', 'fuzz')
 sys.path.insert(0, os.path.join(REPOSITORY, 'tests', 'differential'))
 import reference  # noqa: E402
 
-TARGETS = ('xml edits formatter expression yaml expander fixes mesh configuration messages').split()
+TARGETS = ('xml edits formatter expression yaml expander fixes mesh configuration launch messages').split()
 DESCRIPTIONS = {'xml': b'', 'edits': b'', 'formatter': b'\0', 'expander': b'\1', 'fixes': b'\1'}
 
 

@@ -82,7 +82,7 @@ fn a_typo_is_replaced_by_the_suggestion() {
     assert_eq!(fix["kind"], "quickfix");
     assert_eq!(fix["diagnostics"][0]["code"], "undefined-property");
     assert!(client.after(ROBOT, &fix["edit"]).contains("0 0 ${m0}"));
-    let made = client.after(ROBOT, &titled(&found, "create property `m_0`")["edit"]);
+    let made = client.after(ROBOT, &titled(&found, "Add property `m_0`")["edit"]);
     assert!(
         made.contains("  <xacro:property name=\"m_0\" value=\"0\"/>\n  <xacro:unit name=\"tilt\""),
         "{made}"
@@ -98,7 +98,7 @@ fn names_of_unsaved_includes_are_mended_too() {
     client.edit(ROBOT, "value=\"0.15\"", "value=\"0.16\"");
     let found = fixes(&mut client, ROBOT, "undefined-macro");
     assert!(client.after(ROBOT, &titled(&found, "unitt")["edit"]).contains("<xacro:unitt name=\"pan\""));
-    let made = client.after(ROBOT, &titled(&found, "create macro `unit`")["edit"]);
+    let made = client.after(ROBOT, &titled(&found, "Add macro `unit`")["edit"]);
     assert!(
         made.contains("<xacro:macro name=\"unit\" params=\"name parent *content\"></xacro:macro>"),
         "{made}"
@@ -123,31 +123,31 @@ fn missing_things_are_created_where_they_are_missed() {
         (
             "  <link name=\"$(arg side)\"/>",
             "undefined-arg",
-            "declare argument `side`",
+            "Add argument `side`",
             "xacro\">\n  <xacro:arg name=\"side\" default=\"\"/>\n  <link",
         ),
         (
             "  <link name=\"a\"/>\n  <joint name=\"j\" type=\"fixed\"><parent link=\"a\"/><child link=\"tool\"/></joint>",
             "undefined-link",
-            "create link `tool`",
+            "Add link `tool`",
             "  <link name=\"tool\"/>\n  <joint",
         ),
         (
             "  <link name=\"a\"/>\n  <link name=\"b\"/>\n  <joint name=\"j\" type=\"revolute\">\n    <parent link=\"a\"/><child link=\"b\"/>\n  </joint>",
             "missing-joint-limit",
-            "add a `limit`",
+            "Add `limit`",
             "<child link=\"b\"/>\n    <limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>\n  </joint>",
         ),
         (
             "  <link name=\"a\"><visual><geometry><sphere/></geometry></visual></link>",
             "missing-attribute",
-            "add `radius`",
+            "Add `radius`",
             "<sphere radius=\"\"/>",
         ),
         (
             "  <xacro:macro name=\"m\" params=\"a\">\n    <link name=\"${a}${prefix}\"/>\n  </xacro:macro>\n  <xacro:m a=\"x\"/>",
             "undefined-property",
-            "create parameter `prefix` of macro `m`",
+            "Add parameter `prefix` to macro `m`",
             "params=\"a prefix\"",
         ),
     ] {
@@ -162,11 +162,11 @@ fn missing_things_are_created_where_they_are_missed() {
 fn broken_syntax_is_mended() {
     let mut client = Client::start();
     for (content, title, expected) in [
-        ("<link name=\"a\"></lnk>", "close `link`", "<link name=\"a\"></link>"),
-        ("<link name=\"a\" name=\"b\"/>", "remove the second `name`", "<link name=\"a\"/>"),
-        ("<link name=\"a < b\"/>", "write `&lt;`", "<link name=\"a &lt; b\"/>"),
-        ("<link name=\"a & b\"/>", "write `&amp;`", "<link name=\"a &amp; b\"/>"),
-        ("<link name=\"a\"><visual></link>", "close `visual`", "<visual></visual></link>"),
+        ("<link name=\"a\"></lnk>", "Change end tag to `link`", "<link name=\"a\"></link>"),
+        ("<link name=\"a\" name=\"b\"/>", "Remove duplicate `name`", "<link name=\"a\"/>"),
+        ("<link name=\"a < b\"/>", "Replace with `&lt;`", "<link name=\"a &lt; b\"/>"),
+        ("<link name=\"a & b\"/>", "Replace with `&amp;`", "<link name=\"a &amp; b\"/>"),
+        ("<link name=\"a\"><visual></link>", "Add `</visual>`", "<visual></visual></link>"),
     ] {
         show(&mut client, &robot(content));
         let found = fixes(&mut client, FILE, "xml-syntax-error");
@@ -179,8 +179,8 @@ fn broken_syntax_is_mended() {
 fn a_finding_can_be_hidden() {
     let mut client = Client::start();
     for (title, expected) in [
-        ("here", "\n  <!-- xacro-lint: disable-next-line undefined-link -->\n  <joint"),
-        ("in this file", "<!-- xacro-lint: disable-file undefined-link -->\n<robot"),
+        ("for this line", "\n  <!-- xacro-lint: disable-next-line undefined-link -->\n  <joint"),
+        ("for this file", "<!-- xacro-lint: disable-file undefined-link -->\n<robot"),
     ] {
         // the finding stands at the child: the comment goes in front of its own tag
         show(
@@ -225,7 +225,7 @@ fn all_safe_fixes_are_made_at_once() {
     let fix = fixes(&mut client, FILE, "missing-axis");
     assert_eq!(titled(&fix, "1 0 0")["isPreferred"], true);
     let fix = fixes(&mut client, FILE, "string-bool-comparison");
-    assert_eq!(titled(&fix, "write `q`")["isPreferred"], Value::Null);
+    assert_eq!(titled(&fix, "Write `q`")["isPreferred"], Value::Null);
     assert!(
         actions(&mut client, FILE, "|<robot", &[], &[]).iter().all(|a| a["kind"] != "source.fixAll.xacro")
     );
@@ -267,7 +267,7 @@ fn inertia_follows_from_the_geometry() {
     ] {
         show(&mut client, &robot(&SOLID.replace("<box size=\"1 2 3\"/>", shape)));
         let found = actions(&mut client, FILE, "<in|ertial>", &[], &["refactor.rewrite"]);
-        let made = client.after(FILE, &titled(&found, "compute the inertia")["edit"]);
+        let made = client.after(FILE, &titled(&found, "Compute inertia")["edit"]);
         let [x, y, z] = expected;
         let inertia = format!("<inertia ixx=\"{x}\" ixy=\"0\" ixz=\"0\" iyy=\"{y}\" iyz=\"0\" izz=\"{z}\"/>");
         assert!(made.contains(&inertia), "{made}");
@@ -308,7 +308,7 @@ fn a_number_becomes_a_property_and_a_property_a_number() {
         ),
     );
     let found = actions(&mut client, FILE, "size=\"0|.1", &[], &["refactor.extract"]);
-    let one = client.after(FILE, &titled(&found, "make `0.1`")["edit"]);
+    let one = client.after(FILE, &titled(&found, "Extract `0.1`")["edit"]);
     let property = "  <xacro:property name=\"box_size\" value=\"0.1\"/>\n  <link name=\"🤖 0.1\">";
     assert!(one.contains(property) && one.contains("size=\"${box_size} 0.2 ${0.1 * 2}\""), "{one}");
     let all = client.after(FILE, &titled(&found, "all 2")["edit"]);
@@ -316,7 +316,7 @@ fn a_number_becomes_a_property_and_a_property_a_number() {
     show(&mut client, &all);
     for place in ["name=\"box|_size\"", "${box|_size}"] {
         let found = actions(&mut client, FILE, place, &[], &["refactor.inline"]);
-        let back = client.after(FILE, &titled(&found, "inline property `box_size`")["edit"]);
+        let back = client.after(FILE, &titled(&found, "Inline property `box_size`")["edit"]);
         assert!(back.contains("size=\"0.1 0.2 ${0.1 * 2}\""), "{back}");
         assert!(!back.contains("property"), "{back}");
     }
@@ -356,11 +356,11 @@ fn elements_are_wrapped_in_a_condition() {
         &[],
         &["refactor"],
     );
-    let made = client.after(FILE, &titled(&found, "wrap in `xacro:if`")["edit"]);
+    let made = client.after(FILE, &titled(&found, "Wrap in `xacro:if`")["edit"]);
     let expected = "  <xacro:if value=\"true\">\n    <link name=\"a\"/>\n    <link name=\"b\">\n      <!-- c -->\n    </link>\n  </xacro:if>";
     assert_eq!(made, robot(expected));
     let found = actions(&mut client, FILE, "  «<link name=\"a\"/>\n  <link name=\"b\">»", &[], &["refactor"]);
-    assert!(found.iter().all(|action| !action["title"].as_str().unwrap().contains("wrap")), "{found:?}");
+    assert!(found.iter().all(|action| !action["title"].as_str().unwrap().contains("Wrap")), "{found:?}");
 }
 
 #[test]
@@ -376,7 +376,7 @@ fn a_call_gives_way_to_what_it_makes() {
     let mut client = Client::start();
     client.open(ROBOT);
     let found = actions(&mut client, ROBOT, "<xacro:un|it name=\"tilt\"", &[], &["refactor.inline"]);
-    let made = client.after(ROBOT, &titled(&found, "expand macro `unit` here, fully evaluated")["edit"]);
+    let made = client.after(ROBOT, &titled(&found, "Expand macro call `unit` with evaluated values")["edit"]);
     let expected = "  <link name=\"tilt_body\">\n    <inertial>\n      <mass value=\"0.3\"/>\n";
     assert!(made.contains(expected), "{made}");
     assert!(
@@ -431,7 +431,7 @@ fn what_links_and_joints_lack_is_added() {
     );
     show(&mut client, &robot(content).replace("/>\n</robot>", "><xacro:x/></joint>\n</robot>"));
     let found = actions(&mut client, FILE, "<joi|nt", &[], &["refactor.rewrite"]);
-    assert!(found.iter().all(|action| !action["title"].as_str().unwrap().contains("add")), "{found:?}");
+    assert!(found.iter().all(|action| !action["title"].as_str().unwrap().starts_with("Add")), "{found:?}");
 }
 
 #[test]
@@ -441,7 +441,7 @@ fn a_rule_can_be_switched_off_for_the_project() {
     let mut client = Client::with(folder, Options::default());
     show(&mut client, &robot("  <link name=\"${nothing}\"/>"));
     let found = fixes(&mut client, FILE, "undefined-property");
-    let changes = &titled(&found, "in the project")["edit"]["changes"][client.uri("xacro-lint.toml")];
+    let changes = &titled(&found, "for this project")["edit"]["changes"][client.uri("xacro-lint.toml")];
     assert_eq!(changes[0]["newText"], "\"undefined-property\", ");
     assert_eq!(changes[0]["range"]["start"], json!({ "line": 0, "character": 10 }));
 }

@@ -71,6 +71,11 @@ fn links_are_offered_at_the_end_of_a_cut_file() {
 }
 
 #[test]
+fn a_block_that_is_given_to_a_macro_has_the_attributes_of_its_element() {
+    check("<xacro:unit name=\"third\" parent=\"desk\"><origin ", &["xyz", "rpy"], &["name"]);
+}
+
+#[test]
 fn joints_are_offered_where_joints_are_named() {
     check("<joint name=\"j\" type=\"revolute\"><mimic joint=\"", &["pan", "tilt"], &["desk"]);
     check("<transmission name=\"t\"><joint name=\"", &["pan", "tilt"], &["desk"]);
@@ -317,7 +322,10 @@ fn an_empty_file_gets_a_root_with_its_namespace() {
             .unwrap()
             .contains("xmlns:xacro=\"http://www.ros.org/wiki/xacro\"")
     );
-    client.edit(ROBOT, "<", "<robot name=\"r\" xmlns:");
+    client.edit(ROBOT, "<", "rob");
+    let robot = item(&mut client, ROBOT, "rob|", "robot");
+    assert!(robot["textEdit"]["newText"].as_str().unwrap().starts_with("<robot"), "{robot}");
+    client.edit(ROBOT, "rob", "<robot name=\"r\" xmlns:");
     let namespace = item(&mut client, ROBOT, "xmlns:|", "xmlns:xacro");
     assert_eq!(namespace["textEdit"]["newText"], "xmlns:xacro=\"http://www.ros.org/wiki/xacro\"");
 }

@@ -8,7 +8,7 @@ use super::workspace::{ROBOT, ROBOT_TEXT, UNIT, write};
 fn notes<'a>(client: &'a Client, method: &str) -> Vec<&'a str> {
     let ours = client.notes.iter().filter(|note| note["method"] == method);
     let texts = ours.filter_map(|note| note["params"]["message"].as_str());
-    texts.filter(|text| text.contains("internal fault")).collect()
+    texts.filter(|text| text.contains("internal error")).collect()
 }
 
 #[cfg(debug_assertions)]
@@ -20,7 +20,7 @@ fn a_fault_in_a_job_is_answered_logged_and_shown_once_and_the_server_lives() {
         let id = client.post("xacro/debug/fail", json!({}));
         let reply = client.reply(id);
         assert_eq!(reply["error"]["code"], -32603, "{reply}");
-        assert_eq!(reply["error"]["message"], "an internal fault: the log says more");
+        assert_eq!(reply["error"]["message"], "internal error; see the log for details");
     }
     client.wait(
         |client| (notes(client, "window/logMessage").len() == 3).then_some(()),

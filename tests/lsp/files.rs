@@ -104,3 +104,34 @@ fn files_that_come_and_go_are_noticed() {
     client.notify("workspace/didDeleteFiles", files);
     assert!(client.eventually(|client| missing(client) == 1));
 }
+
+#[test]
+fn who_opens_an_installed_copy_is_offered_the_source() {
+    const COPY: &str = "install/pan_tilt/share/pan_tilt/urdf/unit.xacro";
+    for shows in [true, false] {
+        let folder = super::workspace::pan_tilt();
+        write(&folder, COPY, super::workspace::UNIT_TEXT);
+        write(&folder, "install/pan_tilt/share/ament_index/resource_index/packages/pan_tilt", "");
+        let manifest = std::fs::read(folder.join("src/pan_tilt/package.xml")).unwrap();
+        write(&folder, "install/pan_tilt/share/pan_tilt/package.xml", manifest);
+        let capabilities = json!({ "window": { "showDocument": { "support": shows } } });
+        let mut client = super::client::Client::with(
+            folder,
+            super::client::Options { capabilities, ..Default::default() },
+        );
+        client.open(UNIT);
+        client.open(COPY);
+        let method = if shows { "window/showMessageRequest" } else { "window/showMessage" };
+        let told = |client: &mut Client| {
+            let said = client.asked.iter().chain(&client.notes);
+            let mut said = said.filter(|said| said["method"] == method);
+            said.next().map(|said| said["params"].clone())
+        };
+        let said = client.wait(told, || "nothing said of the copy".to_owned());
+        let message = said["message"].as_str().unwrap();
+        assert!(message.starts_with("`unit.xacro` is an installed copy"), "{message}");
+        assert!(message.ends_with("src/pan_tilt/urdf/unit.xacro`"), "{message}");
+        let actions = if shows { json!([{ "title": "Open Source" }]) } else { Value::Null };
+        assert_eq!(said["actions"], actions);
+    }
+}

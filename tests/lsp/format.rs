@@ -45,6 +45,10 @@ fn the_editor_says_how_far_lines_are_indented() {
         let expected = expected.replace("--></robot>", "-->\n</robot>");
         assert_eq!(formatted(&mut client, FILE, &options), expected);
     }
+    // tabs are what an editor asks for by default: blanks stay
+    let text = "<robot name=\"🤖\">\n   <link name=\"é\">\n      <visual/>\n   </link>\n</robot>\n";
+    client.open_with(ROBOT, text);
+    assert_eq!(formatted(&mut client, ROBOT, &json!({ "tabSize": 8, "insertSpaces": false })), text);
 }
 
 #[test]

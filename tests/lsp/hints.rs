@@ -34,12 +34,11 @@ fn values_stand_behind_expressions() {
     let mut client = both();
     assert_eq!(hints(&mut client, ROBOT), ["6 → desk", "7 → desk", "7 at:", "8 at:", "8 = 0.05"]);
     let found = hints(&mut client, UNIT);
+    // several of a line stand at its end
     let expected = [
-        "4 = pan, tilt",
-        "4 = 0.3",
+        "4 name = pan, tilt; value = 0.3",
         "5 = pan, tilt",
-        "6 = desk, pan_body",
-        "6 = pan, tilt",
+        "6 link = desk, pan_body; link = pan, tilt",
         "7 = 0 0 1, 0 1 0",
     ];
     assert_eq!(found, expected);
@@ -60,7 +59,28 @@ fn more_than_three_values_are_cut() {
     client.edit(ROBOT, "</robot>", &format!("{}</robot>", calls.concat()));
     assert!(hints(&mut client, UNIT).contains(&"5 = pan, tilt, …".to_owned()));
     client.edit(ROBOT, "</robot>", "<link name=\"");
-    assert!(hints(&mut client, UNIT).contains(&"4 = 0.3".to_owned()));
+    assert!(hints(&mut client, UNIT).iter().any(|hint| hint.ends_with("value = 0.3")));
+}
+
+#[test]
+fn numbers_are_short_and_what_is_evident_has_no_hint() {
+    let mut client = both();
+    let call = "<xacro:unit name=\"tilt\"";
+    let lines = [
+        ("<origin xyz=\"${1 / m0} 0 0\"/>", Some("= 6.667")),
+        ("<origin rpy=\"0 0 ${m0 * pi}\"/>", Some("= 0.4712 (27°)")),
+        ("<origin rpy=\"${pi} 0 0\"/>", None),
+        ("<origin rpy=\"0 ${-pi/2} 0\"/>", None),
+        ("<xacro:property name=\"m1\" value=\"${m0}\"/>", None),
+        ("<xacro:property name=\"side\" value=\"left_\"/><link name=\"${side}foot\"/>", None),
+    ];
+    for (line, expected) in lines {
+        client.edit(ROBOT, call, &format!("{line}\n{call}"));
+        let found = hints(&mut client, ROBOT);
+        let own = found.iter().find_map(|hint| hint.strip_prefix("8 "));
+        assert_eq!(own, expected, "{line}: {found:?}");
+        client.edit(ROBOT, &format!("{line}\n"), "");
+    }
 }
 
 #[test]

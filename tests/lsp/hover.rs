@@ -111,7 +111,7 @@ fn elements_and_attributes_are_explained() {
         "axis",
         &["unit vector in the joint frame", "`1 0 0`", "`<joint>`", "wiki.ros.org"],
     );
-    check(&mut client, UNIT, "<iner|tia ", "inertia", &["about the centre of mass", "kg m²"]);
+    check(&mut client, UNIT, "<iner|tia ", "inertia", &["about the center of mass", "kg m²"]);
     check(&mut client, UNIT, "upper=\"1.|57\"", "1.57", &["`1.57 rad (89.95°)`"]);
     check(&mut client, UNIT, "velocity=\"|2\"", "2", &["114.59°/s"]);
     check(&mut client, UNIT, "<xacro:ma|cro", "xacro:macro", &["Defines"]);
@@ -124,7 +124,7 @@ fn links_and_joints_show_where_they_hang() {
         "`desk → pan → pan_body`",
         "mass 0.3 kg",
         "`tilt_body` by `tilt`",
-        "made by `unit` at pan_tilt.urdf.xacro:7",
+        "from `unit` at pan_tilt.urdf.xacro:7",
     ];
     check(&mut client, ROBOT, "parent=\"pan|_body\"", "pan_body", &expected);
     check(
@@ -159,7 +159,7 @@ fn includes_and_meshes_lead_to_files() {
     let visual = "<link name=\"$(arg mount)\"><visual><geometry>\
         <mesh filename=\"package://pan_tilt/meshes/head.stl\"/></geometry></visual></link>";
     client.edit(ROBOT, "<link name=\"$(arg mount)\"/>", visual);
-    let expected = ["/meshes/head.stl", "1 triangle", "200 × 300 × 0 m", "millimetres"];
+    let expected = ["/meshes/head.stl", "1 triangle", "200 × 300 × 0 m", "millimeters"];
     check(&mut client, ROBOT, "meshes/he|ad.stl", "package://pan_tilt/meshes/head.stl", &expected);
 }
 
@@ -172,7 +172,7 @@ fn conditions_and_colours_show_what_they_are_now() {
         "<xacro:if value=\"${m0 > 1}\"><link name=\"x\"/></xacro:if>\
         <material name=\"red\"><color rgba=\"1 0 0 1\"/></material></robot>",
     );
-    check(&mut client, ROBOT, "<xacro:i|f", "xacro:if", &["now false", "left out"]);
+    check(&mut client, ROBOT, "<xacro:i|f", "xacro:if", &["now false", "excluded"]);
     check(&mut client, ROBOT, "rgba=\"1 |0 0 1\"", "1 0 0 1", &["#ff0000", "data:image/svg+xml"]);
 }
 
@@ -186,7 +186,7 @@ fn broken_files_unsaved_includes_and_wide_characters_change_nothing() {
     client.edit(UNIT, "${m0 * 2}", "${m0 * 4}");
     check(&mut client, UNIT, "${m0 |* 4}", "${m0 * 4}", &["`0.6`"]);
     client.edit(ROBOT, "${m0 / 3}", "${m0 / nothing}");
-    check(&mut client, ROBOT, "${m0 |/ nothing}", "${m0 / nothing}", &["cannot be computed"]);
+    check(&mut client, ROBOT, "${m0 |/ nothing}", "${m0 / nothing}", &["is unknown"]);
 }
 
 #[test]
@@ -201,7 +201,7 @@ fn a_macro_that_nothing_calls_has_no_values() {
     let idle =
         "<xacro:macro name=\"idle\" params=\"size:=2\"><link name=\"${size * 2}\"/></xacro:macro></robot>";
     client.edit(ROBOT, "</robot>", idle);
-    let expected = ["**parameter** `size` = ?", "nothing calls the macro", "default `2`"];
+    let expected = ["**parameter** `size` = ?", "the macro is never called", "default `2`"];
     check(&mut client, ROBOT, "params=\"si|ze", "size", &expected);
     check(&mut client, ROBOT, "${size |* 2}", "${size * 2}", &["= ?", "`size` has no known value"]);
 }
@@ -280,4 +280,22 @@ fn names_read_the_same_while_a_large_robot_is_edited() {
         assert_eq!(while_typing, hover(&mut fresh, FILE, at), "{new}");
         client.edit(FILE, new, old);
     }
+}
+
+#[test]
+fn an_argument_lists_the_values_of_launch_files() {
+    let mut client = Client::start();
+    const FILE: &str = "src/pan_tilt/urdf/launched.urdf.xacro";
+    let robot = "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><xacro:arg name=\"side\" default=\"left\"/>\
+                 <link name=\"$(arg side)_base\"/></robot>\n";
+    let call = |side: &str| {
+        format!(
+            "Command(['xacro ', FindPackageShare('pan_tilt'), '/urdf/launched.urdf.xacro side:={side}'])\n"
+        )
+    };
+    workspace::write(&client.folder, "src/pan_tilt/launch/one.launch.py", call("right"));
+    workspace::write(&client.folder, "src/pan_tilt/launch/two.launch.py", call("left"));
+    client.open_with(FILE, robot);
+    let expected = ["in launch files:", "* `right`: one.launch.py", "* `left`: two.launch.py"];
+    check(&mut client, FILE, "$(arg si|de)", "side", &expected);
 }

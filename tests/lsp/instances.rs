@@ -157,7 +157,7 @@ fn an_instance_that_is_not_there_is_refused() {
     let mut params = client.at(ROBOT, "<link na|me");
     params["instance"] = json!(0);
     let id = client.post("xacro/setInstance", params);
-    assert!(client.reply(id)["error"]["message"].as_str().unwrap().contains("no macro"));
+    assert!(client.reply(id)["error"]["message"].as_str().unwrap().contains("no called macro"));
 }
 
 #[test]

@@ -135,7 +135,7 @@ fn name_letters() {
     params["newName"] = json!("n".repeat(NAME_LETTERS + 1));
     let id = client.post("textDocument/rename", params);
     let message = client.reply(id)["error"]["message"].as_str().unwrap().to_owned();
-    assert!(message.contains("more than 200 letters"), "{message}");
+    assert!(message.contains("limited to 200 characters"), "{message}");
 }
 
 fn subscribe(client: &mut Client) -> Value {
@@ -161,7 +161,7 @@ fn views() {
         assert!(subscribe(&mut client)["error"].is_null());
     }
     let message = subscribe(&mut client)["error"]["message"].as_str().unwrap().to_owned();
-    assert!(message.contains("32 previews are open: close one first"), "{message}");
+    assert!(message.contains("the limit of 32 open previews is reached: close one first"), "{message}");
 }
 
 #[test]

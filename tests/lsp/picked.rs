@@ -32,8 +32,8 @@ fn expanded(client: &mut Client, file: &str) -> String {
 fn edits_are_made_when_an_action_is_picked() {
     let mut client = picking();
     show(&mut client, &robot("<!-- 🤖 --><link name=\"a\"/>\n<link name=\"l\"/>"));
-    let found = actions(&mut client, FILE, "<li|nk name=\"l\"", &[], &["refactor"]);
-    let action = titled(&found, "wrap in `xacro:if`").clone();
+    let found = actions(&mut client, FILE, "«<link name=\"l\"/>»", &[], &["refactor"]);
+    let action = titled(&found, "Wrap in `xacro:if`").clone();
     assert!(action["edit"].is_null() && !action["data"].is_null(), "{action}");
     let resolved = client.request("codeAction/resolve", action.clone());
     let made = client.after(FILE, &resolved["edit"]);
@@ -51,12 +51,12 @@ fn edits_are_made_when_an_action_is_picked() {
     // who does not ask gets the edits at once
     let mut plain = Client::start();
     show(&mut plain, &robot("<link name=\"l\"/>"));
-    let found = actions(&mut plain, FILE, "<li|nk", &[], &["refactor"]);
-    assert!(!titled(&found, "wrap in `xacro:if`")["edit"].is_null());
+    let found = actions(&mut plain, FILE, "«<link name=\"l\"/>»", &[], &["refactor"]);
+    assert!(!titled(&found, "Wrap in `xacro:if`")["edit"].is_null());
     // quick fixes bring theirs along
     client.edit(FILE, "name=\"ll\"", "name=\"${m_0}\"");
     let fixes = super::actions::fixes(&mut client, FILE, "undefined-property");
-    assert!(!titled(&fixes, "create property `m_0`")["edit"].is_null());
+    assert!(!titled(&fixes, "Add property `m_0`")["edit"].is_null());
 }
 
 /// A macro with comments, a number, an argument of the command line and a block.
@@ -100,8 +100,8 @@ fn a_macro_is_expanded_as_it_is_written() {
             ),
         ] {
             let found = actions(&mut client, FILE, call, &[], &["refactor.inline"]);
-            let mut action = titled(&found, "expand macro `arm` here").clone();
-            assert_eq!(action["title"], "expand macro `arm` here");
+            let mut action = titled(&found, "Expand macro call `arm`").clone();
+            assert_eq!(action["title"], "Expand macro call `arm`");
             if lazy {
                 action = client.request("codeAction/resolve", action);
             }
@@ -119,7 +119,7 @@ fn a_macro_is_expanded_fully_when_that_is_asked_for() {
     let mut client = Client::start();
     show(&mut client, &robot(ARM));
     let found = actions(&mut client, FILE, "<xacro:ar|m name=\"a\"", &[], &["refactor.inline"]);
-    let changed = client.after(FILE, &titled(&found, "here, fully evaluated")["edit"]);
+    let changed = client.after(FILE, &titled(&found, "with evaluated values")["edit"]);
     assert!(changed.contains("<link name=\"a_left\">"), "{changed}");
     assert!(
         changed.contains("<mass value=\"-6.0\"/>") || changed.contains("<mass value=\"-6\"/>"),
@@ -132,7 +132,7 @@ fn a_macro_whose_text_means_something_else_outside_is_not_expanded() {
     let offered = |client: &mut Client, text: &str, call: &str| {
         show(client, &robot(text));
         let found = actions(client, FILE, call, &[], &["refactor.inline"]);
-        found.iter().any(|action| action["title"] == "expand macro `m` here")
+        found.iter().any(|action| action["title"] == "Expand macro call `m`")
     };
     let mut client = Client::start();
     let with = |params: &str, body: &str, call: &str| {
@@ -156,8 +156,8 @@ fn a_macro_whose_text_means_something_else_outside_is_not_expanded() {
     let mut client = picking();
     show(&mut client, &robot(nested));
     let found = actions(&mut client, FILE, "<xacro:|m a", &[], &["refactor.inline"]);
-    let refused = titled(&found, "expand macro `m` here");
-    assert!(refused["disabled"]["reason"].as_str().unwrap().contains("would not stay the same"), "{refused}");
+    let refused = titled(&found, "Expand macro call `m`");
+    assert!(refused["disabled"]["reason"].as_str().unwrap().contains("would change the robot"), "{refused}");
     assert!(refused["edit"].is_null() && refused["data"].is_null(), "{refused}");
     let mut silent = Client::with(pan_tilt(), Options { capabilities: resolving(), ..Options::default() });
     assert!(!offered(&mut silent, nested, "<xacro:|m a"));
@@ -171,7 +171,7 @@ fn an_unsaved_macro_of_another_file_is_expanded() {
     client.edit(UNIT, "<!-- A motor", "<!-- 🤖 A motor");
     client.edit(UNIT, "effort=\"3\"", "effort=\"4\"");
     let found = actions(&mut client, ROBOT, "<xacro:un|it name=\"tilt\"", &[], &["refactor.inline"]);
-    let changed = client.after(ROBOT, &titled(&found, "expand macro `unit` here")["edit"]);
+    let changed = client.after(ROBOT, &titled(&found, "Expand macro call `unit`")["edit"]);
     for part in [
         "<link name=\"tilt_body\">",
         "${m0 * 2}",
@@ -197,7 +197,7 @@ fn a_link_is_split_into_two() {
   </link>";
     show(&mut client, &robot(link));
     let found = actions(&mut client, FILE, "<li|nk", &[], &["refactor.rewrite"]);
-    let made = client.after(FILE, &titled(&found, "split link `🤖`")["edit"]);
+    let made = client.after(FILE, &titled(&found, "Split link `🤖`")["edit"]);
     let expected = "    </visual>
   </link>
   <link name=\"🤖_collision\">
@@ -220,7 +220,7 @@ fn a_link_is_split_into_two() {
     ] {
         show(&mut client, &robot(&text));
         let found = actions(&mut client, FILE, "<li|nk", &[], &["refactor.rewrite"]);
-        assert!(!found.iter().any(|action| action["title"].as_str().unwrap().contains("split")), "{found:?}");
+        assert!(!found.iter().any(|action| action["title"].as_str().unwrap().contains("Split")), "{found:?}");
     }
 }
 
@@ -239,7 +239,7 @@ fn inertia_follows_from_a_closed_mesh() {
     write(&client.folder, MESH, cube(1.0));
     show(&mut client, &with_mesh("<inertial>\n      <mass value=\"12\"/>\n    </inertial>"));
     let found = actions(&mut client, FILE, "<li|nk", &[], &["refactor.rewrite"]);
-    let action = titled(&found, "compute the inertia of the closed mesh `cube.stl`: 2 m³, 6 kg/m³");
+    let action = titled(&found, "Compute inertia from mesh `cube.stl` (2 m³, 6 kg/m³)");
     let made = client.after(FILE, &action["edit"]);
     assert!(made.contains("<origin xyz=\"1.5 0.5 1\" rpy=\"0 0 0\"/>\n      <mass value=\"12\"/>"), "{made}");
     // 1 m, 1 m and 2 m
@@ -248,7 +248,7 @@ fn inertia_follows_from_a_closed_mesh() {
     // without a mass it is that of a substance
     show(&mut client, &with_mesh(""));
     let found = actions(&mut client, FILE, "<li|nk", &[], &["refactor.rewrite"]);
-    let made = client.after(FILE, &titled(&found, "steel, 7850 kg/m³")["edit"]);
+    let made = client.after(FILE, &titled(&found, "steel (7850 kg/m³)")["edit"]);
     assert!(made.contains("\n      <mass value=\"15700\"/>\n"), "{made}");
     show(&mut client, &made);
     let left = client.findings(FILE);
@@ -267,9 +267,9 @@ fn an_open_mesh_has_no_inertia_and_says_why() {
     write(&client.folder, MESH, open);
     show(&mut client, &with_mesh("<inertial><mass value=\"12\"/></inertial>"));
     let found = actions(&mut client, FILE, "<li|nk", &[], &["refactor.rewrite"]);
-    let refused = titled(&found, "compute the inertia of the mesh `cube.stl`");
+    let refused = titled(&found, "Compute inertia from mesh `cube.stl`");
     let reason = refused["disabled"]["reason"].as_str().unwrap();
-    assert_eq!(reason, "mesh `cube.stl` is not closed: 3 edges have a triangle on one side only");
+    assert_eq!(reason, "mesh `cube.stl` is not closed: it has 3 open edges");
     assert_eq!(refused["edit"], Value::Null);
     // clients that cannot show it are not offered it
     let mut plain = Client::start();

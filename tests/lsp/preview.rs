@@ -185,7 +185,7 @@ fn meshes_are_named_by_ids_that_change_with_the_file() {
     assert!(shape["problem"].as_str().unwrap().contains("heat.stl"), "{shape}");
     let path = json!({ "id": id, "mesh": "../package.xml" });
     let asked = client.post("xacro/preview/mesh", path);
-    assert!(client.reply(asked)["error"]["message"].as_str().unwrap().contains("no robot"));
+    assert!(client.reply(asked)["error"]["message"].as_str().unwrap().contains("no open preview"));
 }
 
 #[test]

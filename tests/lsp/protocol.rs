@@ -152,7 +152,8 @@ fn reports_of_the_workspace_clear_files_that_are_not_open() {
     let capabilities = json!({ "textDocument": { "diagnostic": {} } });
     for says_ids in [true, false] {
         let folder = pan_tilt();
-        let broken = super::workspace::UNIT_TEXT.replace("${m0 * 2}", "${m1 * 2}");
+        // the first error of a closed file is shown at the call in the open one
+        let broken = super::workspace::UNIT_TEXT.replace("${m0 * 2}", "${m1 * 2}").replace("1e-3", "${m2}");
         write(&folder, UNIT, &broken);
         let mut client =
             Client::with(folder, Options { capabilities: capabilities.clone(), ..Options::default() });
@@ -208,11 +209,11 @@ fn fixes_are_those_of_the_range() {
             assert_eq!(action["diagnostics"][0]["code"], "undefined-property", "{action}");
         }
         let created = found.iter().filter_map(|action| action["title"].as_str()).map(str::to_owned);
-        created.filter(|title| title.contains("create property")).collect()
+        created.filter(|title| title.contains("Add property")).collect()
     };
     let none = |_: &[Value]| Vec::new();
-    assert_eq!(asked("${m|_0}", &none), ["create property `m_0`"]);
-    assert_eq!(asked("${m|_1}", &none), ["create property `m_1`"]);
+    assert_eq!(asked("${m|_0}", &none), ["Add property `m_0`"]);
+    assert_eq!(asked("${m|_1}", &none), ["Add property `m_1`"]);
     assert_eq!(asked("<li|nk name=\"${m_1}", &none), Vec::<String>::new());
     assert_eq!(asked("«<link name=\"🤖${m_0}\"/>\n<link name=\"${m_1}\"/>»", &none).len(), 2);
     // what the client names is chosen from these
@@ -221,7 +222,7 @@ fn fixes_are_those_of_the_range() {
     };
     assert_eq!(
         asked("«<link name=\"🤖${m_0}\"/>\n<link name=\"${m_1}\"/>»", &second),
-        ["create property `m_1`"]
+        ["Add property `m_1`"]
     );
     // one that was shown for an older text stands for what is there now
     let old = |found: &[Value]| -> Vec<Value> {
@@ -229,15 +230,15 @@ fn fixes_are_those_of_the_range() {
         old["range"]["end"] = json!({ "line": 1, "character": 60 });
         vec![old]
     };
-    assert_eq!(asked("${m|_0}", &old), ["create property `m_0`"]);
+    assert_eq!(asked("${m|_0}", &old), ["Add property `m_0`"]);
     // findings of others say nothing
     let foreign = |_: &[Value]| {
         let zero = json!({ "line": 0, "character": 0 });
         vec![json!({ "range": { "start": zero, "end": zero }, "message": "", "source": "xmllint" })]
     };
-    assert_eq!(asked("${m|_0}", &foreign), ["create property `m_0`"]);
+    assert_eq!(asked("${m|_0}", &foreign), ["Add property `m_0`"]);
     let found = super::actions::actions(&mut client, FILE, "${m|_0}", &[], &["quickfix"]);
-    assert!(client.after(FILE, &titled(&found, "create property `m_0`")["edit"]).contains("name=\"m_0\""));
+    assert!(client.after(FILE, &titled(&found, "Add property `m_0`")["edit"]).contains("name=\"m_0\""));
 }
 
 /// The titles of the actions at a place, as an editor asks on its own or as the user does.
@@ -254,7 +255,7 @@ fn titles(client: &mut Client, at: &str, is_automatic: bool) -> Vec<String> {
 fn a_sign_beside_the_text_waits_for_no_check() {
     let has_fix = |client: &mut Client, is_automatic| {
         let found = titles(client, "${m|_0}", is_automatic);
-        found.iter().any(|title| title.contains("create property"))
+        found.iter().any(|title| title.contains("Add property"))
     };
     let text = robot("<link name=\"🤖${m_0}\"/>");
     let mut client = Client::start();
@@ -274,7 +275,7 @@ fn a_large_robot_is_not_tried_out_for_a_sign_beside_the_text() {
     let mut client = Client::start();
     let links: String = (0..5_000).map(|number| format!("<link name=\"l{number}\"/>\n")).collect();
     let call = "<xacro:macro name=\"m\" params=\"a\"><link name=\"🤖${a}\"/></xacro:macro><xacro:m a=\"x\"/>";
-    let has_call = |titles: &[String]| titles.iter().any(|title| title == "expand macro `m` here");
+    let has_call = |titles: &[String]| titles.iter().any(|title| title == "Expand macro call `m`");
     for (further, expected) in [("", true), (links.as_str(), false)] {
         show(&mut client, &robot(&format!("{call}\n{further}")));
         assert_eq!(has_call(&titles(&mut client, "<xacro:|m a", true)), expected);

@@ -34,7 +34,7 @@ fn a_macro_is_made_of_elements_and_expands_to_the_same() {
     let before = expanded(&mut client, FILE);
     let marked = "«<link name=\"a\">\n    <inertial>\n      <mass value=\"${m * pi}\"/>\n    </inertial>\n  \
                   </link>\n  <link name=\"b_${m}\"/>»";
-    let changed = after(&mut client, marked, "make a macro `extracted`");
+    let changed = after(&mut client, marked, "Extract selection to macro `extracted`");
     assert!(changed.contains("<xacro:macro name=\"extracted\" params=\"m\">\n    <link"), "{changed}");
     assert!(changed.contains("  <xacro:extracted m=\"${m}\"/>\n"), "{changed}");
     show(&mut client, &changed);
@@ -58,7 +58,7 @@ fn names_of_a_macro_get_a_prefix() {
         ),
     );
     let before = expanded(&mut client, FILE);
-    let changed = after(&mut client, "<link na|me=\"tip\"", "in front of the names");
+    let changed = after(&mut client, "<link na|me=\"tip\"", "to names");
     assert!(changed.contains("params=\"on prefix:=''\""), "{changed}");
     assert_eq!(changed.matches("\"${prefix}tip\"").count(), 3, "{changed}");
     assert!(changed.contains("<joint name=\"j\""), "{changed}");
@@ -74,11 +74,11 @@ fn angles_are_written_in_degrees_and_back() {
     let joint = "<joint name=\"🤖\" type=\"revolute\"><origin xyz=\"0 0 1\" rpy=\"0 -1.5708 ${radians(45)}\"/>\
                  <limit lower=\"-1\" upper=\"3.14159\" effort=\"1\" velocity=\"2\"/></joint>";
     show(&mut client, &robot(joint));
-    let changed = after(&mut client, "rpy=\"0 -1.5|708", "write the angle as");
+    let changed = after(&mut client, "rpy=\"0 -1.5|708", "Convert angle to");
     assert!(changed.contains("rpy=\"0 ${radians(-90)} ${radians(45)}\""), "{changed}");
-    let changed = after(&mut client, "upper=\"3.|14159", "write the angle as");
+    let changed = after(&mut client, "upper=\"3.|14159", "Convert angle to");
     assert!(changed.contains("upper=\"${radians(180)}\""), "{changed}");
-    let changed = after(&mut client, "${radi|ans(45)}", "write the angle as");
+    let changed = after(&mut client, "${radi|ans(45)}", "Convert angle to");
     assert!(changed.contains("-1.5708 0.785398163397448\""), "{changed}");
     for place in ["xyz=\"0 0 |1", "effort=\"|1", "rpy=\"|0"] {
         let found = actions(&mut client, FILE, place, &[], &["refactor.rewrite"]);
@@ -97,11 +97,11 @@ fn attributes_and_paths_are_written_in_their_usual_form() {
     );
     let text = text.replace("WS", client.folder.to_str().unwrap().trim_start_matches('/'));
     show(&mut client, &text.replace("file://", "file:///"));
-    let changed = after(&mut client, "<ori|gin rpy", "sort the attributes");
+    let changed = after(&mut client, "<ori|gin rpy", "Sort attributes");
     assert!(changed.contains("<origin xyz=\"1 2 3\" rpy=\"0 0 1\"/>"), "{changed}");
-    let changed = after(&mut client, "pan_tilt/mesh|es/head.stl", "write the path as");
+    let changed = after(&mut client, "pan_tilt/mesh|es/head.stl", "Convert path to");
     assert!(changed.contains("\"package://pan_tilt/meshes/head.stl\""), "{changed}");
-    let changed = after(&mut client, "filename=\"un|it.xacro", "write the path as");
+    let changed = after(&mut client, "filename=\"un|it.xacro", "Convert path to");
     assert!(changed.contains("\"$(find pan_tilt)/urdf/unit.xacro\""), "{changed}");
     show(&mut client, &changed);
     assert!(expanded(&mut client, FILE).contains("<link name=\"🤖\">"));
@@ -114,19 +114,19 @@ fn a_plain_description_becomes_one_for_xacro() {
         &mut client,
         "<robot name=\"plain 🤖\">\n  <link name=\"a\"/>\n  <note text=\"${x} costs $5\"/>\n</robot>\n",
     );
-    let changed = after(&mut client, "<ro|bot", "make it a xacro file");
+    let changed = after(&mut client, "<ro|bot", "Convert to a xacro file");
     assert!(changed.contains("<robot name=\"plain 🤖\" xmlns:xacro="), "{changed}");
     show(&mut client, &changed);
     assert!(expanded(&mut client, FILE).contains("text=\"${x} costs $5\""));
     let found = actions(&mut client, FILE, "<ro|bot", &[], &["refactor"]);
-    assert!(!titles(&found).contains(&"make it a xacro file"), "{found:?}");
+    assert!(!titles(&found).contains(&"Convert to a xacro file"), "{found:?}");
 }
 
 #[test]
 fn a_link_gets_an_inertial_to_fill_in() {
     let mut client = Client::start();
     show(&mut client, &robot("  <link name=\"🤖\"/>"));
-    let changed = after(&mut client, "<li|nk", "add an inertial");
+    let changed = after(&mut client, "<li|nk", "Add `inertial`");
     assert!(changed.contains("\n      <mass value=\"1\"/>\n      <inertia ixx="), "{changed}");
     assert!(changed.contains("\n    </inertial>\n  </link>"), "{changed}");
     show(&mut client, &changed);
@@ -151,7 +151,7 @@ fn elements_are_moved_to_a_file_that_is_included() {
     let before = expanded(&mut client, FILE);
     let marked = "«<link name=\"tool\"/>\n  <link name=\"tip\"/>»";
     let found = actions(&mut client, FILE, marked, &[], &["refactor.extract"]);
-    let changes = &titled(&found, "move the selection to `tool.xacro`")["edit"]["documentChanges"];
+    let changes = &titled(&found, "Move selection to `tool.xacro`")["edit"]["documentChanges"];
     let file = client.uri("src/pan_tilt/urdf/tool.xacro");
     assert_eq!((&changes[0]["kind"], &changes[0]["uri"]), (&json!("create"), &json!(file)));
     write(
@@ -166,12 +166,12 @@ fn elements_are_moved_to_a_file_that_is_included() {
     // a file of this name is there now
     show(&mut client, &robot("  <link name=\"tool\"/>"));
     let found = actions(&mut client, FILE, "«<link name=\"tool\"/>»", &[], &["refactor.extract"]);
-    titled(&found, "move the selection to `tool_2.xacro`");
+    titled(&found, "Move selection to `tool_2.xacro`");
     // clients that cannot make files are not asked to
     let mut plain = Client::start();
     show(&mut plain, &robot("  <link name=\"tool\"/>"));
     let found = actions(&mut plain, FILE, "«<link name=\"tool\"/>»", &[], &["refactor.extract"]);
-    assert!(!titles(&found).iter().any(|title| title.contains("move")), "{found:?}");
+    assert!(!titles(&found).iter().any(|title| title.contains("Move")), "{found:?}");
 }
 
 #[test]
@@ -190,7 +190,7 @@ fn what_hides_a_name_of_python_gets_another_name() {
     let mut client = Client::start();
     show(&mut client, &robot("<xacro:property name=\"e\" value=\"2\"/>\n<!-- 🤖 --><link name=\"l${e}\"/>"));
     let found = fixes(&mut client, FILE, "shadowed-builtin");
-    let changed = client.after(FILE, &titled(&found, "rename `e` to `e_`")["edit"]);
+    let changed = client.after(FILE, &titled(&found, "Rename `e` to `e_`")["edit"]);
     assert!(changed.contains("name=\"e_\"") && changed.contains("l${e_}"), "{changed}");
 }
 
@@ -204,7 +204,7 @@ fn a_definition_is_moved_in_front_of_its_use() {
         ),
     );
     let found = fixes(&mut client, FILE, "use-before-definition");
-    let changed = client.after(FILE, &titled(&found, "move the definition")["edit"]);
+    let changed = client.after(FILE, &titled(&found, "Move definition")["edit"]);
     let expected = robot(
         "  <xacro:property name=\"late\" value=\"2\"/>\n  <!-- 🤖 -->\n  <link name=\"l${late}\"/>\n  <link name=\"m\"/>",
     );
@@ -221,7 +221,7 @@ fn nothing_is_made_of_broken_text_and_unsaved_includes_count() {
     // the new macro takes no name that an unsaved include gives
     client.edit(UNIT, "name=\"unit\"", "name=\"extracted\"");
     let found = actions(&mut client, ROBOT, "«<link name=\"$(arg mount)\"/>»", &[], &["refactor.extract"]);
-    titled(&found, "make a macro `extracted_2`");
+    titled(&found, "Extract selection to macro `extracted_2`");
     client.edit(ROBOT, "</robot>", "<link name=\"");
     let found = actions(&mut client, ROBOT, "«<link name=\"$(arg mount)\"/>»", &[], &["refactor"]);
     assert_eq!(titles(&found), Vec::<&str>::new());
@@ -255,7 +255,7 @@ fn a_mesh_of_text_is_written_as_binary_by_a_command() {
     assert!(client.reply(id)["error"]["message"].as_str().unwrap().contains("needs no change"));
     let other = json!({ "command": "xacro.rewriteMesh", "arguments": [{ "uri": client.uri(FILE) }] });
     let id = client.post("workspace/executeCommand", other);
-    assert!(client.reply(id)["error"]["message"].as_str().unwrap().contains("no STL file"));
+    assert!(client.reply(id)["error"]["message"].as_str().unwrap().contains("not an STL file"));
 }
 
 #[test]
@@ -265,7 +265,7 @@ fn an_argument_that_no_macro_knows_is_removed() {
     client.edit(ROBOT, "axis=\"0 1 0\">", "axis=\"0 1 0\" 🤖color=\"red\">");
     client.edit(ROBOT, "🤖color", "color");
     let found = fixes(&mut client, ROBOT, "unknown-macro-param");
-    let changed = client.after(ROBOT, &titled(&found, "remove `color`")["edit"]);
+    let changed = client.after(ROBOT, &titled(&found, "Remove `color`")["edit"]);
     assert!(changed.contains("axis=\"0 1 0\"><origin"), "{changed}");
 }
 
@@ -273,10 +273,10 @@ fn an_argument_that_no_macro_knows_is_removed() {
 fn angles_are_noted_in_degrees_and_taken_from_the_note() {
     let mut client = Client::start();
     show(&mut client, &robot("<joint name=\"🤖\" type=\"fixed\"><origin rpy=\"0 -1.5708 0\"/></joint>"));
-    let changed = after(&mut client, "rpy=\"0 -1.5|708", "note the angles");
+    let changed = after(&mut client, "rpy=\"0 -1.5|708", "Add comment");
     assert!(changed.contains("<origin rpy=\"0 -1.5708 0\"/> <!-- rpy in degrees: 0 -90 0 -->"), "{changed}");
     show(&mut client, &changed.replace("-90", "45"));
-    let changed = after(&mut client, "rpy=\"0 -1.5|708", "the comment says");
+    let changed = after(&mut client, "rpy=\"0 -1.5|708", "from the comment");
     assert!(
         changed.contains("<origin rpy=\"0 0.785398163397448 0\"/> <!-- rpy in degrees: 0 45 0 -->"),
         "{changed}"

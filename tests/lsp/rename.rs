@@ -75,8 +75,8 @@ fn a_property_is_renamed_in_branches_that_are_not_taken_too() {
 #[test]
 fn names_that_do_not_fit_are_refused() {
     let mut client = both();
-    assert!(renamed(&mut client, ROBOT, "name=\"m|0\"", "m 0").unwrap_err().contains("no good name"));
-    assert!(renamed(&mut client, ROBOT, "name=\"m|0\"", "cam").unwrap_err().contains("defined already"));
+    assert!(renamed(&mut client, ROBOT, "name=\"m|0\"", "m 0").unwrap_err().contains("invalid name"));
+    assert!(renamed(&mut client, ROBOT, "name=\"m|0\"", "cam").unwrap_err().contains("already defined"));
     let made = renamed(&mut client, ROBOT, "parent=\"pan_b|ody\"", "x");
     assert!(made.is_err(), "{made:?}");
 }
@@ -87,16 +87,16 @@ fn names_that_would_change_the_robot_are_refused() {
     client.edit(ROBOT, "</robot>", "<!-- 🤖 --><link name=\"a${pi / 2}\"/></robot>");
     for name in ["if", "unless", "property", "include", "macro", "arg", "insert_block", "call", "element"] {
         let refused = renamed(&mut client, UNIT, "name=\"un|it\"", name).unwrap_err();
-        assert_eq!(refused, format!("`xacro:{name}` is a tag of xacro"));
+        assert_eq!(refused, format!("`xacro:{name}` is reserved by xacro"));
     }
     for name in ["1a", "a.b", "a:b", "-a", "", "a b", "<a"] {
         let refused = renamed(&mut client, UNIT, "name=\"un|it\"", name).unwrap_err();
-        assert!(refused.contains("no good name"), "{name}: {refused}");
+        assert!(refused.contains("invalid name"), "{name}: {refused}");
     }
     // a parameter around a use, a name of xacro that is used
     for name in ["axis", "parent", "pi"] {
         let refused = renamed(&mut client, ROBOT, "name=\"m|0\"", name).unwrap_err();
-        assert!(refused.contains("something else"), "{name}: {refused}");
+        assert!(refused.contains("another meaning"), "{name}: {refused}");
     }
     // `at` is a block there, and `e` is not used
     for name in ["at", "e"] {
@@ -116,7 +116,10 @@ fn names_that_a_caller_would_capture_are_refused() {
   <xacro:outer p=\"7\"/>\n</robot>";
     client.edit(ROBOT, "</robot>", macros);
     let refused = renamed(&mut client, ROBOT, "name=\"wid|th\"", "p").unwrap_err();
-    assert!(refused.contains("`pan_tilt.urdf.xacro` would be another robot"), "{refused}");
+    assert!(
+        refused.ends_with("another meaning where this name is used: pan_tilt.urdf.xacro:10"),
+        "{refused}"
+    );
     // what a call gives is named after the parameter
     let files = renamed(&mut client, ROBOT, "params=\"|n\"", "p").unwrap();
     assert!(files[ROBOT].contains("<xacro:inner p=\"${p}\"/>"), "{}", files[ROBOT]);
@@ -182,15 +185,15 @@ fn what_a_call_passes_is_renamed_in_every_name_that_holds_it() {
     assert!(files[ROBOT].contains("parent=\"yaw_body\""), "{}", files[ROBOT]);
     assert!(!files.contains_key(UNIT), "{files:?}");
     let refused = renamed(&mut client, ROBOT, "name=\"pa|n\"", "tilt").unwrap_err();
-    assert!(refused.contains("is defined already"), "{refused}");
+    assert!(refused.contains("is already defined"), "{refused}");
 }
 
 #[test]
 fn a_name_that_a_macro_makes_is_not_renamed_as_a_whole() {
     let mut client = both();
     let refused = renamed(&mut client, ROBOT, "parent=\"pan_b|ody\"", "arm").unwrap_err();
-    let expected = "made by `unit` at line 4: rename the suffix there or change the argument";
-    assert!(refused.contains("`pan_body` is ") && refused.contains(expected), "{refused}");
+    let expected = "comes from `unit` on line 4: rename the suffix there or change the argument";
+    assert!(refused.contains("`pan_body` ") && refused.contains(expected), "{refused}");
     // where the name is computed in another way, renaming would tear it apart
     client.edit(ROBOT, "parent=\"pan_body\"", "parent=\"${'pan' + '_body'}\"");
     let refused = renamed(&mut client, UNIT, "<link name=\"${name}_bo|dy\"", "_arm").unwrap_err();
@@ -258,8 +261,8 @@ fn files_outside_are_changed_with_consent_and_installed_ones_never() {
             let reply = client.reply(id);
             let message = reply["error"]["message"].as_str().unwrap_or("");
             match (refused, annotates) {
-                (true, _) => assert!(message.contains("lies in an install folder"), "{reply}"),
-                (false, false) => assert!(message.contains("not part of the workspace"), "{reply}"),
+                (true, _) => assert!(message.contains("is in an install folder"), "{reply}"),
+                (false, false) => assert!(message.contains("not in the workspace"), "{reply}"),
                 (false, true) => {
                     let asks = &reply["result"]["changeAnnotations"]["outside"]["needsConfirmation"];
                     assert_eq!(asks, true, "{reply}");

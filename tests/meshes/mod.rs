@@ -2,17 +2,25 @@
 
 type Point = [f64; 3];
 
-/// A binary STL: `box SIDE` or `sphere RADIUS RINGS`, then any of `open` (a side is missing), `inverted` (inside
+/// A binary STL: `box SIDE`, `block X Y Z` or `sphere RADIUS RINGS`, perhaps `at X Y Z` and `times FACTOR`, then any of `open` (a side is missing), `inverted` (inside
 /// out), `flipped` (one triangle is turned), `solid` (the header says so) and `cut` (the end is missing).
 pub fn binary_stl(recipe: &str) -> Vec<u8> {
     let words: Vec<&str> = recipe.split(' ').collect();
     let number = |place: usize| -> f64 { words[place].parse().unwrap() };
+    let three = |place: usize| [number(place), number(place + 1), number(place + 2)];
     let mut triangles = match words[0] {
-        "box" => cube(number(1)),
+        "box" => block([number(1); 3]),
+        "block" => block(three(1)),
         "sphere" => sphere(number(1), number(2) as usize),
         other => panic!("no shape `{other}`"),
     };
     let wants = |word| words.contains(&word);
+    let behind = |word| words.iter().position(|other| *other == word).map(|place| place + 1);
+    let at = behind("at").map_or([0.0; 3], three);
+    let times = behind("times").map_or(1.0, number);
+    for point in triangles.iter_mut().flatten() {
+        *point = [0, 1, 2].map(|axis| (point[axis] + at[axis]) * times);
+    }
     if wants("open") {
         triangles.truncate(triangles.len() - 2);
     }
@@ -30,9 +38,9 @@ pub fn binary_stl(recipe: &str) -> Vec<u8> {
     bytes
 }
 
-fn cube(side: f64) -> Vec<[Point; 3]> {
-    let h = side / 2.0;
-    let corner = |i: usize| [i & 1, i >> 1 & 1, i >> 2].map(|bit| if bit == 1 { h } else { -h });
+fn block(size: [f64; 3]) -> Vec<[Point; 3]> {
+    let half = size.map(|side| side / 2.0);
+    let corner = |i: usize| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { half[axis] } else { -half[axis] });
     let sides = [[0, 2, 3, 1], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6], [4, 5, 7, 6]];
     sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).map(|side| side.map(corner)).collect()
 }

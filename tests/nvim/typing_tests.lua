@@ -12,6 +12,37 @@ return function(test)
     child:type('<Esc>')
   end)
 
+  test('an end tag typed by habit takes the place of the one that was added', function(child)
+    child:edit(fixture.robot)
+    child:at('<link name="$(arg mount)|"/>')
+    child:type('o<lt>link name="x">')
+    child:wait([[vim.api.nvim_get_current_line():find('<link name="x"></link>', 1, true)]])
+    child:type('<lt>/')
+    child:wait([[vim.trim(vim.api.nvim_get_current_line()) == '<link name="x"></']])
+    child:type('link>')
+    child:wait([[vim.trim(vim.api.nvim_get_current_line()) == '<link name="x"></link>']])
+    child:type('<Esc>')
+  end)
+
+  test('lines between tags are indented as the file is', function(child)
+    child:edit(fixture.robot)
+    child:at('<link name="$(arg mount)|"/>')
+    local steps = {
+      { 'o<lt>link name="x">', '  <link name="x"></link>' },
+      { '<CR>', '    ' },
+      { '<lt>visual>', '    <visual></visual>' },
+      { '<CR>', '      ' },
+      { '<lt>origin/>', '      <origin/>' },
+    }
+    for _, step in ipairs(steps) do
+      child:type(step[1])
+      child:wait([[vim.tbl_contains(vim.api.nvim_buf_get_lines(0, 0, -1, false), (...))]], step[2])
+    end
+    child:type('<Esc>')
+    local made = '  <link name="x">\n    <visual>\n      <origin/>\n    </visual>\n  </link>\n'
+    child:wait([[(table.concat(vim.api.nvim_buf_get_lines(0, 0, -1, false), '\n') .. '\n'):find(..., 1, true)]], made)
+  end)
+
   test('no tag is closed when switched off', { config = '{ close_tags = false }' }, function(child)
     child:edit(fixture.robot)
     child:at('<link name="$(arg mount)|"/>')
@@ -23,7 +54,7 @@ return function(test)
     assert(not child:text():find('</link>', 1, true), child:text())
   end)
 
-  test('start and end tag change together', function(child)
+  test('start and end tag change together', { config = '{ linked_editing = true }' }, function(child)
     child:edit(fixture.unit)
     child:at('<j|oint name=')
     child:wait([[(function()

@@ -10,15 +10,12 @@ import tarfile
 import zipfile
 
 from common import EXAMPLES, ROOT, TARGET, WORK, Failed, demand, fresh, run, tool
-from hooks import QUICK
+from hooks import STATIC, quick
 
 # What crates.io takes, in bytes.
 MOST_CRATE = 10 * 1024 * 1024
 
 BROKEN = EXAMPLES / "broken_cell"
-
-# How the programs of a release for Linux are linked.
-STATIC = "-C target-feature=+crt-static"
 
 
 def finds_defects(program):
@@ -83,7 +80,8 @@ def check_unpacked(sources, stems):
     (sources / ".cargo/config.toml").write_text(f"[patch.crates-io]\n{patches}")
     (root / "Cargo.lock").unlink()
     shutil.copy2(ROOT / "Cargo.lock", root)
-    run(["cargo", "check", "--quiet"], cwd=root, CARGO_TARGET_DIR=TARGET / "packaging/quick")
+    # the dependencies are checked already, as clippy did it
+    run(["cargo", "check", "--quiet"], cwd=root, CARGO_TARGET_DIR=TARGET)
 
 
 def sdist(crate_names):
@@ -100,13 +98,13 @@ def sdist(crate_names):
 
 def static():
     """A static program runs where there is nothing else: no libraries, no shell, no folders."""
-    host = next(line for line in run(["rustc", "-vV"]).splitlines() if line.startswith("host: ")).split()[1]
     for workflow in ("release", "vscode"):
         text = (ROOT / f".github/workflows/{workflow}.yml").read_text()
         demand("linux-musl" not in text and text.count(STATIC) == 2, f"{workflow}.yml builds static programs for Linux")
-    command = ["cargo", "build", "--release", "--locked", "--quiet", "--bin", "xacro-lint", "--target", host]
-    run([*command, "--no-default-features", "--features", "cli"], **QUICK, RUSTFLAGS=STATIC)
-    program = QUICK["CARGO_TARGET_DIR"] / host / "release/xacro-lint"
+    variables = quick()
+    run(["cargo", "build", "--release", "--locked", "--quiet"], **variables)
+    host = variables["CARGO_BUILD_TARGET"]
+    program = variables["CARGO_TARGET_DIR"] / host / "release/xacro-lint"
     headers = run(["readelf", "--program-headers", program])
     demand("INTERP" not in headers, f"the program asks for a loader:\n{headers}")
     if os.geteuid() != 0:

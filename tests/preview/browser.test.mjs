@@ -43,6 +43,12 @@ test('the robot is there, with meshes of every format', async () => {
     return found;
   });
   assert.deepEqual(black, []);
+  const lamps = await page.evaluate(() => {
+    let count = 0;
+    window.xacroViewer.views.get('main').group.traverse((part) => (count += part.isLight || part.isCamera ? 1 : 0));
+    return count;
+  });
+  assert.equal(lamps, 0, 'the lamp in the Collada file lights nothing');
   const texture = await page.evaluate(() => {
     let width;
     window.xacroViewer.views.get('main').link('right').traverse((part) => (width ??= part.material?.map?.image?.width));

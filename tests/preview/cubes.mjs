@@ -27,7 +27,8 @@ function dae() {
 <library_materials><material id="m"><instance_effect url="#e"/></material></library_materials>
 <library_geometries><geometry id="g"><mesh><source id="p"><float_array id="pa" count="24">${positions}</float_array><technique_common><accessor source="#pa" count="8" stride="3"><param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
 <vertices id="v"><input semantic="POSITION" source="#p"/></vertices><triangles count="${faces.length}" material="s"><input semantic="VERTEX" source="#v" offset="0"/><p>${faces.flat().join(' ')}</p></triangles></mesh></geometry></library_geometries>
-<library_visual_scenes><visual_scene id="s0"><node id="n"><instance_geometry url="#g"><bind_material><technique_common><instance_material symbol="s" target="#m"/></technique_common></bind_material></instance_geometry></node></visual_scene></library_visual_scenes>
+<library_lights><light id="l"><technique_common><directional><color>9 9 9</color></directional></technique_common></light></library_lights>
+<library_visual_scenes><visual_scene id="s0"><node id="lamp"><instance_light url="#l"/></node><node id="n"><instance_geometry url="#g"><bind_material><technique_common><instance_material symbol="s" target="#m"/></technique_common></bind_material></instance_geometry></node></visual_scene></library_visual_scenes>
 <scene><instance_visual_scene url="#s0"/></scene></COLLADA>
 `;
 }

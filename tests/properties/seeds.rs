@@ -20,6 +20,9 @@ pub fn of(target: &Target) -> Vec<Vec<u8>> {
             }
             "yaml" => found
                 .extend(files("yaml").into_iter().chain(YAML.iter().map(|text| text.as_bytes().to_vec()))),
+            "launch" => {
+                found.extend(LAUNCH.iter().map(|(choice, text)| with_choice(*choice, text.as_bytes())))
+            }
             "stl" => found.extend(files("stl").iter().take(4).map(|bytes| with_choice(0, bytes))),
             "toml" => found
                 .extend(files("toml").into_iter().chain(TOML.iter().map(|text| text.as_bytes().to_vec()))),
@@ -138,4 +141,37 @@ const MESHES: &[(u8, &str)] = &[
         r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"translation":[1,2,3]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":1,"type":"VEC3"},{"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}],"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":12},{"buffer":0,"byteOffset":8,"byteLength":6}],"buffers":[{"uri":"a.bin","byteLength":14}]}"#,
     ),
     (4, "glTF\u{2}\u{0}\u{0}\u{0}\u{1c}\u{0}\u{0}\u{0}\u{8}\u{0}\u{0}\u{0}JSON{}      "),
+];
+
+/// Launch files, by the number of their kind.
+const LAUNCH: [(u8, &str); 5] = [
+    (
+        0,
+        "from launch import *\nimport xacro as x\n\ndef robot(side, n='1', *args, **more):\n    if side == 'left':\n        \
+         path = f'/r/{side}.xacro'\n    else:\n        path = '/r/' + side\n    return Command(['xacro ', path, ' n:=', n])\n\n\
+         def generate_launch_description():\n    c = [DeclareLaunchArgument('side', default_value='left', choices=['left'])]\n    \
+         for i in range(3):\n        c.append(Node(condition=IfCondition(LaunchConfiguration('side'))))\n    try:\n        \
+         a, b = robot('left'), robot(LaunchConfiguration('side').perform(context))\n    except Exception as e:\n        raise\n    \
+         m = {'a': '1', **more}\n    m['b'] = lambda x: x\n    x.process_file('/r/a.xacro', mappings=m)\n    \
+         return LaunchDescription(c)\n",
+    ),
+    (
+        0,
+        "with open('/r/a.xacro') as f: doc = xacro.parse(f)\nxacro.process_doc(doc, mappings=dict(a='1'))\n\
+         OpaqueFunction(function=setup, args=['{} %s'.format(1) % 2])\nMoveItConfigsBuilder('a').robot_description(mappings={})\n\
+         p = Path(__file__).parent.parents[2] / 'a'\nos.system(\"xacro $(find a)/b; c\")\n",
+    ),
+    (
+        1,
+        "<launch><arg name=\"a\" default=\"$(find p)/x\"/><group if=\"$(arg a)\"><include file=\"$(dirname)/b.launch\"><arg name=\"c\" \
+         value=\"$(eval 1 + (2))\"/></include><param name=\"d\" command=\"xacro '$(arg a)' b:=$(arg a)\"/></group></launch>",
+    ),
+    (
+        2,
+        "<launch><let name=\"d\" value=\"$(command 'xacro $(find-pkg-share p)/a.xacro b:=$(var c)' 'warn')\"/></launch>",
+    ),
+    (
+        3,
+        "xacro \"$A/b.xacro\" c:=${D:-$(e f)} 'g:=h i' \\\n  j:=1 | k > l # m\nD=$(rosrun xacro xacro a.xacro)\n",
+    ),
 ];

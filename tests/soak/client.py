@@ -76,7 +76,7 @@ class Client:
                              args=({'jsonrpc': '2.0', 'id': message['id'], 'result': result},)).start()
         elif 'method' in message:
             text = json.dumps(message)
-            if 'internal fault' in text:
+            if 'internal error' in text:
                 self.faults.append(text[:500])
         else:
             with self.arrived:

@@ -43,7 +43,7 @@ node --test --test-reporter=dot tests/vscode/grammar.test.mjs
 
 server=${XACRO_LSP:-}
 if [ -z "$server" ]; then
-    cargo build --release --quiet --bin xacro-lsp
+    cargo build --release --quiet
     server="${CARGO_TARGET_DIR:-target}/release/xacro-lsp"
 fi
 if [ -d editors/viewer ]; then

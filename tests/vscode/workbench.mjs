@@ -114,7 +114,7 @@ export class CodeServer {
     for (const id of readdirSync("/proc").filter((name) => /^\d+$/.test(name))) {
       try {
         const [command] = readFileSync(`/proc/${id}/cmdline`, "utf8").split("\0");
-        if (command.startsWith(this.extensions) && command.endsWith("xacro-lsp")) found.push(Number(id));
+        if (command.startsWith(this.extensions) && /\/xacro-l(sp|int)$/.test(command)) found.push(Number(id));
       } catch {
         // it ended meanwhile
       }

@@ -7,3 +7,4 @@ let b:did_ftplugin = 1
 setlocal commentstring=<!--\ %s\ -->
 " gf and include search: relative names, as xacro reads them
 setlocal suffixesadd+=.xacro,.urdf
+lua require('xacro.indent').detect(0)

@@ -4,11 +4,12 @@ end
 vim.g.loaded_xacro = true
 
 if vim.fn.has('nvim-0.10') == 0 then
-  vim.notify('xacro: Neovim 0.10 or newer is needed', vim.log.levels.WARN)
+  vim.notify('xacro: requires Neovim 0.10 or newer', vim.log.levels.WARN)
   return
 end
 
 vim.treesitter.language.register('xml', { 'xacro', 'urdf' })
 require('xacro.commands').define()
 require('xacro.attach').watch()
+require('xacro.companions').watch()
 require('xacro.start').enable()

@@ -78,6 +78,7 @@ export class Meshes {
     const pictures = whenLoaded(manager);
     const loaded = await parse(file, bytes, manager, beside);
     await pictures();
+    dropLightsAndCameras(loaded.object);
     loaded.object.traverse(mendNormals);
     loaded.object.traverse(dropLostPictures);
     return loaded;
@@ -148,6 +149,15 @@ function whenLoaded(manager: THREE.LoadingManager): () => Promise<void> {
   manager.onLoad = () => done();
   const patience = 10_000;
   return () => (begun ? Promise.race([all, new Promise<void>((resolve) => setTimeout(resolve, patience))]) : Promise.resolve());
+}
+
+/** Programs for modelling export their lamps, which would make the whole robot white: the scene has its own. */
+function dropLightsAndCameras(object: THREE.Object3D): void {
+  const found: THREE.Object3D[] = [];
+  object.traverse((part) => {
+    if (part instanceof THREE.Light || part instanceof THREE.Camera) found.push(part);
+  });
+  for (const part of found) part.removeFromParent();
 }
 
 /** A picture that is missing or of an unknown format would be drawn black. */

@@ -76,10 +76,11 @@ export class Stage {
     const known = this.pane(side);
     if (known) return known;
     const scene = new THREE.Scene();
-    scene.add(new THREE.HemisphereLight(0xffffff, 0x9099a8, 1.7));
-    const sun = new THREE.DirectionalLight(0xffffff, 1.8);
+    // together they leave white surfaces just below the brightest white, so that their shape can be seen
+    scene.add(new THREE.HemisphereLight(0xffffff, 0x9099a8, 1.5));
+    const sun = new THREE.DirectionalLight(0xffffff, 1.5);
     sun.position.set(2, -3, 5);
-    const fill = new THREE.DirectionalLight(0xffffff, 0.6);
+    const fill = new THREE.DirectionalLight(0xffffff, 0.5);
     fill.position.set(-4, 3, 1);
     scene.add(sun, fill);
     const pane: Pane = { side, scene, left: 0, right: 1 };

@@ -96,7 +96,7 @@ export class TreePanel {
     row.dataset['link'] = entry.link;
     row.setAttribute('aria-level', String(entry.depth + 1));
     row.style.paddingLeft = `${6 + (flat ? 0 : Math.min(entry.depth, 24) * 10)}px`;
-    row.title = entry.joint ? `${entry.link}, held by ${entry.joint.name}` : entry.link;
+    row.title = entry.joint ? `${entry.link}, child of joint ${entry.joint.name}` : entry.link;
     row.addEventListener('click', (event) => {
       if (event.target instanceof HTMLButtonElement) return;
       row.focus();

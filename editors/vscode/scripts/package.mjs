@@ -22,10 +22,17 @@ const target = values.target ?? (values.server ? `${process.platform}-${process.
 rmSync(join(root, "server"), { recursive: true, force: true });
 rmSync(join(root, "viewer"), { recursive: true, force: true });
 if (values.server) {
-  const program = join(root, "server", target.startsWith("win32") ? "xacro-lsp.exe" : "xacro-lsp");
-  mkdirSync(dirname(program));
-  copyFileSync(resolve(values.server), program);
-  chmodSync(program, 0o755);
+  // the program that editors start, and the one it starts, which lies beside it
+  const suffix = target.startsWith("win32") ? ".exe" : "";
+  mkdirSync(join(root, "server"));
+  for (const [name, from] of [
+    ["xacro-lsp", resolve(values.server)],
+    ["xacro-lint", join(dirname(resolve(values.server)), `xacro-lint${suffix}`)],
+  ]) {
+    const program = join(root, "server", `${name}${suffix}`);
+    copyFileSync(from, program);
+    chmodSync(program, 0o755);
+  }
 }
 const viewer = resolve(values.viewer);
 if (existsSync(viewer)) {

@@ -125,14 +125,14 @@ export class ExpandedDocuments
   private async expandEarlier(root: string, version: Version): Promise<boolean> {
     const texts = version === "saved" ? {} : await committedTexts(vscode.Uri.parse(root));
     if (!texts) {
-      void vscode.window.showInformationMessage("The robot lies in no Git repository that the editor knows.");
+      void vscode.window.showInformationMessage("The robot is not in an open Git repository.");
       return false;
     }
     const answer = await this.server.askForUser(protocol.expand, { textDocument: { uri: root }, texts });
     const robot = this.robots.get(root);
     if (!answer || !robot) return false;
     if (!answer.ok) {
-      void vscode.window.showWarningMessage("The earlier version has errors: it is shown as far as it goes.");
+      void vscode.window.showWarningMessage("The earlier version has errors; only a part of it is shown.");
     }
     robot.earlier[version] = answer.urdf;
     this.changed.fire(expandedUri(root, version));

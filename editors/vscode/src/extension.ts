@@ -68,7 +68,7 @@ export function activate(context: vscode.ExtensionContext): void {
   command("xacro.tree.copyName", (node: TreeNode) => vscode.env.clipboard.writeText(node.link));
   command("xacro.copyReport", async () => {
     await vscode.env.clipboard.writeText(diagnosticReport(context.extension, server, contexts));
-    void vscode.window.showInformationMessage("The diagnostic report is in the clipboard.");
+    void vscode.window.showInformationMessage("Copied the diagnostic report to the clipboard.");
   });
 
   openByItself(preview, contexts, context);

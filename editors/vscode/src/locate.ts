@@ -35,7 +35,7 @@ export function locateServer(around: Surroundings): Found | Missing {
   if (setting !== "") {
     if (setting.includes("/") || setting.includes("\\")) {
       if (isProgram(setting, around.windows)) return { command: setting, from: "setting" };
-      return { message: `\`xacro.server.path\` is set to ${setting}, which is no program` };
+      return { message: `\`xacro.server.path\` is set to ${setting}, which is not a program` };
     }
     const named = onPath(setting, around);
     if (named !== undefined) return { command: named, from: "setting" };
@@ -46,7 +46,7 @@ export function locateServer(around: Surroundings): Found | Missing {
   if (isProgram(bundled, around.windows)) return { command: bundled, from: "extension" };
   const found = onPath(name, around);
   if (found !== undefined) return { command: found, from: "PATH" };
-  return { message: "the program `xacro-lsp` was not found: this build of the extension has none inside" };
+  return { message: "the program `xacro-lsp` was not found; this build of the extension does not bundle it" };
 }
 
 function expandHome(file: string, home: string): string {

@@ -43,7 +43,7 @@ export class Pickers {
       { label: "$(sync) Automatic", description: "the nearest root", run: () => this.contexts.pick(undefined) },
       { label: "$(folder-opened) Another file…", run: () => this.pickFile() },
     );
-    await choose(choices, "The robot that this file is shown in", "Select Root");
+    await choose(choices, "Robot for this file", "Select Root");
   }
 
   async pickArguments(): Promise<void> {
@@ -93,7 +93,7 @@ export class Pickers {
     const first = await this.server.askForUser(protocol.expandAt, { ...at, instance: 0 });
     if (first === undefined) return;
     if (first?.kind !== "macro" || first.instances === 0) {
-      void vscode.window.showInformationMessage("Put the cursor into a macro that the robot calls, or on a call.");
+      void vscode.window.showInformationMessage("Put the cursor in a called macro, or on a macro call.");
       return;
     }
     const set = async (instance: number | null): Promise<void> => {
@@ -110,7 +110,7 @@ export class Pickers {
       const description = `${instance + 1} of ${first.instances}`;
       choices.push({ label: callText(one.title), description, run: () => set(instance) });
     }
-    await choose(choices, "The call whose values are shown", "Select Instance");
+    await choose(choices, "Macro call for values", "Select Instance");
   }
 
   private ready(): boolean {
@@ -149,7 +149,7 @@ export class Pickers {
     const name = await vscode.window.showInputBox({
       title: "Save as Preset",
       prompt: argumentsText(root.args),
-      placeHolder: "name of the preset",
+      placeHolder: "Name of the preset",
     });
     if (name === undefined || name.trim() === "") return;
     const all = this.presets();

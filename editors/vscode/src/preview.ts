@@ -104,7 +104,7 @@ export class Preview implements vscode.WebviewPanelSerializer, vscode.Disposable
       return;
     }
     if (!(await this.hasViewer())) {
-      void vscode.window.showWarningMessage("This package of the extension was built without the 3D viewer.");
+      void vscode.window.showWarningMessage("This build of the extension does not include the 3D viewer.");
       return;
     }
     const panel = vscode.window.createWebviewPanel(
@@ -151,7 +151,7 @@ export class Preview implements vscode.WebviewPanelSerializer, vscode.Disposable
     panel.webview.onDidReceiveMessage((message: unknown) => {
       const known = fromViewer(message);
       if (known) void this.heard(known);
-      else this.server.output.warn("the preview sent a message that is none");
+      else this.server.output.warn("the preview sent an invalid message");
     });
     panel.onDidDispose(() => {
       if (this.panel !== panel) return;

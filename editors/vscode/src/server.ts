@@ -114,7 +114,7 @@ export class Server implements vscode.Disposable {
       const unknown = (error as { code?: unknown }).code === METHOD_NOT_FOUND;
       void vscode.window.showWarningMessage(
         unknown
-          ? `This xacro language server has no \`${type.method}\` yet; a newer one may.`
+          ? `This xacro language server does not support \`${type.method}\`; update it.`
           : `xacro: ${error instanceof Error ? error.message : String(error)}`,
       );
       return undefined;
@@ -216,9 +216,9 @@ export class Server implements vscode.Disposable {
           void this.tellStopped();
           return { action: CloseAction.DoNotRestart, handled: true };
         }
-        this.output.warn("the server ended unexpectedly and is started again");
+        this.output.warn("the server stopped unexpectedly and is restarted");
         void vscode.window.showWarningMessage(
-          "The xacro language server ended unexpectedly and was restarted.",
+          "The xacro language server stopped unexpectedly and was restarted.",
         );
         return { action: CloseAction.Restart, handled: true };
       },
@@ -226,11 +226,11 @@ export class Server implements vscode.Disposable {
   }
 
   private async tellStopped(): Promise<void> {
-    this.output.error("the server ended again and stays stopped");
+    this.output.error("the server stopped again and is not restarted");
     const again = "Restart";
     const output = "Show Output";
     const picked = await vscode.window.showErrorMessage(
-      "The xacro language server ended twice within three minutes and stays stopped.",
+      "The xacro language server stopped twice within three minutes and was not restarted.",
       again,
       output,
     );
@@ -242,7 +242,7 @@ export class Server implements vscode.Disposable {
     const open = "Open Settings";
     const how = "How to Install";
     const picked = await vscode.window.showErrorMessage(
-      `xacro: ${reason}. Install the extension for your platform, or build the program with \`cargo install\` and name it in \`xacro.server.path\`. Until then, only syntax is coloured.`,
+      `xacro: ${reason}. Install the extension for your platform, or build the program with \`cargo install\` and name it in \`xacro.server.path\`. Until then, only syntax highlighting works.`,
       open,
       how,
     );

@@ -61,8 +61,8 @@ export class Status implements vscode.Disposable {
     const { instance } = this.contexts;
     this.root.text = `$(type-hierarchy) ${instance ?? (active ? rootLabel(active) : "no root")}`;
     this.root.tooltip = active
-      ? tooltip(`**${rootLabel(active)}** is the robot that this file is shown in.`, roots?.reason)
-      : tooltip("No root includes this file: only what it says by itself is checked.", undefined);
+      ? tooltip(`**${rootLabel(active)}** is the robot for this file.`, roots?.reason)
+      : tooltip("No root includes this file; it is checked alone.", undefined);
     this.root.show();
     this.updateArguments();
     this.updateProblems();

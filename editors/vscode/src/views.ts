@@ -52,7 +52,7 @@ export class KinematicTree implements vscode.TreeDataProvider<TreeNode>, vscode.
       .join(" · ");
     item.tooltip = [
       `link ${node.link}`,
-      node.joint === undefined ? "the root of the tree" : `held by joint ${node.joint} on ${node.parent ?? "?"}`,
+      node.joint === undefined ? "the root of the tree" : `child of joint ${node.joint}, parent ${node.parent ?? "?"}`,
       node.mass === undefined ? "no mass" : mass(node.mass),
     ].join("\n");
     item.contextValue = "link";
@@ -95,9 +95,9 @@ export class KinematicTree implements vscode.TreeDataProvider<TreeNode>, vscode.
     this.view.description = active ? rootLabel(active) : "";
     const problems = answer?.problems.length ?? 0;
     if (problems > 0) {
-      this.view.message = `${problems} ${problems === 1 ? "error" : "errors"}: what could be made is shown`;
+      this.view.message = `${problems} ${problems === 1 ? "error" : "errors"}: only a part of the robot is shown`;
     } else if (answer && this.nodes.length === 0) {
-      this.view.message = "This file makes no robot.";
+      this.view.message = "This file does not define a robot.";
     } else {
       this.view.message = "";
     }

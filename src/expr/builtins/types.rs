@@ -26,7 +26,7 @@ pub(super) static NAMED: &[(&str, Type, &str, &str)] = &[
     ("range", Type::Range, "start=0, stop, step=1", "The whole numbers from start up to stop, without stop."),
     ("reversed", Type::Reversed, "sequence", "The items from last to first."),
     ("set", Type::Set, "iterable=()", "The distinct items."),
-    ("slice", Type::Slice, "start, stop, step=None", "What stands between the brackets of s[a:b:c]."),
+    ("slice", Type::Slice, "start, stop, step=None", "The slice between the brackets of s[a:b:c]."),
     ("str", Type::Str, "object=''", "The text of any value."),
     ("tuple", Type::Tuple, "iterable=()", "A tuple of the items."),
     ("type", Type::Type, "object", "The type of a value."),

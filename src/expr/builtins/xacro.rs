@@ -204,8 +204,7 @@ impl CharClass {
                 Ok(Self { negated, members, tail: tail.to_owned() })
             }
             _ => Err(Stop::value(format!(
-                "the separators `{separators}` are more than a set of characters, which is not supported: \
-                 put `]` first"
+                "unsupported separators `{separators}`: only a set of characters is supported, with `]` first"
             ))),
         }
     }

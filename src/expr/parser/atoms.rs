@@ -39,7 +39,7 @@ impl Parser<'_> {
             Tok::Str | Tok::OpenStr => return self.strings(),
             Tok::Open(bracket) => return self.display(bracket),
             Tok::Lambda => {
-                self.unexpected("`lambda` needs parentheses here");
+                self.unexpected("`lambda` must be in parentheses here");
                 return self.nested(Self::lambda);
             }
             Tok::Await => return self.awaited(),
@@ -53,7 +53,7 @@ impl Parser<'_> {
         match number::value(range.slice(self.text)) {
             Ok(value) => ExprKind::Const(value),
             Err(reference) => {
-                self.report.add(Stage::Grammar, range, "this integer has too many digits", &reference);
+                self.report.add(Stage::Grammar, range, "integer has too many digits", &reference);
                 ExprKind::Missing
             }
         }
@@ -75,7 +75,7 @@ impl Parser<'_> {
             Tok::Keyword | Tok::Async | Tok::Yield | Tok::Other => {
                 let found = self.shown_token();
                 let hole = self.token().range;
-                self.unexpected(format!("`{found}` is not possible in an expression"));
+                self.unexpected(format!("`{found}` is not allowed in an expression"));
                 self.bump();
                 Expr { kind: ExprKind::Missing, range: hole }
             }

@@ -51,7 +51,7 @@ impl Parser<'_> {
                 self.operand_start = None;
                 if self.at(Tok::For) {
                     let reference = "dict unpacking cannot be used in dict comprehension";
-                    self.error(value.range, "`**` is not possible in a comprehension", reference);
+                    self.error(value.range, "`**` is not allowed in a comprehension", reference);
                 }
                 braces.pairs.push((None, value));
             }
@@ -66,12 +66,12 @@ impl Parser<'_> {
             match braces.pairs.len() {
                 0 => self.check_elements(&braces.items, Bracket::Curly),
                 1 => {}
-                _ => self.unexpected("only one pair may stand before `for`"),
+                _ => self.unexpected("only one pair is allowed before `for`"),
             }
             braces.clauses = Some(self.clauses());
             self.operand_start = None;
             if self.at(Tok::Comma) {
-                self.unexpected("a comprehension cannot have neighbours without parentheses");
+                self.unexpected("a comprehension next to other items must be in parentheses");
             }
         }
     }
@@ -89,7 +89,7 @@ impl Parser<'_> {
     fn pair(&mut self, key: Expr, braces: &mut Braces) {
         let value = if !self.at(Tok::Colon) {
             let reference = "':' expected after dictionary key";
-            self.error(self.gap(), "`:` and a value are missing here", reference);
+            self.error(self.gap(), "expected `:` and a value", reference);
             self.missing()
         } else {
             self.bump();
@@ -102,13 +102,13 @@ impl Parser<'_> {
         match self.kind() {
             Tok::Comma | Tok::Close(_) => {
                 let reference = "expression expected after dictionary key and ':'";
-                self.error(self.gap(), "a value is missing here", reference);
+                self.error(self.gap(), "expected a value", reference);
                 self.missing()
             }
             Tok::Star => {
                 let star = self.bump().range;
                 let reference = "cannot use a starred expression in a dictionary value";
-                self.error(star, "`*` is not possible in a dict", reference);
+                self.error(star, "`*` is not allowed in a dict", reference);
                 self.operand(power::BIT_OR)
             }
             _ => self.expression(),

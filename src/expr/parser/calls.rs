@@ -34,7 +34,7 @@ impl Parser<'_> {
                 let glued =
                     token.range.start == dot_end && word.starts_with(|c: char| c.is_ascii_alphabetic());
                 if glued && !matches!(token.kind, Tok::Str | Tok::OpenStr) {
-                    self.unexpected(format!("`{word}` is a keyword and cannot be an attribute"));
+                    self.unexpected(format!("keyword `{word}` is not allowed as an attribute"));
                     self.bump().range
                 } else {
                     self.hole("the name of an attribute").range
@@ -52,7 +52,7 @@ impl Parser<'_> {
         if self.kind().is_close() {
             let index = self.missing();
             self.bump();
-            self.error_from(start, index.range, "an index is missing here", self.no_index(0));
+            self.error_from(start, index.range, "expected an index", self.no_index(0));
             return self.indexed(start, value, index);
         }
         let mut items = Vec::new();
@@ -94,7 +94,7 @@ impl Parser<'_> {
             return item;
         }
         let (at, error) = (self.token().range, self.report.len());
-        let message = "a comprehension needs brackets of its own";
+        let message = "a comprehension must be in brackets";
         self.error_from(at.start, at, message, self.no_index(1));
         let clauses = self.clauses();
         self.operand_start = None;
@@ -109,7 +109,7 @@ impl Parser<'_> {
         }
         if matches!(lower.as_ref().map(|l| &l.kind), Some(ExprKind::NamedExpr { .. } | ExprKind::Starred(_)))
         {
-            self.unexpected("`:=` and `*` are not possible in front of `:`");
+            self.unexpected("`:=` and `*` are not allowed before `:`");
         }
         let start = lower.as_ref().map_or(start, |lower| start.min(lower.range.start));
         self.bump();
@@ -140,7 +140,7 @@ impl Parser<'_> {
             (Some(_), [generator]) if alone => generator.range = TextRange::new(open, self.prev_end),
             (Some(range), _) => {
                 let reference = "Generator expression must be parenthesized";
-                self.error(range, "a generator needs parentheses beside other arguments", reference);
+                self.error(range, "a generator next to other arguments must be in parentheses", reference);
             }
             (None, _) => {}
         }
@@ -167,7 +167,7 @@ impl Parser<'_> {
                 let word = self.token().range;
                 let name = word.slice(self.text);
                 let (message, reference) = (
-                    format!("`{name}` cannot be the name of an argument"),
+                    format!("`{name}` is not allowed as the name of an argument"),
                     format!("cannot assign to {name}"),
                 );
                 self.error(word, message, &reference);
@@ -184,7 +184,7 @@ impl Parser<'_> {
         let value = self.expression();
         if matches!(self.kind(), Tok::For | Tok::Async) {
             let reference = "invalid syntax. Maybe you meant '==' or ':=' instead of '='?";
-            self.error(name_range, "a generator cannot start with `name =`", reference);
+            self.error(name_range, "a generator must not start with `name =`", reference);
             self.clauses();
         }
         let name = Some(self.identifier(name_range));
@@ -196,7 +196,7 @@ impl Parser<'_> {
         let star = self.bump().range;
         if found.unpacking {
             let reference = "iterable argument unpacking follows keyword argument unpacking";
-            self.error(star, "`*` must stand before `**`", reference);
+            self.error(star, "`*` must come before `**`", reference);
         }
         let value = self.expression();
         self.grow();
@@ -223,14 +223,14 @@ impl Parser<'_> {
             Tok::Equal => {
                 self.bump();
                 let reference = "expression cannot contain assignment, perhaps you meant \"==\"?";
-                self.error(expr.range, "only a plain name can stand before `=` in a call", reference);
+                self.error(expr.range, "only a name is allowed before `=` in a call", reference);
                 let value = self.expression();
                 let name_range = expr.range;
                 found.args.push(expr);
                 found.keywords.push(Keyword { name: None, name_range, value });
             }
             Tok::Walrus => {
-                self.unexpected("`:=` needs a plain name on its left");
+                self.unexpected("`:=` must follow a name");
                 self.bump();
                 found.args.push(expr);
             }
@@ -260,7 +260,7 @@ impl Parser<'_> {
         let Some((range, reference)) = found.misplaced else { return };
         match self.report.plain_since(found.mark) {
             Some(index) => self.reword(index, range.start, reference),
-            None => self.error(range, "arguments without a name must stand before those with one", reference),
+            None => self.error(range, "positional arguments must come before keyword arguments", reference),
         }
     }
 
@@ -269,7 +269,7 @@ impl Parser<'_> {
         for keyword in keywords {
             let Some(name) = &keyword.name else { continue };
             if !seen.insert(name) {
-                let message = format!("the argument `{name}` is given twice");
+                let message = format!("duplicate argument `{name}`");
                 let reference = format!("keyword argument repeated: {name}");
                 self.report.add(Stage::Tree, keyword.name_range, message, &reference);
             }

@@ -41,7 +41,7 @@ impl Parser<'_> {
         } else if self.suggests_comma() && !matches!(target.kind, ExprKind::Missing) {
             let reference = "invalid syntax. Perhaps you forgot a comma?";
             let error = self.report.len();
-            self.error_from(target.range.start, self.gap(), "`in` is missing here", reference);
+            self.error_from(target.range.start, self.gap(), "expected `in`", reference);
             let iter = self.operand(power::OR);
             self.reword_unclosed(error);
             iter
@@ -66,7 +66,7 @@ impl Parser<'_> {
         if !self.at(Tok::Comma) {
             if matches!(first.kind, ExprKind::Starred(_)) {
                 let reference = "starred assignment target must be in a list or tuple";
-                self.report.add(Stage::Tree, first.range, "`*` needs other targets beside it", reference);
+                self.report.add(Stage::Tree, first.range, "`*` must be used with other targets", reference);
             }
             return first;
         }
@@ -102,12 +102,12 @@ impl Parser<'_> {
     pub(super) fn check_elements(&mut self, items: &[Expr], bracket: Bracket) {
         match items {
             [] => {
-                self.unexpected("a value is missing before `for`");
+                self.unexpected("expected a value before `for`");
             }
             [only] if self.token_at(self.pos.saturating_sub(1)).kind != Tok::Comma => {
                 if matches!(only.kind, ExprKind::Starred(_)) {
                     let reference = "iterable unpacking cannot be used in comprehension";
-                    self.error(only.range, "`*` is not possible in a comprehension", reference);
+                    self.error(only.range, "`*` is not allowed in a comprehension", reference);
                 }
             }
             [first, ..] => {
@@ -115,7 +115,7 @@ impl Parser<'_> {
                     Bracket::Round => "invalid syntax",
                     _ => "did you forget parentheses around the comprehension target?",
                 };
-                let message = "several values before `for` need parentheses";
+                let message = "several values before `for` must be in parentheses";
                 self.error(first.range, message, reference);
             }
         }

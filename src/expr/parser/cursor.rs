@@ -188,9 +188,9 @@ impl Parser<'_> {
     pub(super) fn hole(&mut self, what: &str) -> Expr {
         let found = self.token();
         let message = if found.range.is_empty() || found.kind.is_close() {
-            format!("{what} is missing here")
+            format!("expected {what}")
         } else {
-            format!("{what} is missing before `{}`", found.range.slice(self.text).replace('\n', "\\n"))
+            format!("expected {what} before `{}`", found.range.slice(self.text).replace('\n', "\\n"))
         };
         self.unexpected(message);
         self.missing()

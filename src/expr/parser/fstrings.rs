@@ -37,7 +37,7 @@ fn problem(message: &str, reference: &str) -> Problem {
 }
 
 fn no_brace() -> Problem {
-    problem("`}` is missing in this f-string", "f-string: expecting '}'")
+    problem("missing `}` in this f-string", "f-string: expecting '}'")
 }
 
 impl Parser<'_> {
@@ -82,7 +82,7 @@ impl Parser<'_> {
                 }
                 b'}' if level == 0 => {
                     let reference = "f-string: single '}' is not allowed";
-                    return Err(problem("a `}` in an f-string must be doubled", reference));
+                    return Err(problem("single `}` in an f-string; write `}}`", reference));
                 }
                 b'{' | b'}' => break,
                 b'\\' if !scan.raw && scan.byte(1) == Some(b'N') && scan.byte(2) == Some(b'{') => {
@@ -104,7 +104,7 @@ impl Parser<'_> {
     fn field(&mut self, scan: &mut Scan<'_>, level: u8) -> Result<FPart, Problem> {
         if level >= 2 {
             let reference = "f-string: expressions nested too deeply";
-            return Err(problem("fields are nested too deeply", reference));
+            return Err(problem("f-string fields are nested too deeply", reference));
         }
         scan.pos += 1;
         let start = scan.pos;
@@ -145,7 +145,7 @@ impl Parser<'_> {
                 }
                 _ => "f-string: empty expression not allowed".to_owned(),
             };
-            return Err(("a value is missing between the braces".to_owned(), reference));
+            return Err(("expected a value between the braces".to_owned(), reference));
         }
         let mut report = Report::new(self.text, self.report.start());
         let source = Source { text: self.text, start, end, outer_end: end, bracketed: true };
@@ -173,7 +173,7 @@ fn find_value_end(scan: &mut Scan<'_>) -> Result<(), Problem> {
     while let Some(b) = scan.byte(0) {
         if b == b'\\' {
             let reference = "f-string expression part cannot include a backslash";
-            return Err(problem("a backslash is not possible between the braces", reference));
+            return Err(problem("a backslash is not allowed between the braces", reference));
         }
         match (quote, b) {
             (Some((q, triple)), _) if b == q && (!triple || scan.at_tripled(q)) => {
@@ -195,7 +195,7 @@ fn find_value_end(scan: &mut Scan<'_>) -> Result<(), Problem> {
             }
             (None, b'#') => {
                 let reference = "f-string expression part cannot include '#'";
-                return Err(problem("`#` is not possible between the braces", reference));
+                return Err(problem("`#` is not allowed between the braces", reference));
             }
             (None, b'!' | b'=' | b'<' | b'>') if open.is_empty() && scan.byte(1) == Some(b'=') => {
                 scan.pos += 1
@@ -207,11 +207,9 @@ fn find_value_end(scan: &mut Scan<'_>) -> Result<(), Problem> {
         scan.pos += 1;
     }
     match (quote, open.last()) {
-        (Some(_), _) => {
-            Err(problem("a string between the braces is not closed", "f-string: unterminated string"))
-        }
+        (Some(_), _) => Err(problem("unclosed string between the braces", "f-string: unterminated string")),
         (None, Some(&b)) => {
-            Err(problem("a bracket is not closed", &format!("f-string: unmatched '{}'", char::from(b))))
+            Err(problem("unclosed bracket", &format!("f-string: unmatched '{}'", char::from(b))))
         }
         (None, None) if scan.pos >= scan.end => Err(no_brace()),
         _ => Ok(()),
@@ -231,9 +229,9 @@ fn close(open: &mut Vec<u8>, closer: u8) -> Result<(), Problem> {
             let top = char::from(top);
             let reference =
                 format!("f-string: closing parenthesis '{found}' does not match opening parenthesis '{top}'");
-            Err((format!("`{found}` does not close the `{top}` before it"), reference))
+            Err((format!("`{found}` does not match the opening `{top}`"), reference))
         }
-        None => Err((format!("`{found}` closes nothing"), format!("f-string: unmatched '{found}'"))),
+        None => Err((format!("unmatched `{found}`"), format!("f-string: unmatched '{found}'"))),
     }
 }
 
@@ -249,7 +247,7 @@ fn conversion(scan: &mut Scan<'_>) -> Result<Option<char>, Problem> {
         b'r' | b's' | b'a' => Ok(Some(char::from(b))),
         _ => {
             let reference = "f-string: invalid conversion character: expected 's', 'r', or 'a'";
-            Err(problem("only `!r`, `!s` and `!a` are possible", reference))
+            Err(problem("unknown conversion; only `!r`, `!s` and `!a` are allowed", reference))
         }
     }
 }

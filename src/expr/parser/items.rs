@@ -52,7 +52,7 @@ impl Parser<'_> {
         let value = self.expression();
         self.grow();
         let what = target.kind_name();
-        let message = format!("`:=` needs a plain name on its left, not {}", with_article(what));
+        let message = format!("`:=` must follow a name, not {}", with_article(what));
         self.error(target.range, message, &format!("cannot use assignment expressions with {what}"));
         self.node(start, value, |value| ExprKind::Tuple(vec![target, *value]))
     }
@@ -72,7 +72,7 @@ impl Parser<'_> {
                 format!("cannot assign to {} here. Maybe you meant '==' instead of '='?", target.kind_name())
             }
         };
-        self.error(target.range, "`=` assigns, which is not possible here; compare with `==`", &reference);
+        self.error(target.range, "assignment with `=` is not allowed; use `==` to compare", &reference);
         self.node(start, value, |value| ExprKind::Compare(Box::new(target), vec![(CmpOp::Eq, *value)]))
     }
 
@@ -98,7 +98,7 @@ impl Parser<'_> {
         match items.pop() {
             Some(only) if !comma && items.is_empty() => {
                 if matches!(only.kind, ExprKind::Starred(_)) {
-                    let message = "`*` is only possible in calls, lists and tuples";
+                    let message = "`*` is only allowed in calls, lists and tuples";
                     self.error(only.range, message, "cannot use starred expression here");
                 }
                 only
@@ -116,7 +116,7 @@ impl Parser<'_> {
         let value = self.expression();
         let alone = self.at_close() && !matches!(value.kind, ExprKind::Missing);
         let reference = if alone { "cannot use double starred expression here" } else { "invalid syntax" };
-        self.error(stars, "`**` is only possible in calls and dicts", reference);
+        self.error(stars, "`**` is only allowed in calls and dicts", reference);
         let mut values = vec![value];
         self.eat(Tok::Comma);
         self.items(|p| values.push(p.starred_or_named()));
@@ -147,7 +147,7 @@ impl Parser<'_> {
                 clauses = Some(p.clauses());
                 p.operand_start = None;
                 if p.at(Tok::Comma) {
-                    p.unexpected("a comprehension cannot have neighbours without parentheses");
+                    p.unexpected("a comprehension next to other items must be in parentheses");
                 }
             }
         });

@@ -28,7 +28,7 @@ impl Parser<'_> {
             self.parameter(&mut list);
             if !self.eat(Tok::Comma) && !self.at(Tok::Colon) {
                 if !self.at_close() || matches!(self.kind(), Tok::Newline) {
-                    self.unexpected("`,` or `:` is missing here");
+                    self.unexpected("expected `,` or `:`");
                 }
                 if self.pos == before || !matches!(self.kind(), Tok::Name | Tok::Star | Tok::DoubleStar) {
                     break;
@@ -61,7 +61,7 @@ impl Parser<'_> {
                 } else {
                     "invalid syntax"
                 };
-                self.error(range, "parameters cannot stand in parentheses", reference);
+                self.error(range, "parameters must not be in parentheses", reference);
             }
             _ => self.plain_parameter(list),
         }
@@ -95,7 +95,7 @@ impl Parser<'_> {
     fn default_value(&mut self) -> Expr {
         if matches!(self.kind(), Tok::Comma | Tok::Close(Bracket::Round)) {
             let range = self.gap();
-            self.error(range, "a default is missing here", "expected default value expression");
+            self.error(range, "expected a default value", "expected default value expression");
             return self.missing();
         }
         self.expression()
@@ -125,7 +125,7 @@ impl Parser<'_> {
             None
         };
         if let Some(reference) = problem {
-            self.error(at, "`/` cannot stand here", reference);
+            self.error(at, "unexpected `/`", reference);
         }
         if std::mem::replace(&mut list.slash, true) {
             return;
@@ -140,7 +140,7 @@ impl Parser<'_> {
         let at = self.bump().range;
         self.after_double_star(list);
         if list.star {
-            self.error(at, "`*` is possible only once", "* argument may appear only once");
+            self.error(at, "`*` is allowed only once", "* argument may appear only once");
         }
         list.star = true;
         let name = if self.at(Tok::Name) {
@@ -152,7 +152,7 @@ impl Parser<'_> {
             let last = self.at(Tok::Colon)
                 || (self.at(Tok::Comma) && matches!(self.next_kind(), Tok::Colon | Tok::DoubleStar));
             if last {
-                self.error(at, "a parameter is missing behind `*`", "named arguments must follow bare *");
+                self.error(at, "expected a parameter after `*`", "named arguments must follow bare *");
             } else if !self.at(Tok::Comma) {
                 self.hole("the name of a parameter");
             }
@@ -165,7 +165,7 @@ impl Parser<'_> {
         if self.at(Tok::Equal) {
             let at = self.bump().range;
             let reference = format!("{kind} argument cannot have default value");
-            self.error(at, "this parameter cannot have a default", &reference);
+            self.error(at, "this parameter must not have a default", &reference);
             self.expression();
         }
     }
@@ -173,7 +173,7 @@ impl Parser<'_> {
     fn after_double_star(&mut self, list: &Params) {
         if list.double_star && matches!(self.kind(), Tok::Name | Tok::Star | Tok::DoubleStar | Tok::Slash) {
             let reference = "arguments cannot follow var-keyword argument";
-            self.error(self.token().range, "nothing can follow `**`", reference);
+            self.error(self.token().range, "parameters are not allowed after `**`", reference);
         }
     }
 
@@ -182,7 +182,7 @@ impl Parser<'_> {
         for param in params.iter().filter(|p| !p.name.is_empty()) {
             if !seen.insert(&param.name) {
                 let reference = format!("duplicate argument '{}' in function definition", param.name);
-                let message = format!("the parameter `{}` is named twice", param.name);
+                let message = format!("duplicate parameter `{}`", param.name);
                 self.report.add(Stage::Tree, TextRange::empty(self.prev_end), message, &reference);
             }
         }

@@ -47,7 +47,7 @@ impl Parser<'_> {
     fn between_items(&mut self, item_start: usize, before: Option<&Gap>) -> Option<Gap> {
         if !self.kind().starts_operand() {
             let found = self.shown_token();
-            self.unexpected(format!("`{found}` cannot stand here"));
+            self.unexpected(format!("unexpected `{found}`"));
             self.skip();
             return None;
         }
@@ -68,7 +68,7 @@ impl Parser<'_> {
         }
         let (error, brace) = (self.report.len(), self.at(Tok::Open(crate::token::Bracket::Curly)));
         let from = if plain { self.start() } else { first.range.start };
-        self.error_from(from, self.gap(), "a comma or an operator is missing here", &reference);
+        self.error_from(from, self.gap(), "expected a comma or an operator", &reference);
         let followed = !plain || (alone && self.operand_start.is_some());
         (followed && self.report.len() > error).then_some(Gap { error, plain, brace })
     }
@@ -144,14 +144,18 @@ impl Parser<'_> {
     /// Report the first token behind `first`; true if CPython reads on there.
     fn report_leftover(&mut self, first: &Expr) -> bool {
         if let Some(name) = self.old_print(first) {
-            self.error(first.range, format!("`{name}` needs parentheses"), &print_reference(name));
+            self.error(
+                first.range,
+                format!("missing parentheses in call of `{name}`"),
+                &print_reference(name),
+            );
             return false;
         }
         let found = self.shown_token();
         let message = match self.kind() {
-            Tok::Equal => "`=` assigns, which is not possible here; compare with `==`".to_owned(),
-            Tok::Indent => "this line cannot continue the expression".to_owned(),
-            _ => format!("`{found}` cannot follow a complete expression"),
+            Tok::Equal => "assignment with `=` is not allowed; use `==` to compare".to_owned(),
+            Tok::Indent => "unexpected line after the expression".to_owned(),
+            _ => format!("unexpected `{found}`; an operator may be missing"),
         };
         self.unexpected(message);
         self.starts_expression()

@@ -59,7 +59,7 @@ impl Parser<'_> {
         }
         let range = self.range_from(start);
         if kinds == (true, true) {
-            let message = "strings and bytes cannot be joined";
+            let message = "cannot join strings and bytes";
             self.report.add(Stage::Grammar, range, message, "cannot mix bytes and nonbytes literals");
         }
         Expr { kind: joined.finish(), range }
@@ -105,7 +105,7 @@ impl Parser<'_> {
         let source = unify_line_ends(literal.body.slice(self.text));
         if !source.is_ascii() {
             let reference = "bytes can only contain ASCII literal characters";
-            self.report.add(Stage::Grammar, token, "only ASCII characters are possible in bytes", reference);
+            self.report.add(Stage::Grammar, token, "only ASCII characters are allowed in bytes", reference);
             return Vec::new();
         }
         if literal.raw || !source.contains('\\') {

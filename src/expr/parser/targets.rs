@@ -65,7 +65,7 @@ impl Parser<'_> {
     pub(super) fn check_target(&mut self, target: &Expr) {
         let Some(wrong) = invalid_target(target) else { return self.check_stars(target) };
         let what = wrong.kind_name();
-        let message = format!("`for` cannot assign to this {what}");
+        let message = format!("cannot assign to this {what} in `for`");
         self.error(wrong.range, message, &format!("cannot assign to {what}"));
     }
 
@@ -80,7 +80,7 @@ impl Parser<'_> {
         let mut starred = items.iter().filter(|item| matches!(item.kind, ExprKind::Starred(_)));
         if let Some(second) = starred.nth(1) {
             let reference = "multiple starred expressions in assignment";
-            self.report.add(Stage::Tree, second.range, "only one target may have a `*`", reference);
+            self.report.add(Stage::Tree, second.range, "only one target can have a `*`", reference);
         }
         items.iter().for_each(|item| self.check_stars(item));
     }

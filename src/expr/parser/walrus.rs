@@ -49,11 +49,11 @@ impl<'e> Checker<'e, '_, '_> {
     fn assignment(&mut self, name: &'e str, range: TextRange) {
         if self.in_iterable {
             let reference = "assignment expression cannot be used in a comprehension iterable expression";
-            self.error(range, "`:=` is not possible in what a comprehension iterates over", reference);
+            self.error(range, "`:=` is not allowed in the iterable of a comprehension", reference);
         } else if self.scopes.iter().any(|scope| scope.targets.contains(&name)) {
             let reference =
                 format!("assignment expression cannot rebind comprehension iteration variable '{name}'");
-            let message = format!("`{name}` is the variable of a comprehension and cannot be assigned to");
+            let message = format!("cannot assign to `{name}`, the variable of a comprehension");
             self.error(range, &message, &reference);
         } else if let Some(scope) = self.scopes.last_mut() {
             scope.assigned.push(name);
@@ -95,7 +95,7 @@ impl<'e> Checker<'e, '_, '_> {
         if let Some(name) = clash {
             let reference =
                 format!("comprehension inner loop cannot rebind assignment expression target '{name}'");
-            let message = format!("`{name}` was assigned with `:=` before and cannot be a variable here");
+            let message = format!("`{name}` is already assigned with `:=`");
             self.error(target.range, &message, &reference);
         }
     }

@@ -19,7 +19,7 @@ pub(super) fn angle(source: &SourceFile, offset: u32) -> Option<Action> {
     let at: At<'_> = locate(document, offset);
     let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else { return None };
     let speaks_xacro = document.root()?.attr("xmlns:xacro").is_some();
-    if !speaks_xacro || !is_angle(node, attr.name()) {
+    if !speaks_xacro || !schema::is_angle(node, attr.name()) {
         return None;
     }
     let whole = at.shift(attr.value_range());
@@ -36,14 +36,27 @@ pub(super) fn angle(source: &SourceFile, offset: u32) -> Option<Action> {
         if let Some(degrees) = degrees.and_then(|text| text.trim().parse::<f64>().ok()) {
             let radians = shown(degrees.to_radians(), 15);
             let edits = vec![edit(source, word(start, end), radians.clone())];
-            return Some(rewrite(format!("write the angle as `{radians}` rad"), edits));
+            return Some(rewrite(format!("convert angle to `{radians}` rad"), edits));
         }
-        let number = part.parse::<f64>().ok().filter(|number| number.is_finite() && *number != 0.0)?;
-        let text = format!("${{radians({})}}", near_whole(number.to_degrees()));
+        let text = format!("${{radians({})}}", round_degrees(part)?);
         let edits = vec![edit(source, word(start, end), text.clone())];
-        return Some(rewrite(format!("write the angle as `{text}`"), edits));
+        return Some(rewrite(format!("convert angle to `{text}`"), edits));
     }
     None
+}
+
+/// The angle that somebody has written in radians with some digits: whole or half degrees, as far as the digits say.
+/// Other numbers are no angles that somebody thought of in degrees.
+fn round_degrees(radians: &str) -> Option<String> {
+    /// With fewer digits, several angles round to the number.
+    const DIGITS: usize = 4;
+    let number = radians.parse::<f64>().ok().filter(|number| number.is_finite() && *number != 0.0)?;
+    let decimals = radians.split_once('.').map_or("", |(_, decimals)| decimals);
+    let digits = radians.chars().filter(char::is_ascii_digit).skip_while(|digit| *digit == '0').count();
+    let degrees = (number.to_degrees() * 2.0).round() / 2.0;
+    let unit = 10f64.powi(-(decimals.len() as i32));
+    let fits = (degrees.to_radians() - number).abs() <= unit;
+    (digits >= DIGITS && fits && !radians.contains(['e', 'E'])).then(|| near_whole(degrees))
 }
 
 /// What begins the comment with the angles in degrees.
@@ -69,14 +82,14 @@ pub(super) fn degrees_note(source: &SourceFile, offset: u32) -> Option<Action> {
         let far = written.iter().zip(degrees).any(|(old, new)| (old - new.to_radians()).abs() > 1e-3);
         let text = degrees.map(|angle| shown(angle.to_radians(), 15)).join(" ");
         let edits = vec![edit(source, at.shift(attr.value_range()), text)];
-        return far.then(|| rewrite("write the angles that the comment says", edits));
+        return far.then(|| rewrite("set angles from the comment", edits));
     }
     if written == [0.0; 3] {
         return None;
     }
     let degrees = written.map(|angle| near_whole(angle.to_degrees())).join(" ");
     let edits = vec![edit(source, TextRange::empty(end), format!(" {NOTE} {degrees} -->"))];
-    Some(rewrite("note the angles in degrees", edits))
+    Some(rewrite("add comment with angles in degrees", edits))
 }
 
 /// Words of a value; an expression is one word.
@@ -99,20 +112,6 @@ fn words(raw: &str) -> Vec<(usize, &str)> {
     }
     found.extend(start.map(|begin| (begin, raw.get(begin..).unwrap_or(""))));
     found
-}
-
-/// Whether an attribute holds angles in radians.
-fn is_angle(node: xml::Node<'_>, name: &str) -> bool {
-    let joint = |node: xml::Node<'_>| {
-        let kind = node.parent().and_then(|joint| joint.attr("type")).map(|kind| kind.raw().to_owned());
-        !matches!(kind.as_deref(), Some("prismatic" | "fixed" | "floating"))
-    };
-    if matches!(node.name(), "limit" | "safety_controller" | "calibration") && !joint(node) {
-        return false;
-    }
-    let specs = schema::element(node);
-    let own = specs.iter().flat_map(|spec| spec.attributes).filter(|attribute| attribute.name == name);
-    own.into_iter().any(|attribute| matches!(attribute.unit, Some("rad" | "rad or m")))
 }
 
 /// Degrees that are a whole number but for what rounding the radians made of them.
@@ -143,7 +142,7 @@ pub(super) fn package_path(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) ->
         FileKind::Yaml => return None,
         FileKind::Mesh | FileKind::Other => format!("package://{}/{rest}", package.name),
     };
-    Some(rewrite(format!("write the path as `{new}`"), vec![edit(cx.source, name.range, new.clone())]))
+    Some(rewrite(format!("convert path to `{new}`"), vec![edit(cx.source, name.range, new.clone())]))
 }
 
 /// The attributes of an element in the order in which its specification lists them.
@@ -162,7 +161,7 @@ pub(super) fn sort_attributes(source: &SourceFile, offset: u32) -> Option<Action
     let pairs = written.iter().zip(&sorted).filter(|(old, (_, new))| *old != new);
     let edits: Vec<_> =
         pairs.map(|(old, (_, new))| edit(source, *old, source.document.slice(*new))).collect();
-    (!edits.is_empty()).then(|| rewrite("sort the attributes", edits))
+    (!edits.is_empty()).then(|| rewrite("sort attributes", edits))
 }
 
 /// A plain description as one that xacro reads to the same effect.
@@ -181,7 +180,7 @@ pub(super) fn to_xacro(source: &SourceFile, offset: u32) -> Option<Action> {
         }
     }
     edits.sort_by_key(|edit| edit.span.range.start);
-    Some(rewrite("make it a xacro file", edits))
+    Some(rewrite("convert to a xacro file", edits))
 }
 
 #[cfg(test)]

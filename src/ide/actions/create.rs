@@ -19,17 +19,17 @@ pub(super) fn missing(source: &SourceFile, rule: &str, range: TextRange) -> Vec<
         "undefined-arg" if is_plain(&name) => argument(source, &name).into_iter().collect(),
         "undefined-macro" => new_macro(source, range).into_iter().collect(),
         "undefined-link" if is_plain(&name) => {
-            element(source, range, format!("create link `{name}`"), format!("<link name=\"{name}\"/>"))
+            element(source, range, format!("add link `{name}`"), format!("<link name=\"{name}\"/>"))
         }
         "undefined-material" if is_plain(&name) => element(
             source,
             range,
-            format!("create material `{name}`"),
+            format!("add material `{name}`"),
             format!("<material name=\"{name}\"><color rgba=\"0.5 0.5 0.5 1\"/></material>"),
         ),
         "missing-joint-limit" => {
             let limit = "<limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>";
-            child(source, range, "joint", "add a `limit` to fill in", limit)
+            child(source, range, "joint", "add `limit`", limit)
         }
         "missing-attribute" | "missing-limit-attribute" => attributes(source, range),
         _ => Vec::new(),
@@ -57,13 +57,13 @@ fn element(source: &SourceFile, range: TextRange, title: String, text: String) -
 
 fn property(source: &SourceFile, range: TextRange, name: &str) -> Option<Action> {
     let text = format!("<xacro:property name=\"{name}\" value=\"0\"/>");
-    element(source, range, format!("create property `{name}`"), text).pop()
+    element(source, range, format!("add property `{name}`"), text).pop()
 }
 
 /// A further parameter of the macro around.
 fn parameter(source: &SourceFile, range: TextRange, name: &str) -> Option<Action> {
     let (base, node) = enclosing(&source.document, range.start, "xacro:macro")?;
-    let title = format!("create parameter `{name}` of macro `{}`", node.attr("name")?.raw());
+    let title = format!("add parameter `{name}` to macro `{}`", node.attr("name")?.raw());
     let new = match node.attr("params") {
         Some(params) => {
             let at = TextRange::empty(base + params.value_range().end);
@@ -82,7 +82,7 @@ fn parameter(source: &SourceFile, range: TextRange, name: &str) -> Option<Action
 fn argument(source: &SourceFile, name: &str) -> Option<Action> {
     let at = first_child(&source.document)?;
     let text = top_level(&source.document, at, &format!("<xacro:arg name=\"{name}\" default=\"\"/>"));
-    Some(fix(format!("declare argument `{name}`"), vec![edit(source, TextRange::empty(at), text)]))
+    Some(fix(format!("add argument `{name}`"), vec![edit(source, TextRange::empty(at), text)]))
 }
 
 /// The name that an element calls a macro by.
@@ -100,7 +100,7 @@ fn new_macro(source: &SourceFile, range: TextRange) -> Option<Action> {
         params.push("*content".to_owned());
     }
     let text = format!("<xacro:macro name=\"{name}\" params=\"{}\"></xacro:macro>", params.join(" "));
-    element(source, range, format!("create macro `{name}`"), text).pop()
+    element(source, range, format!("add macro `{name}`"), text).pop()
 }
 
 /// A file that defines a macro.

@@ -31,7 +31,7 @@ pub(super) fn call(cx: &Cx<'_>, offset: u32) -> Option<Action> {
     }
     let range = node.range().shift(base);
     let content = indented(document, range, &text)?;
-    let title = format!("expand macro `{name}` here, fully evaluated");
+    let title = format!("expand macro call `{name}` with evaluated values");
     Some(Action { title, kind: ActionKind::Inline, edits: vec![edit(cx.source, range, content)] })
 }
 

@@ -20,8 +20,8 @@ struct Value<'a> {
     element: &'a str,
 }
 
-/// Make a property of the value that is selected, or of the number at the cursor: of it alone, and of all that
-/// are written alike.
+/// Make a property of the value that is selected, or of the number at the cursor: of it alone, and of all that are
+/// written alike in the same attribute of such elements. Zeros and ones are in every line, so they have to be selected.
 pub(super) fn property(cx: &Cx<'_>, selection: TextRange) -> Vec<Action> {
     let source = cx.source;
     let Some(value) = value_at(source, selection) else { return Vec::new() };
@@ -31,13 +31,13 @@ pub(super) fn property(cx: &Cx<'_>, selection: TextRange) -> Vec<Action> {
     let new = edit(source, TextRange::empty(at), top_level(&source.document, at, &text));
     let used = |in_expression: bool| if in_expression { name.clone() } else { format!("${{{name}}}") };
     let one = vec![new.clone(), edit(source, value.range, used(value.in_expression))];
-    let title = format!("make `{}` the property `{name}`", value.text);
+    let title = format!("extract `{}` to property `{name}`", value.text);
     let mut actions = vec![Action { title, kind: ActionKind::Extract, edits: one }];
     let alike = alike(source, &value, at);
     if alike.len() > 1 {
         let uses = alike.iter().map(|(range, in_expression)| edit(source, *range, used(*in_expression)));
         let edits = std::iter::once(new).chain(uses).collect();
-        let title = format!("make all {} `{}` the property `{name}`", alike.len(), value.text);
+        let title = format!("extract all {} `{}` to property `{name}`", alike.len(), value.text);
         actions.push(Action { title, kind: ActionKind::Extract, edits });
     }
     actions
@@ -70,6 +70,9 @@ fn value_at(source: &SourceFile, selection: TextRange) -> Option<Value<'_>> {
         return None;
     }
     let text = document.slice(range);
+    if selection.is_empty() && text.parse().is_ok_and(|number: f64| number == 0.0 || number == 1.0) {
+        return None;
+    }
     let inside = TextRange::new(range.start - whole.start, range.end - whole.start);
     let is_number = numbers(attr.raw()).any(|number| number == inside);
     let in_expression = in_expression(attr.raw(), inside.start as usize)?;
@@ -125,12 +128,13 @@ fn in_expression(text: &str, offset: usize) -> Option<bool> {
     }
 }
 
-/// The same value, wherever it is written behind an offset.
+/// The same value in attributes of the same meaning, behind an offset.
 fn alike(source: &SourceFile, value: &Value<'_>, from: u32) -> Vec<(TextRange, bool)> {
     let mut found = Vec::new();
     for (base, item) in source.document.items().filter(|(base, item)| base + item.len() > from) {
-        let attrs = item.all_nodes().flat_map(|node| node.attrs());
-        for attr in attrs.filter(|attr| !FIXED.contains(&attr.name())) {
+        let elements = item.all_nodes().filter(|node| node.local_name() == value.element);
+        let attrs = elements.flat_map(|node| node.attrs());
+        for attr in attrs.filter(|attr| attr.name() == value.attr.name()) {
             let raw = attr.raw();
             let whole = TextRange::new(0, raw.len() as u32);
             let candidates = numbers(raw).chain((raw == value.text).then_some(whole));

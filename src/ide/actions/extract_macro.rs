@@ -54,7 +54,7 @@ pub(super) fn extract_macro(cx: &Cx<'_>, selection: TextRange) -> Option<Action>
         edit(source, TextRange::empty(at), top_level(document, at, &definition)),
         edit(source, range, call),
     ];
-    let title = format!("make a macro `{macro_name}` of the selection");
+    let title = format!("extract selection to macro `{macro_name}`");
     Some(Action { title, kind: ActionKind::Extract, edits })
 }
 
@@ -135,7 +135,7 @@ pub fn move_to_file(
         "<?xml version=\"1.0\"?>{end}<robot xmlns:xacro=\"{namespace}\">{end}{unit}{body}{end}</robot>{end}"
     );
     let include = indented(document, range, &format!("<xacro:include filename=\"{name}\"/>"))?;
-    let title = format!("move the selection to `{name}`");
+    let title = format!("move selection to `{name}`");
     let action = Action { title, kind: ActionKind::Extract, edits: vec![edit(source, range, include)] };
     Some((action, NewFile { name, text }))
 }

@@ -34,7 +34,7 @@ pub(super) fn from_geometry(cx: &Cx<'_>, offset: u32) -> Option<Action> {
     let mut edits = entries(cx, base, source, numbers);
     edits.extend(centre(cx, base, source, child(body_node, "origin")));
     edits.sort_by_key(|edit| (edit.span.range.start, edit.span.range.end));
-    let title = format!("compute the inertia of the {}", shape_name(body)?);
+    let title = format!("compute inertia from the {}", shape_name(body)?);
     Some(Action { title, kind: ActionKind::Rewrite, edits })
 }
 

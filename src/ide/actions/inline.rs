@@ -2,10 +2,10 @@
 
 use super::place::element_at;
 use super::{Action, ActionKind};
-use crate::{Cx, definition_of, places};
+use crate::{Cx, TextNames, definition_of, places};
 use base::{Span, TextRange};
 use expand::{DefinitionId, SymbolKind};
-use rules::Edit;
+use rules::{Edit, Surroundings};
 use xml::Document;
 
 /// The property that is given or read at an offset, with its name: one that is given once, at no condition.
@@ -19,7 +19,7 @@ pub fn inlinable(cx: &Cx<'_>, offset: u32) -> Option<(DefinitionId, String)> {
 }
 
 /// Put the value of the property at an offset wherever it is read, and remove the property.
-pub(super) fn property(cx: &Cx<'_>, offset: u32) -> Option<Action> {
+pub(super) fn property(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Option<Action> {
     let (id, name) = inlinable(cx, offset)?;
     let target = definition_of(cx, id)?;
     let document = &cx.file_of(target.whole.file)?.document;
@@ -32,7 +32,9 @@ pub(super) fn property(cx: &Cx<'_>, offset: u32) -> Option<Action> {
         return None;
     }
     let mut edits = vec![Edit { span: line(document, target.whole, definition), content: String::new() }];
-    for span in places(cx, id).into_iter().filter(|span| *span != target.name) {
+    let names = TextNames::of(cx.expansion, world);
+    let all = places(cx, &names, &[target.name], &name);
+    for span in all.into_iter().filter(|span| *span != target.name) {
         let document = &cx.file_of(span.file)?.document;
         edits.push(inlined(document, span, &name, value)?);
     }

@@ -27,7 +27,7 @@ pub fn inline_macro(cx: &Cx<'_>, offset: u32) -> Option<Action> {
     let text = Body { item, definition, given: given(definition, call)? }.text()?;
     let range = call.range().shift(base);
     let content = indented(document, range, &text)?;
-    let title = format!("expand macro `{}` here", frame.name);
+    let title = format!("expand macro call `{}`", frame.name);
     Some(Action { title, kind: ActionKind::Inline, edits: vec![edit(cx.source, range, content)] })
 }
 

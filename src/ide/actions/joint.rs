@@ -22,11 +22,11 @@ pub(super) fn additions(source: &SourceFile, offset: u32) -> Vec<Action> {
     }
     let mut found = Vec::new();
     if matches!(kind, "revolute" | "continuous" | "prismatic" | "planar") && !has("axis") {
-        found.push(add("add the axis that parsers assume", "<axis xyz=\"1 0 0\"/>"));
+        found.push(add("add default `axis`", "<axis xyz=\"1 0 0\"/>"));
     }
     if matches!(kind, "revolute" | "prismatic") && !has("limit") {
         let limit = "<limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>";
-        found.push(add("add a limit to fill in", limit));
+        found.push(add("add `limit`", limit));
     }
     found
 }
@@ -51,7 +51,7 @@ pub(super) fn inertial(source: &SourceFile, offset: u32) -> Option<Action> {
     );
     let (range, text) = last_child(source, base, link, &text);
     let edits = vec![edit(source, range, text)];
-    Some(Action { title: "add an inertial to fill in".to_owned(), kind: ActionKind::Rewrite, edits })
+    Some(Action { title: "add `inertial`".to_owned(), kind: ActionKind::Rewrite, edits })
 }
 
 /// A collision of the shape of the visual at an offset.
@@ -71,5 +71,9 @@ pub(super) fn collision(source: &SourceFile, offset: u32) -> Option<Action> {
     }
     let text = format!("{end}{margin}<collision>{inner}{}{end}{margin}</collision>", kept.join(&inner));
     let edits = vec![edit(source, TextRange::empty(base + visual.range().end), text)];
-    Some(Action { title: "add a collision like this visual".to_owned(), kind: ActionKind::Rewrite, edits })
+    Some(Action {
+        title: "add `collision` with the same geometry".to_owned(),
+        kind: ActionKind::Rewrite,
+        edits,
+    })
 }

@@ -45,11 +45,11 @@ fn end_tag(source: &SourceFile, error: &SyntaxError) -> Vec<Action> {
         Some((open, _)) => {
             let (own, name) = (document.slice(open), document.slice(error.range));
             vec![
-                fix(format!("close `{own}`"), vec![edit(source, error.range, own.as_str())]),
-                fix(format!("open `{name}`"), vec![edit(source, open, name.as_str())]),
+                fix(format!("change end tag to `{own}`"), vec![edit(source, error.range, own.as_str())]),
+                fix(format!("change start tag to `{name}`"), vec![edit(source, open, name.as_str())]),
             ]
         }
-        None => vec![fix("remove the end tag".to_owned(), vec![edit(source, error.range, "")])],
+        None => vec![fix("remove end tag".to_owned(), vec![edit(source, error.range, "")])],
     }
 }
 
@@ -61,7 +61,7 @@ fn unclosed(source: &SourceFile, error: &SyntaxError) -> Option<Action> {
         let at = document.text().trim_end().len() as u32;
         let end = super::place::line_end(document);
         let edits = vec![edit(source, TextRange::empty(at), format!("{end}</{name}>"))];
-        return Some(fix(format!("close `{name}`"), edits));
+        return Some(fix(format!("add `</{name}>`"), edits));
     }
     let place = document.item_at(error.range.start);
     let inside = error.range.start - place.start;
@@ -73,7 +73,7 @@ fn unclosed(source: &SourceFile, error: &SyntaxError) -> Option<Action> {
     let text = document.slice(element.range().shift(place.start));
     let at = place.start + element.range().start + text.trim_end().len() as u32;
     let name = element.name();
-    Some(fix(format!("close `{name}`"), vec![edit(source, TextRange::empty(at), format!("</{name}>"))]))
+    Some(fix(format!("add `</{name}>`"), vec![edit(source, TextRange::empty(at), format!("</{name}>"))]))
 }
 
 /// The second of two attributes goes, with the blank in front of it.
@@ -86,7 +86,7 @@ fn duplicate(source: &SourceFile, error: &SyntaxError) -> Option<Action> {
     let before = document.slice(TextRange::new(place.start, range.start));
     let blanks = before.len() - before.trim_end().len();
     let range = TextRange::new(range.start - blanks as u32, range.end);
-    Some(fix(format!("remove the second `{}`", attr.name()), vec![edit(source, range, "")]))
+    Some(fix(format!("remove duplicate `{}`", attr.name()), vec![edit(source, range, "")]))
 }
 
 fn escape(source: &SourceFile, error: &SyntaxError, character: char, entity: &str) -> Vec<Action> {
@@ -95,5 +95,5 @@ fn escape(source: &SourceFile, error: &SyntaxError, character: char, entity: &st
     if document.slice(at) != character.to_string() {
         return Vec::new();
     }
-    vec![fix(format!("write `{entity}`"), vec![edit(source, at, entity)])]
+    vec![fix(format!("replace with `{entity}`"), vec![edit(source, at, entity)])]
 }

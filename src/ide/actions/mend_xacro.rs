@@ -2,19 +2,20 @@
 
 use super::place::{before, element_at, line_end, margin, top_level};
 use super::{Action, edit, fix};
-use crate::{Cx, rename};
+use crate::{Cx, TextNames, rename};
 use base::TextRange;
 use expr::is_identifier;
+use facts::{FactKind, facts};
 use rules::Edit;
 use vfs::SourceFile;
-use xml::Part;
+use xml::{Document, Part};
 
 /// Another name for a property or parameter that hides something of Python, everywhere it is used.
-pub fn other_name(cx: &Cx<'_>, range: TextRange) -> Option<Action> {
+pub fn other_name(cx: &Cx<'_>, all: &TextNames, range: TextRange) -> Option<Action> {
     let old = cx.source.document.slice(range);
     let names = [format!("{old}_"), format!("{old}_value"), format!("my_{old}")];
     names.iter().filter(|name| is_identifier(name)).find_map(|name| {
-        let places = rename(cx, range.start, name).ok()?;
+        let places = rename(cx, all, range.start, name).ok()?;
         let edits = places.into_iter().map(|span| Edit { span, content: name.clone() }).collect();
         Some(fix(format!("rename `{old}` to `{name}`"), edits))
     })
@@ -26,7 +27,7 @@ pub fn suggested(source: &SourceFile, range: TextRange, help: &str) -> Option<Ac
     let old = source.document.slice(range);
     let plain = |text: &str| !text.is_empty() && !text.contains(['$', '<', '&', '"', '\'', ' ', '\n']);
     let fits = plain(&old) && plain(near) && old != near;
-    fits.then(|| fix(format!("replace by `{near}`"), vec![edit(source, range, near)]))
+    fits.then(|| fix(format!("change to `{near}`"), vec![edit(source, range, near)]))
 }
 
 /// Remove the attribute that a finding names.
@@ -51,6 +52,9 @@ pub fn before_use(cx: &Cx<'_>, used: TextRange, given: TextRange) -> Option<Acti
     }
     let whole = element.range().shift(place.start);
     let at = before(document, used.start)?;
+    if rests_on(document, place.start, at) {
+        return None;
+    }
     let text = document.slice(whole);
     let text = top_level(document, at, &text);
     // with the line it has for itself
@@ -59,5 +63,22 @@ pub fn before_use(cx: &Cx<'_>, used: TextRange, given: TextRange) -> Option<Acti
     let alone = document.slice(TextRange::new(start, whole.start)) == lead;
     let gone = TextRange::new(if alone { start } else { whole.start }, whole.end);
     let edits = vec![edit(source, TextRange::empty(at), text), edit(source, gone, "")];
-    Some(fix("move the definition in front of its use".to_owned(), edits))
+    Some(fix("move definition before its first use".to_owned(), edits))
+}
+
+/// Whether the definition in the item at `given` uses names that are defined, or may be included, from `at` on: it
+/// cannot go in front of them.
+fn rests_on(document: &Document, given: u32, at: u32) -> bool {
+    const DEFINING: [FactKind; 3] = [FactKind::Property, FactKind::Macro, FactKind::Argument];
+    let own = facts(document).filter(|(base, _)| *base == given);
+    let used: Vec<String> = own
+        .flat_map(|(_, own)| own.mentions().map(|used| used.name.to_string()).collect::<Vec<_>>())
+        .collect();
+    let ends = document.items().map(|(base, item)| base + item.len());
+    let between = facts(document).zip(ends).filter(|((base, _), end)| *end > at && *base < given);
+    let is_used = |name: &str| used.iter().any(|used| used == name);
+    between.map(|((_, facts), _)| facts).any(|facts| {
+        let defines = DEFINING.iter().any(|&kind| facts.of(kind).any(|fact| is_used(&fact.name)));
+        defines || !used.is_empty() && facts.of(FactKind::Include).next().is_some()
+    })
 }

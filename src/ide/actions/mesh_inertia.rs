@@ -61,9 +61,8 @@ pub fn of_mesh(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Result<Vec<
             return Ok(Vec::new());
         }
         let offered = SUBSTANCES.iter().filter_map(|(substance, density)| {
-            let title = format!(
-                "compute mass and inertia of the closed mesh `{name}` for {substance}, {density} kg/m³"
-            );
+            let title =
+                format!("compute mass and inertia from mesh `{name}` for {substance} ({density} kg/m³)");
             Some(Action { title, kind: ActionKind::Rewrite, edits: vec![asked.inertial(cx, *density)?] })
         });
         return Ok(offered.collect());
@@ -71,7 +70,7 @@ pub fn of_mesh(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Result<Vec<
     let Some(mass) = mass else { return Ok(Vec::new()) };
     let density = mass / asked.solid.volume;
     let title = format!(
-        "compute the inertia of the closed mesh `{name}`: {} m³, {} kg/m³",
+        "compute inertia from mesh `{name}` ({} m³, {} kg/m³)",
         shown(asked.solid.volume),
         density.round()
     );
@@ -102,7 +101,7 @@ fn asked<'a>(cx: &Cx<'a>, world: Surroundings<'_>, offset: u32) -> Result<Option
     let name = file.value.rsplit(['/', '\\']).next().unwrap_or_default().to_owned();
     let FileTarget::File(path) = resolve_file(cx.expansion, world, file) else { return Ok(None) };
     let solid = solid(world, &path, first.1).map_err(|reason| Refused {
-        title: format!("compute the inertia of the mesh `{name}`"),
+        title: format!("compute inertia from mesh `{name}`"),
         reason: format!("mesh `{name}` {reason}"),
     })?;
     // an origin that a macro brings along has no text here
@@ -123,12 +122,12 @@ fn solid(world: Surroundings<'_>, path: &Path, scale: [f64; 3]) -> Result<Solid,
     if !surface.edges.closed {
         let open = surface.edges.boundary;
         return Err(match open {
-            0 => "is not closed: its triangles do not agree which side is outside".to_owned(),
-            _ => format!("is not closed: {open} edges have a triangle on one side only"),
+            0 => "is not closed: its normals are inconsistent".to_owned(),
+            _ => format!("is not closed: it has {open} open edges"),
         });
     }
     if matches!(mesh.up_axis, Some(UpAxis::X | UpAxis::Y)) {
-        return Err("has another up axis than z, which some programs turn and others do not".to_owned());
+        return Err("has an up axis other than z, which not all programs apply".to_owned());
     }
     let triangles =
         Meshes::triangles(world.vfs, path).map_err(|defect| format!("cannot be read: {}", defect.message))?;

@@ -18,6 +18,7 @@ mod place;
 mod prefix;
 mod split;
 mod suppress;
+mod vector;
 mod wrap;
 
 pub use create::{MacroFile, include_macro};
@@ -64,6 +65,9 @@ pub fn quick_fixes(source: &SourceFile, rule: &str, range: TextRange) -> Vec<Act
         "unknown-macro-param" | "unknown-xacro-attribute" | "unknown-attribute" => {
             mend_xacro::without_attribute(source, range).into_iter().collect()
         }
+        "wrong-vector-length" => vector::length(source, range).into_iter().collect(),
+        "zero-axis" => vector::axis(source, range),
+        "duplicate-joint-name" => vector::other_joint_name(source, range).into_iter().collect(),
         _ => create::missing(source, rule, range),
     };
     if rule != "xml-syntax-error" {
@@ -79,7 +83,7 @@ pub fn refactorings(cx: &Cx<'_>, world: Surroundings<'_>, selection: TextRange) 
     }
     let mut found: Vec<Action> = inertia::from_geometry(cx, selection.start).into_iter().collect();
     found.extend(extract::property(cx, selection));
-    found.extend(inline::property(cx, selection.start));
+    found.extend(inline::property(cx, world, selection.start));
     found.extend(expand::call(cx, selection.start));
     found.extend(wrap::in_condition(cx.source, selection));
     found.extend(joint::additions(cx.source, selection.start));

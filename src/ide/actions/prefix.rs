@@ -36,7 +36,7 @@ pub(super) fn names(source: &SourceFile, selection: TextRange) -> Option<Action>
     }
     edits.extend(parameter(source, base, around));
     edits.sort_by_key(|edit| edit.span.range.start);
-    let title = "put `${prefix}` in front of the names".to_owned();
+    let title = "add `${prefix}` to names".to_owned();
     Some(Action { title, kind: ActionKind::Rewrite, edits })
 }
 

@@ -44,7 +44,7 @@ pub(super) fn collision(cx: &Cx<'_>, offset: u32) -> Option<Action> {
     let mut edits: Vec<_> =
         collisions.iter().map(|node| edit(source, with_blanks(*node).shift(base), "")).collect();
     edits.push(edit(source, TextRange::empty(base + link.range().end), text));
-    let title = format!("split link `{name}` into a visual and a collision copy");
+    let title = format!("split link `{name}` into a visual and a collision link");
     Some(Action { title, kind: ActionKind::Rewrite, edits })
 }
 

@@ -26,7 +26,7 @@ fn here(source: &SourceFile, rule: &str, range: TextRange) -> Option<Action> {
     let behind = if stands_alone || tag.start == 0 { format!("{end}{margin}") } else { " ".to_owned() };
     let comment = format!("<!-- xacro-lint: disable-next-line {rule} -->{behind}");
     let edits = vec![edit(source, TextRange::empty(tag.start), comment)];
-    Some(fix(format!("hide `{rule}` here by a comment"), edits))
+    Some(fix(format!("disable `{rule}` for this line"), edits))
 }
 
 /// A comment at the top of the file.
@@ -40,7 +40,7 @@ fn in_file(source: &SourceFile, rule: &str) -> Action {
         Some(declaration) => (declaration.range().end, format!("{end}{comment}")),
         None => (0, format!("{comment}{end}")),
     };
-    fix(format!("hide `{rule}` in this file by a comment"), vec![edit(source, TextRange::empty(at), text)])
+    fix(format!("disable `{rule}` for this file"), vec![edit(source, TextRange::empty(at), text)])
 }
 
 /// Switch a rule off in the text of a configuration file: the range that is replaced, and by what.

@@ -6,10 +6,10 @@ use base::TextRange;
 use vfs::SourceFile;
 use xml::Document;
 
-/// Put the selected elements, or the one whose start tag the cursor is in, under a condition.
+/// Put the selected elements under a condition. At every tag there would be too many offers.
 pub(super) fn in_condition(source: &SourceFile, selection: TextRange) -> Option<Action> {
     let document = &source.document;
-    document.root()?.attr("xmlns:xacro")?;
+    document.root()?.attr("xmlns:xacro").filter(|_| !selection.is_empty())?;
     let range = elements(document, selection)?;
     let (end, margin) = (line_end(document), margin(document, range.start));
     let body = document.slice(range);

@@ -44,7 +44,7 @@ pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed, tag: &Open) -> Comple
     if typed.open.is_empty() {
         let text = format!("xmlns:xacro=\"{NAMESPACE}\"");
         let item = Completion::new(ItemKind::Attribute, "xmlns:xacro");
-        items.push(item.text(text).rank(1).detail("the namespace of xacro"));
+        items.push(item.text(text).rank(1).detail("the xacro namespace"));
     }
     items.retain(|item| !has(&item.label));
     if has_value {
@@ -97,8 +97,8 @@ fn parameters(scope: &Scope<'_>, tag: &Open) -> Vec<Completion> {
             let default = param.default.as_ref().map(|(text, _)| format!("default {text}"));
             let note = match (default, param.forward) {
                 (Some(default), false) => default,
-                (Some(default), true) => format!("of the caller, {default}"),
-                (None, true) => "of the caller".to_owned(),
+                (Some(default), true) => format!("from the caller, {default}"),
+                (None, true) => "from the caller".to_owned(),
                 (None, false) => "required".to_owned(),
             };
             let about = Topic::Macro { name: info.name.clone() };

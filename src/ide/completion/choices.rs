@@ -15,12 +15,12 @@ use rules::schema::{AttributeKind, ElementSpec};
 
 /// What the types of joints do.
 const JOINT_TYPES: &[(&str, &str)] = &[
-    ("revolute", "turns about the axis, between lower and upper"),
-    ("continuous", "turns about the axis without end"),
-    ("prismatic", "slides along the axis, between lower and upper"),
+    ("revolute", "rotates about the axis, with limits"),
+    ("continuous", "rotates about the axis, without limits"),
+    ("prismatic", "slides along the axis, with limits"),
     ("fixed", "does not move"),
     ("floating", "moves freely: six degrees of freedom"),
-    ("planar", "moves in the plane perpendicular to the axis"),
+    ("planar", "moves in the plane normal to the axis"),
 ];
 
 /// Names of interfaces that most hardware has.
@@ -119,7 +119,7 @@ fn of_element(
     attribute: &str,
 ) -> Vec<Completion> {
     if tag.name == "material" && attribute == "name" {
-        return materials(scope);
+        return materials(scope, typed);
     }
     if tag.name.ends_with("_interface") && attribute == "name" {
         return INTERFACES.iter().map(|name| Completion::new(ItemKind::Choice, *name)).collect();
@@ -152,24 +152,24 @@ fn numbers(tag: &str, attribute: &str) -> Vec<Completion> {
             ("1 0 0", "along x"),
             ("0 1 0", "along y"),
             ("0 0 1", "along z"),
-            ("-1 0 0", "against x"),
-            ("0 -1 0", "against y"),
-            ("0 0 -1", "against z"),
+            ("-1 0 0", "along -x"),
+            ("0 -1 0", "along -y"),
+            ("0 0 -1", "along -z"),
         ],
         (_, "xyz") => &[("0 0 0", "m"), ("0 0 0.1", "m"), ("${x} ${y} ${z}", "m")],
         (_, "rpy") => &[
             ("0 0 0", "rad"),
-            ("${pi/2} 0 0", "a quarter turn about x"),
-            ("0 ${pi/2} 0", "a quarter turn about y"),
-            ("0 0 ${pi/2}", "a quarter turn about z"),
-            ("0 0 ${pi}", "half a turn about z"),
-            ("${-pi/2} 0 ${-pi/2}", "from a body to a camera's optical frame"),
+            ("${pi/2} 0 0", "90° about x"),
+            ("0 ${pi/2} 0", "90° about y"),
+            ("0 0 ${pi/2}", "90° about z"),
+            ("0 0 ${pi}", "180° about z"),
+            ("${-pi/2} 0 ${-pi/2}", "from a camera frame to its optical frame"),
         ],
         ("box", "size") => &[("0.1 0.1 0.1", "m"), ("1 1 1", "m")],
-        ("mesh", "scale") => &[("1 1 1", "metres"), ("0.001 0.001 0.001", "millimetres to metres")],
+        ("mesh", "scale") => &[("1 1 1", "metres"), ("0.001 0.001 0.001", "millimeters to meters")],
         (_, "rgba") => &[
-            ("0.8 0.8 0.8 1", "light grey"),
-            ("0.2 0.2 0.2 1", "dark grey"),
+            ("0.8 0.8 0.8 1", "light gray"),
+            ("0.2 0.2 0.2 1", "dark gray"),
             ("1 1 1 1", "white"),
             ("0 0 0 1", "black"),
             ("0.8 0 0 1", "red"),

@@ -8,10 +8,10 @@ use super::scope::Scope;
 use crate::typed::Typed;
 
 const DIRECTIVES: &[(&str, &str)] = &[
-    ("disable-next-line", "no findings of these rules on the next line"),
-    ("disable", "no findings of these rules from here on, until `enable`"),
-    ("enable", "findings of these rules again"),
-    ("disable-file", "no findings of these rules in this file"),
+    ("disable-next-line", "disable these rules for the next line"),
+    ("disable", "disable these rules until `enable`"),
+    ("enable", "enable these rules again"),
+    ("disable-file", "disable these rules for this file"),
 ];
 
 /// What fits into a comment: nothing, unless it begins as one of those.

@@ -158,17 +158,17 @@ impl<'a> Evaluator<'a> {
 
     fn substitution(&mut self, inner: &str) -> Value {
         let found = expr::resolve_substitution(inner, |subst| match subst {
-            Subst::Arg(word) => self.argument(&word.text).ok_or_else(|| SubstError::new("not known")),
+            Subst::Arg(word) => self.argument(&word.text).ok_or_else(|| SubstError::new("unknown")),
             Subst::Find(word) => {
                 let found = self.scope.sources.packages.find(&word.text, &self.file);
                 let path = found.ok().and_then(|found| Some(EcoString::from(found.path.to_str()?)));
-                path.ok_or_else(|| SubstError::new("not known"))
+                path.ok_or_else(|| SubstError::new("unknown"))
             }
             Subst::Eval { code } => {
                 let value = self.code(code.slice(inner));
-                display::to_str(&value).ok_or_else(|| SubstError::new("not known"))
+                display::to_str(&value).ok_or_else(|| SubstError::new("unknown"))
             }
-            _ => Err(SubstError::new("not known")),
+            _ => Err(SubstError::new("unknown")),
         });
         found.map_or(Value::Unknown, Value::Str)
     }

@@ -148,7 +148,7 @@ fn names(scope: &Scope<'_>, typed: &Typed, word: &str, is_eval: bool) -> (Vec<Co
 
 fn parameters(typed: &Typed) -> Vec<Completion> {
     let macros = typed.open.iter().filter(|open| open.name == "xacro:macro");
-    let params = macros.filter_map(|open| parse_params(open.attr("params")?)).flatten();
+    let params = macros.filter_map(|open| parse_params(&open.attr("params")?)).flatten();
     let values = params.filter(|param| !param.is_block());
     values
         .map(|param| {

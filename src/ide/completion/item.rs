@@ -169,7 +169,10 @@ impl Completions {
     pub(super) fn bounded(mut self, typed: &str) -> Self {
         // the first of a label is the nearest
         let mut seen = base::FastSet::default();
-        self.items.sort_by_key(|item| item.rank);
+        // what begins with the letters that were typed is meant more often than what holds them
+        let typed_lower = typed.to_lowercase();
+        self.items
+            .sort_by_cached_key(|item| (!item.label.to_lowercase().starts_with(&typed_lower), item.rank));
         self.items.retain(|item| seen.insert(item.label.clone()));
         if self.more || self.items.len() > COMPLETIONS {
             self.more = true;

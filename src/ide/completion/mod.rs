@@ -21,8 +21,8 @@ mod tags;
 
 pub use docs::documentation;
 pub use item::{Completion, Completions, ItemKind, Topic};
-pub(super) use scope::comment_above;
 pub use scope::{Scope, Sources};
+pub(super) use scope::{comment_above, tidy};
 pub use signature::{Signature, signature_help};
 
 use super::typed::{Typed, Typing, is_name_char, typed};
@@ -57,7 +57,8 @@ fn content(scope: &Scope<'_>, typed: &Typed, trigger: Option<char>) -> Completio
     if let Some(found) = expressions::expression(scope, typed) {
         return found;
     }
-    if trigger.is_some() || typed.open.is_empty() && !typed.before.trim().is_empty() {
+    let has_root = scope.sources.source.document.root().is_some();
+    if trigger.is_some() || has_root && typed.open.is_empty() && !typed.before.trim().is_empty() {
         return Completions::default();
     }
     let parent = typed.open.last().map_or("", |open| open.name.as_str());

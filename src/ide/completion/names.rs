@@ -49,7 +49,7 @@ pub(super) fn names(scope: &Scope<'_>, typed: &Typed, wanted: Wanted, is_end: bo
     let mut found = Vec::new();
     for &(fact, kind) in wanted.kinds() {
         let patterns = scope.patterns(fact, typed.offset).into_iter().filter(|name| !name.is_empty());
-        found.extend(patterns.map(|name| Completion::new(kind, name).note("this macro").rank(0)));
+        found.extend(patterns.map(|name| Completion::new(kind, name).note("here").rank(0)));
         if typed.in_macro().is_some() && kind == ItemKind::Link {
             found.extend(link_parameters(typed));
         }
@@ -75,7 +75,7 @@ pub(super) fn names(scope: &Scope<'_>, typed: &Typed, wanted: Wanted, is_end: bo
 
 /// Parameters of the macro around that are there to name a link.
 fn link_parameters(typed: &Typed) -> Vec<Completion> {
-    let params = typed.in_macro().and_then(|open| parse_params(open.attr("params")?)).unwrap_or_default();
+    let params = typed.in_macro().and_then(|open| parse_params(&open.attr("params")?)).unwrap_or_default();
     let links = params.iter().filter(|param| !param.is_block() && is_link_name(&param.name));
     links
         .map(|param| {
@@ -129,8 +129,11 @@ fn spec(node: Node<'_>) -> Option<&'static rules::schema::ElementSpec> {
 }
 
 /// The materials of the robot, and those the texts give.
-pub(super) fn materials(scope: &Scope<'_>) -> Vec<Completion> {
-    let mut found = Vec::new();
+pub(super) fn materials(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
+    let patterns =
+        scope.patterns(FactKind::Material, typed.offset).into_iter().filter(|name| !name.is_empty());
+    let mut found: Vec<Completion> =
+        patterns.map(|name| Completion::new(ItemKind::Color, name).note("here").rank(0)).collect();
     for (expansion, robot) in scope.sources.expansions {
         let Some(robot) = robot else { continue };
         let visuals = robot.links.iter().flat_map(|link| &link.visuals);
@@ -162,7 +165,7 @@ fn hex(rgba: [f64; 4]) -> String {
 /// The blocks that can be inserted: parameters of the macros around, and properties.
 pub(super) fn blocks(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
     let macros = typed.open.iter().filter(|open| open.name == "xacro:macro");
-    let params = macros.filter_map(|open| parse_params(open.attr("params")?)).flatten();
+    let params = macros.filter_map(|open| parse_params(&open.attr("params")?)).flatten();
     let params: Vec<Completion> = params
         .filter(|param| param.is_block())
         .map(|param| {

@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
+use super::super::text_names::included;
 use base::FastSet;
 use expand::{Expansion, Param, parse_params};
 use facts::{Fact, FactKind, facts_of};
@@ -130,39 +131,30 @@ impl<'a> Scope<'a> {
             return Vec::new();
         }
         let Ok(source) = self.sources.vfs.document(path) else { return Vec::new() };
-        let mut included = Vec::new();
+        let mut found = Vec::new();
         for (_, item) in source.document.parts() {
             for fact in facts_of(item).of(FactKind::Include) {
-                let Some(path) = self.included(&fact.name, &source.path) else { continue };
+                let (packages, vfs) = (self.sources.packages, self.sources.vfs);
+                let Some(path) = included(&fact.name, &source.path, packages, vfs) else { continue };
                 let name = item.node(fact.node).attr("ns").map(|ns| format!("{namespace}{}.", ns.raw()));
-                included.push((path, name.unwrap_or_else(|| namespace.clone())));
+                found.push((path, name.unwrap_or_else(|| namespace.clone())));
             }
         }
         self.files.push(InScope { source, namespace });
-        included
-    }
-
-    /// The file that `filename` names, when nothing has to be computed but packages.
-    fn included(&self, filename: &str, from: &Path) -> Option<PathBuf> {
-        let mut path = String::new();
-        let mut rest = filename;
-        while let Some((before, after)) = rest.split_once("$(find ") {
-            let (package, behind) = after.split_once(')')?;
-            path.push_str(before);
-            path.push_str(self.sources.packages.find(package.trim(), from).ok()?.path.to_str()?);
-            rest = behind;
-        }
-        path.push_str(rest);
-        let plain = !path.contains(['$', '*', '?', '[']);
-        let path = plain.then(|| tidy(&from.parent().unwrap_or(from).join(path)))?;
-        let path = self.sources.packages.present(&path).into_owned();
-        self.sources.vfs.is_file(&path).then_some(path)
+        found
     }
 
     /// All items with the index of their file.
     fn items(&self) -> impl Iterator<Item = (usize, &InScope, &Arc<Item>)> {
         let files = self.files.iter().enumerate();
         files.flat_map(|(index, file)| file.source.document.parts().map(move |(_, item)| (index, file, item)))
+    }
+
+    /// The namespaces of a file, each with its dot, as they are written in the edited file: those around that are not.
+    fn namespace_here<'n>(&self, namespace: &'n str) -> &'n str {
+        let edited = self.files.iter().filter(|file| file.source.path == self.sources.source.path);
+        let own = edited.filter_map(|file| namespace.strip_prefix(file.namespace.as_str()));
+        own.min_by_key(|rest| rest.len()).unwrap_or(namespace)
     }
 
     /// The macros that can be called, each name once: the last definition counts.
@@ -173,7 +165,11 @@ impl<'a> Scope<'a> {
                 let node = item.node(fact.node);
                 let params = node.attr("params").map(|attr| attr.value(&Entities::default()).into_owned());
                 found.push(MacroInfo {
-                    name: format!("{}{}", file.namespace, fact.name.trim_start_matches("xacro:")),
+                    name: format!(
+                        "{}{}",
+                        self.namespace_here(&file.namespace),
+                        fact.name.trim_start_matches("xacro:")
+                    ),
                     params: params.and_then(|text| parse_params(&text)).unwrap_or_default(),
                     comment: comment_above(node),
                     file: file.source.path.clone(),
@@ -191,7 +187,15 @@ impl<'a> Scope<'a> {
     /// The macro that a tag `xacro:name` calls.
     pub(super) fn called(&self, tag: &str) -> Option<MacroInfo> {
         let name = tag.strip_prefix("xacro:")?;
-        self.macros().into_iter().find(|info| info.name == name)
+        let mut macros = self.macros();
+        if let Some(known) = macros.iter().position(|info| info.name == name) {
+            return Some(macros.swap_remove(known));
+        }
+        // a namespace whose file is computed: the macro, when only one has that name
+        let (_, last) = name.rsplit_once('.')?;
+        macros.retain(|info| info.name.rsplit('.').next() == Some(last));
+        let first = macros.pop()?;
+        macros.iter().all(|other| Arc::ptr_eq(&other.item, &first.item)).then_some(first)
     }
 
     /// The properties that can be read at `offset` of the edited file, in the order of the text.
@@ -208,7 +212,7 @@ impl<'a> Scope<'a> {
                 if fact.in_macro && !here && !handed_on {
                     continue;
                 }
-                let name = match in_scope.namespace.as_str() {
+                let name = match self.namespace_here(&in_scope.namespace) {
                     "" => fact.name.clone(),
                     namespace => ecow::eco_format!("{namespace}{}", fact.name),
                 };
@@ -249,15 +253,27 @@ impl<'a> Scope<'a> {
         found
     }
 
-    /// The names of a kind that the macro around `offset` gives, as they are written.
+    /// The names of a kind that stand around `offset` as they are written: those of the macro around, and outside of
+    /// macros those with something computed in them, which the robot knows under other names. What is typed at `offset`
+    /// is none.
     pub(super) fn patterns(&self, kind: FactKind, offset: u32) -> Vec<EcoString> {
-        let place = self.sources.source.document.item_at(offset.saturating_sub(1));
-        let Some(around) = macro_at(place.item, offset.saturating_sub(place.start)) else {
-            return Vec::new();
-        };
-        let facts = facts_of(place.item);
-        let own = facts.of(kind).filter(|fact| macro_around(place.item.node(fact.node)) == Some(around));
-        own.map(|fact| fact.name.clone()).collect()
+        let document = &self.sources.source.document;
+        let place = document.item_at(offset.saturating_sub(1));
+        let around = macro_at(place.item, offset.saturating_sub(place.start));
+        let mut found = Vec::new();
+        for (base, item) in document.parts() {
+            if around.is_some() && !Arc::ptr_eq(item, place.item) {
+                continue;
+            }
+            let facts = facts_of(item);
+            let own = facts.of(kind).filter(|fact| match around {
+                Some(_) => macro_around(item.node(fact.node)) == around,
+                None => !fact.in_macro && fact.name.contains('$'),
+            });
+            let others = own.filter(|fact| !fact.range.shift(base).touches(offset));
+            found.extend(others.map(|fact| fact.name.clone()));
+        }
+        found
     }
 }
 
@@ -294,7 +310,7 @@ pub fn comment_above(node: Node<'_>) -> String {
 }
 
 /// A path without `folder/..`, by its text alone.
-pub(super) fn tidy(path: &Path) -> PathBuf {
+pub fn tidy(path: &Path) -> PathBuf {
     let mut clean = PathBuf::new();
     for part in path.components() {
         match part {

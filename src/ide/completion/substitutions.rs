@@ -9,10 +9,10 @@ use workspace::Step;
 const COMMANDS: &[(&str, &str, &str)] = &[
     ("arg", " ", "the value of an argument"),
     ("find", " ", "the folder of a package"),
-    ("env", " ", "a variable of the environment"),
-    ("optenv", " ", "a variable of the environment, or a default"),
-    ("eval", " ", "a Python expression with the arguments as names"),
-    ("dirname", "", "refused by xacro 2: use a relative path"),
+    ("env", " ", "an environment variable"),
+    ("optenv", " ", "an environment variable, or a default"),
+    ("eval", " ", "a Python expression that can use arguments by name"),
+    ("dirname", "", "not supported by xacro 2: use a relative path"),
     ("cwd", "", "the working directory"),
 ];
 

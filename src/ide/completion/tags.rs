@@ -1,10 +1,15 @@
 //! Names of elements: what may stand here, xacro's own tags, macros.
 
+use std::path::Path;
+
 use super::directives::{DIRECTIVES, directive};
 use super::item::{Completion, Completions, ItemKind, Topic, escaped};
 use super::scope::{MacroInfo, Scope};
 use crate::typed::{Typed, is_name_char};
+use base::FastSet;
+use ecow::EcoString;
 use expand::Param;
+use facts::{FactKind, facts};
 use rules::schema::{AttributeKind, AttributeSpec, Content, ElementSpec, elements, robot};
 
 /// The element that a chain of open elements ends in, as URDF sees it: tags of xacro are transparent. None where
@@ -25,10 +30,37 @@ pub(super) fn spec_of(names: &[&str]) -> Option<&'static ElementSpec> {
     found
 }
 
-/// The one element of a name, wherever it stands.
+/// The element of a name, when it is the same wherever it stands, as `origin` is.
 fn only(name: &str) -> Option<&'static ElementSpec> {
+    let names =
+        |spec: &ElementSpec| spec.attributes.iter().map(|attribute| attribute.name).collect::<Vec<_>>();
     let mut all = elements().filter(|spec| spec.name == name);
-    all.next().filter(|_| all.next().is_none())
+    let first = all.next()?;
+    all.all(|other| names(other) == names(first) && other.key == first.key).then_some(first)
+}
+
+/// Which macros are the nearest: those that the file calls already, then those of its folder.
+struct Near<'a> {
+    folder: Option<&'a Path>,
+    calls: FastSet<EcoString>,
+}
+
+impl<'a> Near<'a> {
+    fn of(scope: &Scope<'a>) -> Self {
+        let source = scope.sources.source;
+        let calls = facts(&source.document).flat_map(|(_, facts)| {
+            facts.of(FactKind::Call).map(|call| call.name.clone()).collect::<Vec<_>>()
+        });
+        Self { folder: source.path.parent(), calls: calls.collect() }
+    }
+
+    fn rank(&self, info: &MacroInfo) -> u8 {
+        match info.file.parent() == self.folder {
+            _ if self.calls.contains(info.name.as_str()) => 0,
+            true => 1,
+            false => 2,
+        }
+    }
 }
 
 /// The element around what is typed.
@@ -52,7 +84,8 @@ pub(super) fn tags(scope: &Scope<'_>, typed: &Typed, lead: &str) -> Completions 
             .rank(if typed.before.starts_with("xacro:") { 2 } else { 6 })
             .about(Topic::Directive { name: directive.name.to_owned() })
     }));
-    items.extend(scope.macros().iter().map(called));
+    let near = Near::of(scope);
+    items.extend(scope.macros().iter().map(|info| called(info).rank(near.rank(info))));
     for item in &mut items {
         item.snippet = item.snippet.take().filter(|_| !bare).map(|text| format!("{lead}{text}"));
         item.text.insert_str(0, lead);

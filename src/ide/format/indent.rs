@@ -45,9 +45,14 @@ pub(super) fn width(text: &str, from: usize, tab: usize) -> usize {
     end - from
 }
 
-/// The step of indentation that a document uses: what most elements stand further right than the element around
-/// them. Two blanks when nothing tells.
+/// The step of indentation that a document uses, two blanks when nothing tells.
 pub fn indentation(document: &Document) -> Indent {
+    own_indentation(document).unwrap_or_else(|| Indent::blanks(2))
+}
+
+/// The step of indentation that a document uses: what most elements stand further right than the element around
+/// them.
+pub fn own_indentation(document: &Document) -> Option<Indent> {
     let text = document.text();
     let mut open: Vec<Option<&str>> = Vec::new();
     let mut steps: BTreeMap<&str, usize> = BTreeMap::new();
@@ -71,11 +76,8 @@ pub fn indentation(document: &Document) -> Indent {
     }
     let most =
         steps.iter().max_by_key(|(step, count)| (**count, **step == "  ", std::cmp::Reverse(step.len())));
-    match most {
-        Some((&"\t", _)) => Indent::tabs(4),
-        Some((step, _)) => Indent::blanks(step.len()),
-        None => Indent::blanks(2),
-    }
+    let (step, _) = most?;
+    Some(if *step == "\t" { Indent::tabs(4) } else { Indent::blanks(step.len()) })
 }
 
 fn is_step(step: &str) -> bool {

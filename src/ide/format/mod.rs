@@ -1,4 +1,4 @@
-//! Formatting: white space between tags and between attributes is set anew, everything else stays byte by byte.
+//! Formatting: white space between tags and between attributes is set again, everything else stays byte by byte.
 //!
 //! Every change is a replacement of one stretch of white space, so that the changes of a range are those of the
 //! whole document that lie in it. Text is never touched: an element with text in it is left alone as a whole.
@@ -11,7 +11,7 @@ mod tag;
 
 use base::TextRange;
 use indent::width;
-pub use indent::{Indent, indentation};
+pub use indent::{Indent, indentation, own_indentation};
 use pieces::{Kind, Piece, pieces};
 use workspace::config;
 use xml::Document;

@@ -25,29 +25,29 @@ const NOTES: &[(&str, &str, &str)] = &[
     ("joint", "origin", "from the frame of the parent link to the frame of the joint; identity by default"),
     ("inertial", "origin", "from the frame of the link to the frame of the inertia; identity by default"),
     ("visual", "origin", "from the frame of the link to that of the geometry; identity by default"),
-    ("inertial", "inertia", "about the centre of mass, in the axes of the inertial frame"),
-    ("geometry", "box", "centred at the origin"),
-    ("geometry", "cylinder", "centred at the origin, along z"),
+    ("inertial", "inertia", "about the center of mass, in the axes of the inertial frame"),
+    ("geometry", "box", "centered at the origin"),
+    ("geometry", "cylinder", "centered at the origin, along z"),
     (
         "geometry",
         "capsule",
-        "centred at the origin, along z; `length` is that of the cylinder between the half spheres",
+        "centered at the origin, along z; `length` is the length of the cylinder between the half spheres",
     ),
     ("joint", "limit", "required for revolute and prismatic joints"),
 ];
 
 /// The tags of xacro.
 const TAGS: &[(&str, &str)] = &[
-    ("arg", "An argument that can be given from outside as `name:=value`; read as `$(arg name)`"),
-    ("attribute", "Adds an attribute with a computed name to the element around it"),
-    ("call", "Calls the macro whose name is computed"),
-    ("element", "An element with a computed name"),
-    ("if", "Keeps its content when `value` is true"),
-    ("include", "Puts in the content of another file; `ns` keeps its names apart"),
-    ("insert_block", "Puts in a block: an element given by the call, or the content of a property"),
-    ("macro", "Defines a piece that can be called as `<xacro:NAME …/>`"),
-    ("property", "Gives a name to a value, or to a block of XML"),
-    ("unless", "Keeps its content when `value` is false"),
+    ("arg", "A substitution argument, passed as `name:=value` and read as `$(arg name)`"),
+    ("attribute", "Adds an attribute with a computed name to the parent element"),
+    ("call", "Calls a macro with a computed name"),
+    ("element", "Creates an element with a computed name"),
+    ("if", "Keeps its content if `value` is true"),
+    ("include", "Includes another file; `ns` puts its names in a namespace"),
+    ("insert_block", "Inserts a block: an element passed by the call, or the content of a property"),
+    ("macro", "Defines a macro that is called as `<xacro:NAME …/>`"),
+    ("property", "Defines a property: a named value or block of XML"),
+    ("unless", "Keeps its content if `value` is false"),
 ];
 
 /// The element or attribute at a place.
@@ -75,14 +75,14 @@ fn element(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>) -> Option<Page> {
     let note = NOTES.iter().find(|(parent, name, _)| *name == first.name && first.parents.contains(parent));
     page.add(note.map(|(_, _, words)| (*words).to_owned()).unwrap_or_default());
     if !first.parents.is_empty() {
-        page.add(format!("stands in {}", parents(first)));
+        page.add(format!("allowed in {}", parents(first)));
     }
     page.list(
         first.attributes.iter().map(|attribute| format!("{} – {}", code(attribute.name), facts(attribute))),
     );
     if !first.required.is_empty() {
         let names: Vec<String> = first.required.iter().map(|name| code(&format!("<{name}>"))).collect();
-        page.add(format!("must hold {}", names.join(" and ")));
+        page.add(format!("must contain {}", names.join(" and ")));
     }
     page.add(format!("[specification]({})", link(first)));
     Some(page)
@@ -149,13 +149,13 @@ fn condition_line(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>) -> Option<String> {
     let truths = condition(cx, at.base, node)?;
     let wanted = node.name() == "xacro:if";
     let words = |truth: bool| {
-        let kept = if truth == wanted { "the content is kept" } else { "the content is left out" };
+        let kept = if truth == wanted { "the content is included" } else { "the content is excluded" };
         format!("now {}: {kept}", if truth { "true" } else { "false" })
     };
     match truths.as_slice() {
         [] => None,
         [Some(truth)] => Some(words(*truth)),
-        [None] => Some("now `?`: the condition cannot be computed".to_owned()),
+        [None] => Some("now `?`: the condition is unknown".to_owned()),
         _ => Some("true in some calls, false in others".to_owned()),
     }
 }

@@ -135,8 +135,8 @@ pub fn value_lines(cx: &Cx<'_>, values: &[Instance]) -> Vec<String> {
     const MOST: usize = 3;
     let different = distinct(values.iter().map(|instance| &instance.value));
     match different.as_slice() {
-        [] => return vec![format!("{UNKNOWN} – {} does not come by here", root_name(cx))],
-        [Value::Unknown] => return vec!["the value cannot be computed".to_owned()],
+        [] => return vec![format!("{UNKNOWN} – {} does not use this code", root_name(cx))],
+        [Value::Unknown] => return vec!["the value is unknown".to_owned()],
         [_] if cx.pinned.is_some() => {
             let label = values.first().and_then(|instance| call_label(cx, instance.frame));
             return label.map(|label| format!("in {label}")).into_iter().collect();
@@ -202,7 +202,7 @@ pub(super) fn function(path: &[&Expr]) -> Option<Page> {
     let mut page = Page::titled(code(&format!("{lead}{name}({})", symbol.params)));
     page.add(symbol.doc);
     if let Some(better) = symbol.deprecated.filter(|_| namespace.is_none()) {
-        page.add(format!("the bare name is deprecated: write {}", code(&format!("{better}.{name}"))));
+        page.add(format!("deprecated: use {}", code(&format!("{better}.{name}"))));
     }
     Some(page)
 }

@@ -35,7 +35,7 @@ fn page(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>, name: &FileName) -> P
     let path = match &name.target {
         FileTarget::Found(path) => path,
         FileTarget::Missing(places) => {
-            let mut page = Page::titled("not found; looked at");
+            let mut page = Page::titled("not found; searched");
             page.list(places.iter().take(MOST_PLACES).map(|place| code(&place.to_string_lossy())));
             return page;
         }
@@ -75,7 +75,7 @@ fn mesh_lines(mesh: &Mesh, factors: Option<[f64; 3]>) -> Vec<String> {
                 lines.push(format!("{} m", lengths(bounds.size())));
                 if bounds.extent() > 10.0 {
                     lines.push(
-                        "it looks like millimetres: `scale=\"0.001 0.001 0.001\"` makes metres of them"
+                        "this looks like millimeters: `scale=\"0.001 0.001 0.001\"` converts to meters"
                             .to_owned(),
                     );
                 }
@@ -117,11 +117,11 @@ pub(super) fn package(cx: &Cx<'_>, world: Surroundings<'_>, name: &str) -> Page 
             page
         }
         Err(missing) => {
-            let mut page = Page::titled(format!("**package** {} is not found; looked at", code(name)));
+            let mut page = Page::titled(format!("**package** {} not found; searched", code(name)));
             let places = missing.tried.iter().take(MOST_PLACES);
             page.list(places.map(|(_, place)| code(&place.to_string_lossy())));
             if let Some(near) = missing.nearest {
-                page.add(format!("a package with a similar name exists: {}", code(&near)));
+                page.add(format!("did you mean {}?", code(&near)));
             }
             page
         }

@@ -42,6 +42,7 @@ pub fn hover(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Option<Hover>
         return None;
     }
     let found = symbols::about(cx, &at)
+        .or_else(|| symbols::by_text(cx, world, &at))
         .or_else(|| expression::about(cx, world, &at))
         .or_else(|| files::about(cx, world, &at))
         .or_else(|| robot::about(cx, world, &at))

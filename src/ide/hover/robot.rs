@@ -116,7 +116,7 @@ fn link_page(
 }
 
 fn made_by(cx: &Cx<'_>, frame: expand::FrameId, page: &mut Page) {
-    page.add(call_label(cx, frame).map(|label| format!("made by {label}")).unwrap_or_default());
+    page.add(call_label(cx, frame).map(|label| format!("from {label}")).unwrap_or_default());
 }
 
 /// `desk → pan → pan_body`
@@ -151,7 +151,7 @@ fn joint_page(cx: &Cx<'_>, joint: &Joint, page: &mut Page) {
     }
     page.add(limits(joint, known).unwrap_or_default());
     if let Some(followed) = joint.mimic.as_ref().and_then(|mimic| mimic.joint.as_ref()) {
-        page.add(format!("follows {}", code(&followed.value)));
+        page.add(format!("mimics {}", code(&followed.value)));
     }
     made_by(cx, cx.expansion.tree.get(joint.element).origin.frame, page);
 }
@@ -182,7 +182,7 @@ fn limits(joint: &Joint, kind: Option<JointType>) -> Option<String> {
     };
     let turns = !matches!(kind, Some(JointType::Prismatic));
     let range = match (kind, limit.range()) {
-        (Some(JointType::Continuous), _) => Some("no end".to_owned()),
+        (Some(JointType::Continuous), _) => Some("unlimited".to_owned()),
         (Some(JointType::Revolute), Some((lower, upper))) => {
             let (from, to) = (rounded(lower, 1e4), rounded(upper, 1e4));
             Some(format!("{from} … {to} rad ({}° … {}°)", degrees(lower), degrees(upper)))

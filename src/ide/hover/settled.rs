@@ -46,7 +46,7 @@ pub fn hover_while_typing(
         Some(id) => (changes.property(id, name)?, named),
         None => {
             let mut page = Page::titled(format!("{} = {}", code(name), shown(&Value::Unknown)));
-            page.add("the value cannot be computed");
+            page.add("the value is unknown");
             let is_whole = std::ptr::eq(*part, expr);
             (page, if is_whole { text.range(token.range()) } else { named })
         }

@@ -6,24 +6,86 @@ use super::super::locate::At;
 use super::super::values::{Instance, distinct, part_values};
 use super::expression::{place_name, root_name, shown, value_lines};
 use super::page::{Page, code, count, plain};
-use base::{FastSet, TextRange};
+use crate::rename::definition_at;
+use crate::text_names::{Given, TextNames};
+use base::{Encoding, FastSet, TextRange};
 use expand::{Definition, DefinitionId, Expansion, FrameKind, SymbolKind, Use, UseKind};
 use expr::Value;
+use rules::Surroundings;
 use xml::{Node, NodeKind};
 
 /// The name of xacro at a place.
 pub(super) fn about(cx: &Cx<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
     let (id, range) = cx.symbol_at(at.offset)?;
     let definition = cx.expansion.symbols.get(id)?;
-    let page = match definition.kind {
+    Some((range, definition_page(cx, id, definition, values_here(cx, at))))
+}
+
+fn definition_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition, here: Vec<Instance>) -> Page {
+    match definition.kind {
         SymbolKind::Macro => macro_page(cx, id, definition),
         SymbolKind::Parameter | SymbolKind::Argument | SymbolKind::Property => {
-            value_page(cx, id, definition, values_here(cx, at))
+            value_page(cx, id, definition, here)
         }
         SymbolKind::BlockProperty | SymbolKind::BlockParameter => block_page(cx, id, definition),
         SymbolKind::Namespace => Page::titled(format!("**namespace** {}", code(&definition.name))),
+    }
+}
+
+/// The name of xacro at a place that was not evaluated.
+pub(super) fn by_text(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
+    let names = TextNames::of(cx.expansion, world);
+    let (span, meaning) = names.at(cx.source.id, at.offset)?;
+    let page = match meaning.all() {
+        [] => return None,
+        [given] => match evaluated(cx, given) {
+            Some(page) => page,
+            None => {
+                let mut page = Page::titled(format!("**{}** {}", noun(given.kind), code(&given.name)));
+                page.add("not evaluated with these arguments");
+                page.add(format!("defined in {}", place_of(world, given)));
+                page
+            }
+        },
+        [first, ..] => {
+            let mut page = Page::titled(format!("**{}** {}", noun(first.kind), code(&first.name)));
+            page.add("not evaluated with these arguments; one of:");
+            page.list(
+                meaning
+                    .all()
+                    .iter()
+                    .map(|given| format!("{} in {}", noun(given.kind), place_of(world, given))),
+            );
+            page
+        }
     };
-    Some((range, page))
+    Some((span.range, page))
+}
+
+/// What is known of a definition that was evaluated, though not where it is used.
+fn evaluated(cx: &Cx<'_>, given: &Given) -> Option<Page> {
+    let id = definition_at(cx, given.span)?;
+    let definition = cx.expansion.symbols.get(id)?;
+    Some(definition_page(cx, id, definition, Vec::new()))
+}
+
+fn place_of(world: Surroundings<'_>, given: &Given) -> String {
+    let path = world.vfs.path(given.span.file);
+    let document = world.vfs.document(&path).ok();
+    let line = document.map(|file| file.document.line_col(given.span.range.start, Encoding::Utf8).line + 1);
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    code(&format!("{name}:{}", line.unwrap_or(1)))
+}
+
+fn noun(kind: SymbolKind) -> &'static str {
+    match kind {
+        SymbolKind::Property => "property",
+        SymbolKind::Parameter => "parameter",
+        SymbolKind::BlockProperty | SymbolKind::BlockParameter => "block",
+        SymbolKind::Argument => "argument",
+        SymbolKind::Macro => "macro",
+        SymbolKind::Namespace => "namespace",
+    }
 }
 
 /// Something of a name that no evaluation came by.
@@ -72,9 +134,9 @@ fn value_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition, here: Vec<
         && definition.kind == SymbolKind::Property
         && matches!(different.as_slice(), [value] if !value.is_unknown());
     if values.is_empty() {
-        page.add(format!("? – {} gives it no value", root_name(cx)));
+        page.add(format!("? – {} does not define it", root_name(cx)));
     } else if is_idle(cx, definition, &different) {
-        page.add("nothing calls the macro, so it has no value");
+        page.add("the macro is never called, so it has no value");
     } else if !is_constant {
         value_lines(cx, values).into_iter().for_each(|line| page.add(line));
     }
@@ -229,7 +291,7 @@ fn made_line(cx: &Cx<'_>, definition: &Definition) -> String {
     let calls: FastSet<u32> =
         (0..).zip(&cx.expansion.frames).filter(|(_, f)| of_macro(f)).map(|(i, _)| i).collect();
     if calls.is_empty() {
-        return "nothing calls it".to_owned();
+        return "never called".to_owned();
     }
     let tree = &cx.expansion.tree;
     let made = |element: expand::XId| {
@@ -241,7 +303,7 @@ fn made_line(cx: &Cx<'_>, definition: &Definition) -> String {
         (0, 0) => {
             let (links, joints) = (links / calls.len(), joints / calls.len());
             format!(
-                "makes {}, {} in each of {}",
+                "creates {}, {} in each of {}",
                 count(links, "link"),
                 count(joints, "joint"),
                 count(calls.len(), "call")
@@ -249,7 +311,7 @@ fn made_line(cx: &Cx<'_>, definition: &Definition) -> String {
         }
         _ => {
             format!(
-                "{} make {}, {}",
+                "{} create {}, {}",
                 count(calls.len(), "call"),
                 count(links, "link"),
                 count(joints, "joint")
@@ -261,7 +323,7 @@ fn made_line(cx: &Cx<'_>, definition: &Definition) -> String {
 fn block_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Page {
     let mut page = Page::titled(format!("**block** {}", code(&definition.name)));
     if definition.kind == SymbolKind::BlockParameter {
-        page.add("an element that each call holds, put in by `xacro:insert_block`");
+        page.add("an element passed by each call, inserted by `xacro:insert_block`");
     }
     page.add(origin_line(cx, id, definition));
     page.add(comment_above(cx, id).unwrap_or_default());

@@ -62,6 +62,12 @@ impl Bounds {
         [u - x, v - y, w - z]
     }
 
+    /// The point in the middle.
+    pub fn center(self) -> [f64; 3] {
+        let ([x, y, z], [u, v, w]) = (self.min, self.max);
+        [(x + u) / 2.0, (y + v) / 2.0, (z + w) / 2.0]
+    }
+
     /// The greatest length along an axis.
     pub fn extent(self) -> f64 {
         self.size().into_iter().fold(0.0, f64::max)

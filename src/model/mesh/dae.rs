@@ -30,7 +30,7 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Defect> {
 fn parse(text: &str) -> Result<Document<'_>, Defect> {
     let options = ParsingOptions { nodes_limit: MESH_NODES, ..ParsingOptions::default() };
     Document::parse_with_options(text, options).map_err(|error| match error {
-        roxmltree::Error::DtdDetected => Defect::unread("it has a document type"),
+        roxmltree::Error::DtdDetected => Defect::unread("it has a DOCTYPE"),
         roxmltree::Error::NodesLimitReached => {
             Defect::too_large(format!("it has more than {MESH_NODES} nodes"))
         }
@@ -137,7 +137,7 @@ impl<'a, 'input> Scene<'a, 'input, '_> {
             visits += 1 + node.children().count();
             if visits > MESH_VISITS {
                 return Err(Defect::too_large(format!(
-                    "its nodes contain each other, or are more than {MESH_VISITS}"
+                    "its nodes contain each other, or there are more than {MESH_VISITS}"
                 )));
             }
             let here = around * transform(node)?;

@@ -50,10 +50,10 @@ pub(super) fn triangles<'a, 'input>(
             continue;
         }
         let Some((vertices, layout)) = layout(part) else { continue };
-        let vertices = ids.get(vertices).copied();
+        let vertices = named(mesh, ids, vertices);
         let vertices =
-            vertices.ok_or_else(|| Defect::corrupt(format!("`{name}` names vertices that are missing")))?;
-        let points = points(vertices, ids, arrays)?;
+            vertices.ok_or_else(|| Defect::corrupt(format!("`{name}` refers to missing vertices")))?;
+        let points = points(mesh, vertices, ids, arrays)?;
         let start = found.triangles.len();
         primitive(part, &layout, &points, &mut found.triangles)?;
         found.since(start, part.attribute("material"));
@@ -79,16 +79,28 @@ fn layout<'a>(part: Node<'a, '_>) -> Option<(&'a str, Layout)> {
     Some((fragment(vertex.attribute("source")?)?, Layout { stride, offset: offset(vertex) }))
 }
 
+/// What an id means in a mesh: its own part of that name, else that of the file. Some programs write the same ids into
+/// each mesh.
+fn named<'a, 'input>(
+    mesh: Node<'a, 'input>,
+    ids: &FastMap<&'a str, Node<'a, 'input>>,
+    id: &str,
+) -> Option<Node<'a, 'input>> {
+    let own = mesh.children().find(|part| part.attribute("id") == Some(id));
+    own.or_else(|| ids.get(id).copied())
+}
+
 /// The positions of `vertices`.
 fn points<'a, 'input>(
+    mesh: Node<'a, 'input>,
     vertices: Node<'a, 'input>,
     ids: &FastMap<&'a str, Node<'a, 'input>>,
     arrays: &mut Arrays,
 ) -> Result<Rc<[Point]>, Defect> {
-    let missing = || Defect::corrupt("the positions of its vertices are missing");
+    let missing = || Defect::corrupt("its vertices have no positions");
     let position = children(vertices, "input").find(|input| input.attribute("semantic") == Some("POSITION"));
-    let source = position.and_then(|input| ids.get(fragment(input.attribute("source")?)?));
-    let source = *source.ok_or_else(missing)?;
+    let source = position.and_then(|input| named(mesh, ids, fragment(input.attribute("source")?)?));
+    let source = source.ok_or_else(missing)?;
     let array = child(source, "float_array").ok_or_else(missing)?;
     let accessor = child(source, "technique_common").and_then(|common| child(common, "accessor"));
     let stride = accessor.and_then(|accessor| accessor.attribute("stride")?.trim().parse().ok());
@@ -108,7 +120,7 @@ pub(super) fn numbers<T: FromStr>(element: Node<'_, '_>) -> Result<Vec<T>, Defec
     let text = element.text().unwrap_or_default();
     let parsed = text.split_ascii_whitespace().zip(1_usize..).map(|(word, number)| {
         let name = element.tag_name().name();
-        word.parse().map_err(|_| Defect::corrupt(format!("value {number} of `{name}` is no number")))
+        word.parse().map_err(|_| Defect::corrupt(format!("value {number} of `{name}` is not a number")))
     });
     parsed.collect()
 }
@@ -123,8 +135,9 @@ fn primitive(
         let indices: Vec<i64> = numbers(list)?;
         let vertices = indices.chunks_exact(layout.stride).filter_map(|chunk| chunk.get(layout.offset));
         let point = |index: &i64| usize::try_from(*index).ok().and_then(|index| points.get(index)).copied();
-        let missing =
-            |index| Defect::corrupt(format!("vertex {index} is none of its {} vertices", points.len()));
+        let missing = |index| {
+            Defect::corrupt(format!("vertex index {index} is out of range ({} vertices)", points.len()))
+        };
         vertices.map(|index| point(index).ok_or_else(|| missing(*index))).collect()
     };
     let lists = children(part, "p").chain(children(part, "ph").filter_map(|holes| child(holes, "p")));
@@ -140,7 +153,7 @@ fn primitive(
             let mut rest = all.as_slice();
             for count in counts {
                 let Some((polygon, behind)) = rest.split_at_checked(count) else {
-                    return Err(Defect::corrupt("its `vcount` wants more indices than there are"));
+                    return Err(Defect::corrupt("its `vcount` needs more indices than there are"));
                 };
                 fan(polygon, found);
                 rest = behind;

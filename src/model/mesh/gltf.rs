@@ -27,7 +27,7 @@ pub(super) fn read(bytes: &[u8], beside: Beside<'_>, draft: &mut Draft) -> Resul
         }
     }
     if let Some(extension) = gltf.extensions_required.iter().find_map(|name| changes_geometry(name)) {
-        return Err(Defect::unread(format!("it needs an extension for `{extension}`")));
+        return Err(Defect::unread(format!("it requires the extension `{extension}`")));
     }
     let mut buffers = Vec::new();
     for (index, buffer) in gltf.buffers.iter().enumerate() {
@@ -38,8 +38,8 @@ pub(super) fn read(bytes: &[u8], beside: Beside<'_>, draft: &mut Draft) -> Resul
 
 /// What is wrong with the JSON, without its text: the file may be a link to one that is nobody else's business.
 fn not_gltf(error: &serde_json::Error) -> Defect {
-    let what = if error.is_data() { "its JSON is not that of glTF" } else { "it is not JSON" };
-    Defect::corrupt(format!("{what}, from {}:{} on", error.line(), error.column()))
+    let what = if error.is_data() { "its JSON is not glTF" } else { "it is not valid JSON" };
+    Defect::corrupt(format!("{what} (line {}, column {})", error.line(), error.column()))
 }
 
 /// The feature of an extension with which what is read here would not be the geometry.
@@ -53,11 +53,11 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Defect> {
         let bytes = bytes.get(at..at.checked_add(4)?)?;
         Some(u32::from_le_bytes(bytes.try_into().ok()?) as usize)
     };
-    let cut = || Defect::corrupt("it is cut: a chunk is longer than the file");
+    let cut = || Defect::corrupt("it is truncated: a chunk is longer than the file");
     let length = number(8).ok_or_else(cut)?;
     if length > bytes.len() {
         let size = bytes.len();
-        return Err(Defect::corrupt(format!("it claims {length} bytes, but has {size}")));
+        return Err(Defect::corrupt(format!("it should have {length} bytes but has {size}")));
     }
     let (mut json, mut binary, mut at) = (None, None, 12);
     while at < length {
@@ -90,7 +90,7 @@ fn buffer_bytes(
         Some(data) => {
             let encoded = data.split_once("base64,").map(|(_, encoded)| encoded).unwrap_or_default();
             let bytes =
-                base64(encoded).ok_or_else(|| Defect::corrupt("the data of a buffer are not base64"))?;
+                base64(encoded).ok_or_else(|| Defect::corrupt("the data of a buffer is not base64"))?;
             Ok(Some(bytes))
         }
     }
@@ -112,12 +112,12 @@ fn scene(gltf: &Gltf, data: &Data<'_>, draft: &mut Draft) -> Result<(), Defect> 
         tops.into_iter().map(|top| (top, Matrix4::identity())).collect();
     let mut visits = 0;
     while let Some((index, around)) = open.pop() {
-        let missing = || Defect::corrupt(format!("it names node {index}, which is missing"));
+        let missing = || Defect::corrupt(format!("it refers to missing node {index}"));
         let node = gltf.nodes.get(index).ok_or_else(missing)?;
         visits += 1 + node.children.len();
         if visits > MESH_VISITS {
             return Err(Defect::too_large(format!(
-                "its nodes contain each other, or are more than {MESH_VISITS}"
+                "its nodes contain each other, or there are more than {MESH_VISITS}"
             )));
         }
         let here = around * transform(node);

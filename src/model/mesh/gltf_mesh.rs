@@ -23,7 +23,7 @@ pub(super) struct Data<'a> {
 
 /// The triangles of a mesh in its own frame.
 pub(super) fn triangles(data: &Data<'_>, mesh: usize) -> Result<Surfaced<Option<usize>>, Defect> {
-    let missing = || Defect::corrupt(format!("it names mesh {mesh}, which is missing"));
+    let missing = || Defect::corrupt(format!("it refers to missing mesh {mesh}"));
     let mesh = data.gltf.meshes.get(mesh).ok_or_else(missing)?;
     let mut found = Surfaced::new();
     for primitive in &mesh.primitives {
@@ -58,7 +58,8 @@ fn corners(data: &Data<'_>, primitive: &Primitive) -> Result<Vec<Point>, Defect>
     };
     let indices = elements(data, accessor, size)?
         .map(|bytes| bytes.iter().rev().fold(0usize, |number, &byte| number << 8 | usize::from(byte)));
-    let missing = |index| Defect::corrupt(format!("vertex {index} is none of its {} vertices", points.len()));
+    let missing =
+        |index| Defect::corrupt(format!("vertex index {index} is out of range ({} vertices)", points.len()));
     indices.map(|index| points.get(index).copied().ok_or_else(|| missing(index))).collect()
 }
 
@@ -68,7 +69,7 @@ fn point(bytes: &[u8]) -> Point {
 }
 
 fn accessor<'a>(data: &Data<'a>, index: usize) -> Result<&'a Accessor, Defect> {
-    let missing = || Defect::corrupt(format!("it names accessor {index}, which is missing"));
+    let missing = || Defect::corrupt(format!("it refers to missing accessor {index}"));
     data.gltf.accessors.get(index).ok_or_else(missing)
 }
 
@@ -79,7 +80,7 @@ fn elements<'a>(
     size: usize,
 ) -> Result<impl Iterator<Item = &'a [u8]>, Defect> {
     let view = accessor.buffer_view.ok_or_else(|| Defect::unread("it stores positions as differences"))?;
-    let missing = || Defect::corrupt("it names a part of a buffer that is missing");
+    let missing = || Defect::corrupt("it refers to a missing part of a buffer");
     let view = data.gltf.buffer_views.get(view).ok_or_else(missing)?;
     let buffer = data.buffers.get(view.buffer).ok_or_else(missing)?;
     let buffer = buffer.as_deref().ok_or_else(|| Defect::unread("the file of its buffer is missing"))?;
@@ -91,7 +92,7 @@ fn elements<'a>(
     let fitting = if part.len() < size { 0 } else { (part.len() - size) / stride + 1 };
     if accessor.count > fitting {
         let count = accessor.count;
-        return Err(Defect::corrupt(format!("it claims {count} elements where {fitting} fit")));
+        return Err(Defect::corrupt(format!("it has {count} elements where only {fitting} fit")));
     }
     let left = data.budget.get().checked_sub(accessor.count);
     data.budget

@@ -100,7 +100,7 @@ fn draft(ending: &str, bytes: &[u8], beside: Beside<'_>, tinted: bool) -> (Draft
         MeshFormat::Obj => obj::read(bytes, beside, &mut draft),
         MeshFormat::Dae => dae::read(&vfs::text_of(bytes.to_vec()), &mut draft),
         MeshFormat::Gltf => gltf::read(bytes, beside, &mut draft),
-        MeshFormat::Other => Err(Defect::unread("its format is not read")),
+        MeshFormat::Other => Err(Defect::unread("its format is not supported")),
     };
     (draft, read)
 }
@@ -125,6 +125,6 @@ fn is_lfs_pointer(bytes: &[u8]) -> bool {
 }
 
 fn lfs_pointer() -> Defect {
-    let message = "it is a pointer of Git LFS, not the mesh".to_owned();
+    let message = "it is a Git LFS pointer, not the mesh".to_owned();
     Defect { kind: DefectKind::LfsPointer, message }
 }

@@ -88,7 +88,7 @@ fn point(text: &str) -> Option<Point> {
 fn face(text: &str, points: &[Point], draft: &mut Draft) -> Result<(), Defect> {
     let mut corners = text.split_ascii_whitespace().map(|word| corner(word, points));
     let (Some(first), Some(second), Some(third)) = (corners.next(), corners.next(), corners.next()) else {
-        return Err(Defect::corrupt("`f` needs three corners"));
+        return Err(Defect::corrupt("`f` needs at least three vertices"));
     };
     let (first, mut before) = (first?, second?);
     for corner in std::iter::once(third).chain(corners) {
@@ -108,6 +108,6 @@ fn corner(word: &str, points: &[Point]) -> Result<Point, Defect> {
         _ => points.len().checked_sub(usize::try_from(number.unsigned_abs()).ok()?),
     });
     let found = place.and_then(|place| points.get(place));
-    let message = || format!("`{index:.20}` is none of the {} vertices before", points.len());
+    let message = || format!("vertex index `{index:.20}` is out of range ({} vertices so far)", points.len());
     found.copied().ok_or_else(|| Defect::corrupt(message()))
 }

@@ -25,7 +25,7 @@ pub(super) fn read(bytes: &[u8], draft: &mut Draft) -> Result<(), Defect> {
     draft.format = MeshFormat::StlBinary { solid };
     let Some(count) = count else {
         let size = bytes.len();
-        return Err(Defect::corrupt(format!("with {size} bytes it is too short for an STL file")));
+        return Err(Defect::corrupt(format!("it is too short for an STL file ({size} bytes)")));
     };
     binary(bytes, count, draft)
 }
@@ -54,12 +54,11 @@ fn has_word(bytes: &[u8], word: &[u8]) -> bool {
 fn binary(bytes: &[u8], count: u32, draft: &mut Draft) -> Result<(), Defect> {
     let (expected, size) = (size_for(count), bytes.len() as u64);
     if size < expected {
-        let message =
-            format!("it claims {count} triangles, which take {expected} bytes, but has {size} bytes");
+        let message = format!("it should have {expected} bytes for {count} triangles but has {size}");
         return Err(Defect::corrupt(message));
     }
     if count > 0 && size > expected {
-        let message = format!("{} bytes follow behind its {count} triangles", size - expected);
+        let message = format!("it has {} extra bytes after its {count} triangles", size - expected);
         draft.defect = Some(Defect::untidy(message));
     }
     let triangles = bytes.get(HEADER + 4..).unwrap_or_default().chunks_exact(TRIANGLE);
@@ -93,7 +92,7 @@ fn text(bytes: &[u8], draft: &mut Draft) -> Result<(), Defect> {
             if is("endloop") {
                 let Ok(triangle) = <[Point; 3]>::try_from(corners.as_slice()) else {
                     let count = corners.len();
-                    return Err(Defect::corrupt(format!("line {number}: a facet with {count} corners")));
+                    return Err(Defect::corrupt(format!("line {number}: a facet has {count} vertices")));
                 };
                 draft.soup.push(triangle)?;
                 corners.clear();

@@ -46,23 +46,23 @@ pub(super) async fn guard(State(hub): State<Arc<Hub>>, request: Request, next: N
 fn refusal(request: &Request, port: u16) -> Option<(StatusCode, &'static str)> {
     let headers = request.headers();
     if request.method() != Method::GET {
-        return Some((StatusCode::METHOD_NOT_ALLOWED, "only GET is answered"));
+        return Some((StatusCode::METHOD_NOT_ALLOWED, "only GET requests are allowed"));
     }
     let has_body = headers.contains_key(TRANSFER_ENCODING)
         || headers.get(CONTENT_LENGTH).is_some_and(|length| length != "0");
     if has_body {
-        return Some((StatusCode::PAYLOAD_TOO_LARGE, "a request has no body"));
+        return Some((StatusCode::PAYLOAD_TOO_LARGE, "request bodies are not allowed"));
     }
     let target = request.uri().authority().map(axum::http::uri::Authority::as_str);
     if !one(headers, &HOST).is_some_and(|host| is_ours(host, port))
         || target.is_some_and(|host| !is_ours(host, port))
     {
-        return Some((StatusCode::MISDIRECTED_REQUEST, "the Host is not this server"));
+        return Some((StatusCode::MISDIRECTED_REQUEST, "the Host header does not match this server"));
     }
     let foreign = headers.contains_key(ORIGIN) && !same_origin(headers);
     let site = headers.get("sec-fetch-site").map(HeaderValue::as_bytes);
     if foreign || site.is_some_and(|site| site != b"same-origin" && site != b"none") {
-        return Some((StatusCode::FORBIDDEN, "requests of other pages are not answered"));
+        return Some((StatusCode::FORBIDDEN, "requests from other pages are not allowed"));
     }
     None
 }

@@ -11,7 +11,7 @@ const HINT: &str = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf
     <body><h1>The viewer is not part of this build</h1>\
     <p>This program was built from source without the viewer. To add it, run</p>\
     <pre>cd editors/viewer\nnpm ci\nnpm run build\ncd ../..\ncargo build --release</pre>\
-    <p>in the source folder and start the program again. Released programs have the viewer inside.</p></body></html>\n";
+    <p>in the source folder and start the program again. Released binaries include the viewer.</p></body></html>\n";
 
 /// `/`
 pub(super) async fn page() -> Html<&'static str> {

@@ -74,7 +74,7 @@ fn routes(hub: Arc<Hub>) -> Router {
         .route("/viewer.js", get(page::script))
         .route("/mesh/{id}", get(mesh))
         .route("/socket", get(socket::open))
-        .fallback(|| async { (StatusCode::NOT_FOUND, "there is nothing here") })
+        .fallback(|| async { (StatusCode::NOT_FOUND, "page not found") })
         .layer(axum::middleware::from_fn_with_state(hub.clone(), guard::guard))
         .with_state(hub)
 }
@@ -93,7 +93,7 @@ async fn mesh(
     // a page of ours: others that come and say nothing do not end its download
     pass.leave();
     let Some(path) = hub.files.path(&id) else {
-        return (StatusCode::NOT_FOUND, "no robot that is shown has such a file").into_response();
+        return (StatusCode::NOT_FOUND, "no open preview uses this file").into_response();
     };
     let vfs = hub.vfs.clone();
     match tokio::task::spawn_blocking(move || vfs.bytes(&path, SENT_BYTES)).await {

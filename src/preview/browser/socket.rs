@@ -45,7 +45,7 @@ pub(super) async fn open(
 ) -> Response {
     // a page always says where it comes from; who does not is none of ours
     if !guard::same_origin(&headers) {
-        return (StatusCode::FORBIDDEN, "the Origin is not this server").into_response();
+        return (StatusCode::FORBIDDEN, "the Origin header does not match this server").into_response();
     }
     let upgrade = upgrade.max_message_size(SOCKET_MESSAGE).max_frame_size(SOCKET_MESSAGE);
     upgrade.on_upgrade(move |socket| talk(socket, hub))

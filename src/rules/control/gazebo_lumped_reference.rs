@@ -33,10 +33,10 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let message =
-            format!("link `{name}` becomes part of its parent, because joint `{}` is fixed", joint.shown());
+            format!("link `{name}` is merged into its parent because joint `{}` is fixed", joint.shown());
         let report = out
             .report(text.origin, message)
-            .help("what stands here moves to the parent link, under its name");
+            .help("add <preserveFixedJoint>true</preserveFixedJoint>, or refer to the parent link");
         kept(report, cx, block, joint).done();
     }
 }

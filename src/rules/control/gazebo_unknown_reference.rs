@@ -32,25 +32,52 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         }
         let links = cx.robot.links.iter().map(|link| link.shown());
         let names = links.chain(cx.robot.joints.iter().map(|joint| joint.shown()));
-        let report = out
-            .report(text.origin, format!("no link or joint is named `{name}`"))
-            .group(Group::Name(name.clone()));
-        match nearest(name, names) {
+        let near = nearest(name, names);
+        // what resembles no name is left over from one robot: one finding for a file
+        let group = if near.is_some() { Group::Name(name.clone()) } else { Group::File };
+        let report = out.report(text.origin, format!("unknown link or joint `{name}`")).group(group);
+        match near {
             Some(near) => {
                 let report =
-                    report.help(format!("SDFormat drops the element; a similar name exists: `{near}`"));
+                    report.help(format!("did you mean `{near}`? SDFormat ignores an element with an unknown reference"));
                 rename(report, cx.expansion, text, near).done();
             }
             None => report
-                .severity(if is_colour(cx, block) || is_written(cx, name) {
-                    Severity::Info
-                } else {
-                    Severity::Warning
-                })
-                .help("SDFormat drops the element: name a link or a joint of this robot")
+                .severity(severity(cx, block, name))
+                .help("use the name of a link or joint of this robot; SDFormat ignores an element with an unknown reference")
                 .done(),
         }
     }
+}
+
+/// Without a similar name, what is said of a link that the robot does not have is mostly left over from another robot, and
+/// nothing is lost. Not so sensors and plugins, and names that share a word with those of the robot.
+fn severity(cx: &RobotCx<'_>, block: &Gazebo, name: &str) -> Severity {
+    let is_meant = holds_device(cx, block) || shares_word(cx, name);
+    match is_meant && !is_colour(cx, block) && !is_written(cx, name) && !is_commented_out(cx, name) {
+        true => Severity::Warning,
+        false => Severity::Info,
+    }
+}
+
+/// Whether an element holds a sensor or a plugin.
+fn holds_device(cx: &RobotCx<'_>, block: &Gazebo) -> bool {
+    let tree = &cx.expansion.tree;
+    tree.elements(block.element).any(|child| ["sensor", "plugin"].contains(&tree.get(child).text.as_str()))
+}
+
+/// Whether a link or joint shares a word with a name, one that says which part is meant.
+fn shares_word(cx: &RobotCx<'_>, name: &str) -> bool {
+    const OF_ALL: [&str; 4] = ["link", "joint", "frame", "base"];
+    const LEAST_LETTERS: usize = 3;
+    let words = |name: &str| -> Vec<String> {
+        let words = name.split(|c: char| !c.is_alphabetic()).map(str::to_lowercase);
+        words.filter(|word| word.len() >= LEAST_LETTERS && !OF_ALL.contains(&word.as_str())).collect()
+    };
+    let own = words(name);
+    let links = cx.robot.links.iter().map(|link| link.shown());
+    let mut names = links.chain(cx.robot.joints.iter().map(|joint| joint.shown()));
+    names.any(|other| words(other).iter().any(|word| own.contains(word)))
 }
 
 /// Whether a text that the robot is made of names a link or joint so, in a branch that is not taken this time.
@@ -58,6 +85,19 @@ fn is_written(cx: &RobotCx<'_>, name: &str) -> bool {
     let is_it = |fact: &Fact| matches!(fact.kind, FactKind::Link | FactKind::Joint) && fact.name == name;
     let mut files = cx.expansion.files.iter();
     files.any(|file| facts(&file.source.document).any(|(_, facts)| facts.named.iter().any(is_it)))
+}
+
+/// Whether a comment in these texts holds a link or joint of that name: it was taken out on purpose, and what is left over
+/// does nothing.
+fn is_commented_out(cx: &RobotCx<'_>, name: &str) -> bool {
+    let tags =
+        ["<link", "<joint"].map(|tag| [format!("{tag} name=\"{name}\""), format!("{tag} name='{name}'")]);
+    let holds = |comment: &str| tags.iter().flatten().any(|tag| comment.contains(tag.as_str()));
+    let mut texts = cx.expansion.files.iter().map(|file| file.source.document.text());
+    texts.any(|text| {
+        let comments = text.split("<!--").skip(1).filter_map(|rest| rest.split("-->").next());
+        comments.into_iter().any(holds)
+    })
 }
 
 /// Whether an element gives a colour and nothing else: without it, nothing behaves differently.

@@ -47,14 +47,14 @@ pub(super) fn unknown_joints<'t>(
     let known: FastSet<&str> = cx.robot.joints.iter().map(|joint| joint.shown()).collect();
     for text in texts {
         let Some(name) = text.name().filter(|name| !known.contains(name.as_str())) else { continue };
-        let message = format!("{block} names joint `{name}`, which does not exist");
+        let message = format!("{block} refers to unknown joint `{name}`");
         let report = out.report(text.origin, message).severity(severity);
         match nearest(name, cx.robot.joints.iter().map(|joint| joint.shown())) {
             Some(near) => {
-                let report = report.help(format!("a joint with a similar name exists: `{near}`"));
+                let report = report.help(format!("did you mean `{near}`?"));
                 rename(report, cx.expansion, text, near).done();
             }
-            None => report.help("name a joint of this robot, with its prefix").done(),
+            None => report.help("use the full name of a joint of this robot, including its prefix").done(),
         }
     }
 }

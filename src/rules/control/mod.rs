@@ -2,9 +2,12 @@
 
 mod gazebo_classic_plugin;
 mod gazebo_lumped_reference;
+mod gazebo_missing_reference;
 mod gazebo_plugin_missing_filename;
 mod gazebo_unknown_reference;
 mod joints;
+mod misspelled_plugin;
+mod plugin_file_not_found;
 mod plugins;
 mod ros2_control_duplicate_joint;
 mod ros2_control_duplicate_name;
@@ -19,8 +22,11 @@ mod ros2_control_param_nonpositive_size;
 mod ros2_control_unknown_interface;
 mod ros2_control_unknown_joint;
 mod ros2_control_unknown_tag;
+mod transmission_missing_actuator;
 mod transmission_missing_hardware_interface;
 mod transmission_unknown_joint;
+mod transmission_unknown_type;
+mod transmissions;
 
 use super::registry::Rule;
 
@@ -45,4 +51,9 @@ pub(super) static RULES: &[Rule] = &[
     ros2_control_param_nonpositive_size::RULE,
     gazebo_classic_plugin::RULE,
     ros2_control_unknown_tag::RULE,
+    gazebo_missing_reference::RULE,
+    plugin_file_not_found::RULE,
+    transmission_missing_actuator::RULE,
+    transmission_unknown_type::RULE,
+    misspelled_plugin::RULE,
 ];

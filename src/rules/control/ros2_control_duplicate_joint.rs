@@ -37,12 +37,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if let Some((Some(other), first, (interface, severity, kind))) = twice {
             out.report(
                 text.origin,
-                format!("the {kind} interface `{interface}` of joint `{name}` is in two ros2_control blocks"),
+                format!("{kind} interface `{interface}` of joint `{name}` is in two ros2_control blocks"),
             )
             .group(Group::Name(format!("blocks {first} and {block}").into()))
-            .also(other.origin, format!("joint `{name}` in the first block"))
+            .also(other.origin, format!("joint `{name}` is in the first block here"))
             .severity(severity)
-            .help("every interface belongs to one hardware: take it out of one block")
+            .help("remove the interface from one of the blocks; only one hardware component can provide it")
             .done();
         }
         earlier.push((block, joint));

@@ -25,9 +25,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(name) = text.name() else { continue };
         match first.get(name.as_str()) {
             Some(earlier) => out
-                .report(text.origin, format!("a second ros2_control is named `{name}`"))
-                .also(earlier.origin, format!("the first ros2_control named `{name}`"))
-                .help("the resource manager refuses the second one; in a macro, begin the name with a parameter")
+                .report(text.origin, format!("duplicate ros2_control name `{name}`"))
+                .also(earlier.origin, format!("first ros2_control named `{name}`"))
+                .help(
+                    "rename one of them; in a macro, start the name with a parameter: name=\"${prefix}...\"",
+                )
                 .done(),
             None => {
                 first.insert(name, text);

@@ -26,11 +26,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let is_old = *is_old.get_or_insert_with(|| is_before_jazzy(cx));
             out.report(
                 text.origin,
-                format!("joint `{}` is fixed, and nothing can control it", joint.shown()),
+                format!("joint `{}` is fixed, so ros2_control cannot control it", joint.shown()),
             )
             .severity(if is_old { Severity::Info } else { RULE.severity })
-            .also(kind.origin, format!("the type of joint `{}`", joint.shown()))
-            .help("ros2_control refuses the robot: take the joint out, or give it a type that moves")
+            .also(kind.origin, format!("type of joint `{}`", joint.shown()))
+            .help("remove the joint from ros2_control, or change its type; ros2_control rejects the robot otherwise")
             .done();
         }
     }

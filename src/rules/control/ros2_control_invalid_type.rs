@@ -27,20 +27,19 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(kind) = &control.kind else {
             out.report(
                 tag_start(cx.expansion, control.element),
-                format!("ros2_control `{name}` has no type"),
+                format!("ros2_control `{name}` has no `type`"),
             )
-            .help("write system, actuator or sensor")
+            .help("write type=\"system\", type=\"actuator\" or type=\"sensor\"")
             .done();
             continue;
         };
         if kind.is_known() && !KNOWN.contains(&kind.value.as_str()) {
             let near = nearest(&kind.value, KNOWN).map(|near| format!("did you mean `{near}`?"));
-            out.report(
-                kind.origin,
-                format!("ros2_control `{name}` has the type `{}`, which does not exist", kind.value),
-            )
-            .help(near.unwrap_or_else(|| "write system, actuator or sensor".to_owned()))
-            .done();
+            out.report(kind.origin, format!("ros2_control `{name}` has unknown type `{}`", kind.value))
+                .help(near.unwrap_or_else(|| {
+                    "write type=\"system\", type=\"actuator\" or type=\"sensor\"".to_owned()
+                }))
+                .done();
         }
     }
 }

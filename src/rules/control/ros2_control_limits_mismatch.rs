@@ -33,9 +33,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 let beyond = if name == "min" { value < lower - ROUNDING } else { value > upper + ROUNDING };
                 if beyond && value.abs() < UNLIMITED {
                     let message =
-                        format!("{name} {} of joint `{}` is beyond its limits", text.value, joint.shown());
+                        format!("{name} {} of joint `{}` is outside its limits", text.value, joint.shown());
                     let report = out.report(value_place(cx.expansion, text), message).help(format!(
-                        "the limits of the joint are {} ... {}",
+                        "write a value from {} to {}",
                         short(lower),
                         short(upper)
                     ));

@@ -31,11 +31,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         }
         let is_old = *is_old.get_or_insert_with(|| is_before_jazzy(cx));
         for command in &control.commands {
-            let message = format!("joint `{}` mimics another joint and cannot take commands", joint.shown());
+            let message = format!("mimic joint `{}` cannot have a command interface", joint.shown());
             let report = out
                 .report(tag_start(cx.expansion, command.element), message)
                 .severity(if is_old { Severity::Info } else { RULE.severity })
-                .help("remove the command interface, or write mimic=\"false\" at the joint of ros2_control");
+                .help("remove the command interface, or add mimic=\"false\" to the joint in ros2_control");
             let fix = (Safety::Unsafe, "remove the command interface");
             delete_element(report, cx.expansion, command.element, fix).done();
         }

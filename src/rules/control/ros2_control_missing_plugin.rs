@@ -3,7 +3,8 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use model::{Text, source_mentions, tag_start};
+use model::{Ros2Control, Text, source_mentions, tag_start};
+use workspace::nearest;
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL002",
@@ -22,6 +23,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
     for control in &robot.controls {
         let name = control.name.as_ref().map_or("", |name| name.value.as_str());
+        if control.hardware.is_empty() && !source_mentions(cx.expansion, control.element, "hardware") {
+            no_hardware(cx, control, name, out);
+        }
         for &hardware in &control.hardware {
             let mut plugins = tree.elements(hardware).filter(|&id| tree.get(id).text == "plugin");
             if !plugins.any(|plugin| Text::content(tree, plugin).is_some()) {
@@ -30,15 +34,31 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                     && tree.elements(hardware).next().is_none();
                 let message = match has_branch {
                     true => {
-                        format!("with these arguments, the hardware of ros2_control `{name}` has no plugin")
+                        format!("hardware of ros2_control `{name}` has no plugin with these arguments")
                     }
-                    false => format!("the hardware of ros2_control `{name}` has no plugin"),
+                    false => format!("hardware of ros2_control `{name}` has no plugin"),
                 };
                 out.report(tag_start(cx.expansion, hardware), message)
                     .severity(if has_branch { Severity::Info } else { RULE.severity })
-                    .help("add <plugin>package/Class</plugin>; for tests, mock_components/GenericSystem")
+                    .help(
+                        "add <plugin>package/Class</plugin>; for testing, use mock_components/GenericSystem",
+                    )
                     .done();
             }
         }
     }
+}
+
+/// A block that names no hardware at all. Where a macro or a block may bring it, nothing is said, and a misspelled name has
+/// its own finding.
+fn no_hardware(cx: &DocumentCx<'_>, control: &Ros2Control, name: &str, out: &mut Sink<'_>) {
+    let tree = &cx.expansion.tree;
+    let mut children = tree.elements(control.element).map(|id| tree.get(id).text.as_str()).peekable();
+    let is_empty = children.peek().is_none();
+    if is_empty || children.any(|child| nearest(child, ["hardware"]).is_some()) {
+        return;
+    }
+    out.report(tag_start(cx.expansion, control.element), format!("ros2_control `{name}` has no hardware"))
+        .help("add <hardware><plugin>package/Class</plugin></hardware>; for testing, use mock_components/GenericSystem")
+        .done();
 }

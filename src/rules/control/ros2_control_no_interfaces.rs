@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use model::{ControlJoint, tag_start};
+use model::{ControlJoint, Ros2Control, Text, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL011",
@@ -19,16 +19,28 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let Some(robot) = cx.robot.filter(|_| cx.whole()) else { return };
-    for joint in robot.controls.iter().flat_map(|control| &control.joints) {
-        if joint.interfaces().next().is_none() && !mimics(cx, joint) {
+    for (control, joint) in
+        robot.controls.iter().flat_map(|control| control.joints.iter().map(move |joint| (control, joint)))
+    {
+        if joint.interfaces().next().is_none() && !mimics(cx, joint) && !exports_its_own(cx, control) {
             out.report(
                 tag_start(cx.expansion, joint.element),
-                format!("joint `{}` has no interface", joint.shown()),
+                format!("joint `{}` has no interfaces", joint.shown()),
             )
-            .help("add <command_interface> and <state_interface> elements, or take the joint out")
+            .help("add <command_interface name=\"position\"/> or <state_interface name=\"position\"/>, or remove the joint")
             .done();
         }
     }
+}
+
+/// Whether the sources of the plugin are at hand, and it exports interfaces without looking at the description.
+fn exports_its_own(cx: &DocumentCx<'_>, control: &Ros2Control) -> bool {
+    let tree = &cx.expansion.tree;
+    let plugin = control.plugin(tree).and_then(|element| Text::content(tree, element));
+    let from = cx.expansion.files.first().map(|file| &*file.source.path);
+    plugin
+        .zip(from)
+        .is_some_and(|(plugin, from)| cx.world.packages.exports_interfaces(plugin.value.trim(), from))
 }
 
 /// Joints that follow another one need no interface: by attribute, or by a parameter as it used to be written.

@@ -27,8 +27,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for text in interfaces.filter_map(|interface| Text::attr(tree, interface, "size")) {
         let digits = text.value.bytes().all(|byte| byte.is_ascii_digit());
         if text.is_known() && (!digits || text.value.bytes().all(|byte| byte == b'0')) {
-            out.report(text.origin, format!("the size `{}` is no positive integer", text.value))
-                .help("the size is how many values the interface has: 1, 2, 3 ...")
+            out.report(text.origin, format!("size `{}` is not a positive integer", text.value))
+                .help("write the number of values of the interface, for example 1")
                 .done();
         }
     }

@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::numbers::rewrite;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use workspace::nearest;
+use workspace::{misspelled, nearest};
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL003",
@@ -33,8 +33,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         if let Some(near) = nearest(name, KNOWN) {
-            let message = format!("joint `{}` has the interface `{name}`", joint.shown());
-            let report = out.report(text.origin, message).help(format!("did you mean `{near}`?"));
+            let message = format!("joint `{}` has unknown interface `{name}`", joint.shown());
+            let severity = if misspelled(name, KNOWN).is_some() { Severity::Warning } else { RULE.severity };
+            let report =
+                out.report(text.origin, message).severity(severity).help(format!("did you mean `{near}`?"));
             rewrite(report, Safety::Unsafe, text, near.to_owned()).done();
         }
     }

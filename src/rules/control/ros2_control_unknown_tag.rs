@@ -3,7 +3,9 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use expand::XId;
 use model::tag_start;
+use workspace::nearest;
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL019",
@@ -20,6 +22,14 @@ pub(super) const RULE: Rule = Rule {
 /// The elements that ros2_control reads; `properties` only in its later versions.
 const KNOWN: [&str; 6] = ["hardware", "joint", "sensor", "gpio", "transmission", "properties"];
 
+/// What may be in them: the name of the element, and those of its children.
+const INSIDE: [(&str, &[&str]); 4] = [
+    ("hardware", &["plugin", "param", "group", "properties"]),
+    ("joint", &["command_interface", "state_interface", "param"]),
+    ("sensor", &["state_interface", "param"]),
+    ("gpio", &["command_interface", "state_interface", "param"]),
+];
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
     for control in cx.robot.into_iter().flat_map(|robot| &robot.controls) {
@@ -27,13 +37,25 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let name = tree.get(id).text.as_str();
             // tags of xacro that stayed have their own finding
             if !KNOWN.contains(&name) && !name.contains(':') {
-                out.report(
-                    tag_start(cx.expansion, id),
-                    format!("<{name}> is nothing that ros2_control knows"),
-                )
-                .help("inside of <ros2_control>, write hardware, joint, sensor, gpio or transmission")
-                .done();
+                let help = match nearest(name, KNOWN) {
+                    Some(near) => format!("did you mean `{near}`?"),
+                    None => "use <hardware>, <joint>, <sensor>, <gpio> or <transmission>".to_owned(),
+                };
+                out.report(tag_start(cx.expansion, id), format!("unknown element `{name}` in ros2_control"))
+                    .help(help)
+                    .done();
+            } else if let Some((_, known)) = INSIDE.iter().find(|(outer, _)| *outer == name) {
+                tree.elements(id).for_each(|inner| check_inner(cx, (name, known), inner, out));
             }
         }
     }
+}
+
+/// An element inside, which is misspelled; ros2_control passes over what it does not know.
+fn check_inner(cx: &DocumentCx<'_>, (outer, known): (&str, &[&str]), id: XId, out: &mut Sink<'_>) {
+    let name = cx.expansion.tree.get(id).text.as_str();
+    let Some(near) = nearest(name, known.iter().copied()).filter(|near| *near != name) else { return };
+    out.report(tag_start(cx.expansion, id), format!("unknown element `{name}` in `{outer}` of ros2_control"))
+        .help(format!("did you mean `{near}`?"))
+        .done();
 }

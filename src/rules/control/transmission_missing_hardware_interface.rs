@@ -26,8 +26,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         for (joint, name) in &transmission.joints {
             if !tree.elements(*joint).any(|id| tree.get(id).text == "hardwareInterface") {
                 let name = name.as_ref().map_or("", |name| name.value.as_str());
-                out.report(tag_start(cx.expansion, *joint), format!("joint `{name}` of a transmission has no hardware interface"))
-                    .help("add <hardwareInterface>hardware_interface/PositionJointInterface</hardwareInterface>, or that of velocity or effort")
+                out.report(tag_start(cx.expansion, *joint), format!("joint `{name}` in a transmission has no hardware interface"))
+                    .help("add <hardwareInterface>hardware_interface/PositionJointInterface</hardwareInterface>, or the velocity or effort interface")
                     .done();
             }
         }

@@ -20,8 +20,8 @@ pub(super) const RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let names = cx.robot.into_iter().flat_map(names::names);
     for (named, name) in names.filter(|(_, name)| name.value.is_empty()) {
-        out.report(name.origin, format!("the name of this {} is empty", named.word()))
-            .help("nothing can refer to it: give it a name")
+        out.report(name.origin, format!("this {} has an empty name", named.word()))
+            .help("write a name: name=\"...\"")
             .done();
     }
 }

@@ -28,11 +28,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         }
         let new = rest.trim_start_matches('/');
         let report = out
-            .report(name.origin, format!("the name of {} `{}` begins with a slash", named.word(), name.value))
-            .help("tf2 refuses frames whose name begins with a slash");
+            .report(name.origin, format!("name of {} `{}` starts with a slash", named.word(), name.value))
+            .help("remove the slash; tf2 rejects frame names that start with a slash");
         match names::rename(cx, named, &name.value, new).filter(|_| !new.is_empty()) {
             Some(edits) => {
-                report.edits(Safety::Unsafe, format!("rename it to `{new}` everywhere"), edits).done();
+                report.edits(Safety::Unsafe, format!("rename to `{new}` everywhere"), edits).done();
             }
             None => report.done(),
         }

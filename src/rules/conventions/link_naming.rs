@@ -30,9 +30,12 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         if name.is_known()
             && behind_prefix.is_none_or(|prefix| prefix.ends_with(|c: char| c.is_ascii_digit()))
         {
-            let message = format!("link `{}` is number {number} of the arm", name.value);
+            let message =
+                format!("link `{}` is link {number} of the arm but is not named `{expected}`", name.value);
             out.report(name.origin, message)
-                .help(format!("ROS-Industrial calls it `{expected}`, behind the prefix"))
+                .help(format!(
+                    "rename it to `{expected}` (after the prefix); ROS-Industrial numbers links from the base"
+                ))
                 .done();
         }
     }

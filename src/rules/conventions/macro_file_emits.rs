@@ -30,13 +30,13 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         let tag = element.name().strip_prefix("xacro:");
         let gives = !matches!(tag, Some("macro" | "property" | "arg" | "include" | "if" | "unless"));
         let message = match (is_macro_file, tag) {
-            (true, _) if gives => format!("`{}` stands in a file of macros", element.name()),
-            (false, Some("macro")) => "a macro is defined here instead of in the file of macros".to_owned(),
+            (true, _) if gives => format!("`{}` is in a macro file, outside any macro", element.name()),
+            (false, Some("macro")) => "a macro is defined here instead of in a macro file".to_owned(),
             _ => continue,
         };
         let name = element.name_range().shift(base);
         out.report_in(cx.file, TextRange::new(name.start - 1, name.end), message)
-            .help("keep macros in `NAME_macro.xacro`, and the robot that calls them in `NAME.xacro`")
+            .help("put macros in `NAME_macro.xacro` and the robot that calls them in `NAME.xacro`")
             .done();
     }
 }

@@ -22,12 +22,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let inner = name.value.strip_prefix("__").and_then(|rest| rest.strip_suffix("__"));
         if inner.is_some() {
             let what = named.word();
-            out.report(
-                name.origin,
-                format!("SDFormat reserves names such as that of {what} `{}`", name.value),
-            )
-            .help("Gazebo refuses names that begin and end with two underscores: rename it")
-            .done();
+            out.report(name.origin, format!("name of {what} `{}` is reserved by SDFormat", name.value))
+                .help("rename it; Gazebo rejects names that start and end with two underscores")
+                .done();
         }
     }
 }

@@ -103,7 +103,7 @@ fn report(cx: &FileCx<'_>, base: u32, of: Node<'_>, name: Attr<'_>, prefix: &str
     let old = name.raw();
     let new =
         format!("${{{prefix}}}{}{old}", if prefix == "prefix" || prefix == "tf_prefix" { "" } else { "_" });
-    let message = format!("the name `{old}` does not depend on `{prefix}`, as other names of this macro do");
+    let message = format!("name `{old}` does not use `{prefix}`, unlike other names in this macro");
     let mut places: Vec<TextRange> = vec![name.value_range().shift(base)];
     for node in of.item().all_nodes().filter(|node| of.range().contains_range(node.range())) {
         let attr = match node.name() {
@@ -117,7 +117,7 @@ fn report(cx: &FileCx<'_>, base: u32, of: Node<'_>, name: Attr<'_>, prefix: &str
     }
     let edits = places.into_iter().map(|range| (range, new.clone()));
     out.report_in(cx.file, name.value_range().shift(base), message)
-        .help("a second call of the macro gives this name once more")
-        .fix(Safety::Unsafe, format!("write `{new}` in this macro"), cx.file, edits)
+        .help("a second call of the macro creates the same name again")
+        .fix(Safety::Unsafe, format!("write `{new}`"), cx.file, edits)
         .done();
 }

@@ -33,8 +33,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let Some(meant) = meant(angle) else { continue };
             let at = text.part(range.clone());
             let shown = text.value.get(range).unwrap_or_default();
-            let message = format!("{name} {shown} of {} is almost {}", placed.owner(), meant.0);
-            let help = format!("it is off by {:.4} rad", (angle - meant.1).abs());
+            let message = format!("{name} {shown} of {} is a rounded value of {}", placed.owner(), meant.0);
+            let help =
+                format!("write the exact expression; the value is off by {:.4} rad", (angle - meant.1).abs());
             exact(out.report(at, message).help(help), cx, at, meant).done();
         }
     }
@@ -65,6 +66,10 @@ fn exact<'s, 'a>(
         let new = format!("${{{}}}", meant.0);
         report.replace_with(Safety::Unsafe, format!("write `{new}`"), new)
     } else {
-        report.replace_with(Safety::Unsafe, format!("write {} in full", meant.0), meant.1.to_string())
+        report.replace_with(
+            Safety::Unsafe,
+            format!("write {} with full precision", meant.0),
+            meant.1.to_string(),
+        )
     }
 }

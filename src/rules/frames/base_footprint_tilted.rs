@@ -56,13 +56,13 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             .take(2)
             .any(|(range, angle)| angle.abs() > LEVEL && comes_from_a_name(cx.expansion, at, range));
         let message = format!(
-            "`{name}` is tilted against `{prefix}base_footprint` (roll {}, pitch {})",
+            "`{name}` is tilted relative to `{prefix}base_footprint` (roll {}, pitch {})",
             short(roll),
             short(pitch)
         );
         out.report(at.origin, message)
             .severity(if is_named { Severity::Info } else { Severity::Warning })
-            .help("the footprint is the base put down on the floor: only height and yaw may differ")
+            .help("set roll and pitch to 0; `base_footprint` is the base projected onto the floor")
             .done();
     }
 }

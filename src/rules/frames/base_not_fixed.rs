@@ -30,14 +30,30 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let Some((joint, kind)) = moving.and_then(|joint| Some((joint, joint.kind.as_ref()?))) else {
             continue;
         };
+        let own = cx.robot.joints.iter().find(|joint| {
+            joint.is(&[JointType::Fixed])
+                && joint.child.as_ref().is_some_and(|child| child.value == format!("{prefix}base"))
+        });
         // with a shape or a mass, `base` is a part of its own, such as a turntable
         let is_body =
             cx.robot.links.get(base).is_some_and(|link| link.has_geometry() || link.inertial.is_some());
         let severity = if is_body { Severity::Info } else { Severity::Warning };
-        let message = format!("joint `{}` moves `{prefix}base` against `{name}`", joint.shown());
-        out.report(kind.origin, message)
-            .severity(severity)
-            .help("both are frames of one body: fix one to the other")
-            .done();
+        let message = format!("joint `{}` between `{name}` and `{prefix}base` is not fixed", joint.shown());
+        match own.and_then(|own| Some((own, own.parent.as_ref()?))) {
+            Some((own, parent)) => out
+                .report(parent.origin, message)
+                .also(kind.origin, "this joint moves")
+                .severity(severity)
+                .help(format!(
+                    "write `{name}` as the parent of joint `{}`; both frames belong to the same body",
+                    own.shown()
+                ))
+                .done(),
+            None => out
+                .report(kind.origin, message)
+                .severity(severity)
+                .help("write type=\"fixed\"; both frames belong to the same body")
+                .done(),
+        }
     }
 }

@@ -29,8 +29,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         };
         if text.numbers::<3>().is_some_and(|numbers| numbers.iter().map(|n| n * n).sum::<f64>().sqrt() > 1e-6)
         {
-            out.report(text.origin, format!("`{child}` is not where `{parent}` is"))
-                .help("only the orientation of both frames differs; put the offset into the tool")
+            out.report(text.origin, format!("`{child}` is offset from `{parent}`"))
+                .help("write xyz=\"0 0 0\" and put the offset in the tool; only the orientation of the frames may differ")
                 .done();
         }
     }

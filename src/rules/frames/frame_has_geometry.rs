@@ -28,8 +28,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let is_body = |&id: &_| ["visual", "collision", "inertial"].contains(&tree.get(id).text.as_str());
         let Some(first) = tree.elements(link.element).find(is_body) else { continue };
         let (name, body) = (link.shown(), &tree.get(first).text);
-        out.report(tag_start(cx.expansion, first), format!("link `{name}` is a frame, but has <{body}>"))
-            .help(format!("put it on a link of its own that `{name}` is fixed to"))
+        out.report(tag_start(cx.expansion, first), format!("link `{name}` is a frame but has a `{body}`"))
+            .help(format!("move it to a separate link and attach `{name}` to that link with a fixed joint"))
             .done();
     }
 }

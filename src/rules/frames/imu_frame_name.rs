@@ -25,8 +25,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(name) = block.reference.as_ref().and_then(|reference| reference.name()) else { continue };
         let link = robot.link(name).and_then(|link| link.name.as_ref());
         if let Some(link) = link.filter(|_| prefix_of(name, "imu_link").is_none()) {
-            out.report(link.origin, format!("the IMU is in frame `{name}`, not in `imu_link`"))
-                .help("drivers use `imu_link` unless told otherwise")
+            out.report(link.origin, format!("IMU frame `{name}` is not named `imu_link`"))
+                .help("rename it to `imu_link`, the default frame of IMU drivers")
                 .done();
         }
     }

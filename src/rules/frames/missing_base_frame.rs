@@ -21,8 +21,8 @@ pub(super) const RULE: Rule = Rule {
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let has_base = cx.robot.links.iter().any(|link| link.shown().ends_with("base"));
     if !has_base && can_move(cx.robot) {
-        out.report(tag_start(cx.expansion, cx.robot.element), "the robot has no frame `base`")
-            .help("add a link `base` without geometry, fixed to `base_link`, where the controller has its coordinate system")
+        out.report(tag_start(cx.expansion, cx.robot.element), "robot has no frame `base`")
+            .help("add a link `base` without geometry at the origin of the robot controller, fixed to `base_link`")
             .done();
     }
 }

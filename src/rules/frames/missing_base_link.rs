@@ -25,7 +25,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let root =
         cx.kinematics.roots(cx.robot).first().and_then(|&root| cx.robot.links.get(root)?.name.as_ref());
     let Some(root) = root else { return };
-    out.report(root.origin, format!("the robot has no link `base_link`; its root is `{}`", root.value))
-        .help("navigation and planning look for `base_link`: rename the root, or add a link")
+    out.report(root.origin, format!("robot has no link `base_link`; its root link is `{}`", root.value))
+        .help("rename the root link to `base_link`, or add one; navigation and planning expect it")
         .done();
 }

@@ -24,8 +24,8 @@ const OTHERS: [&str; 8] = ["wheel", "caster", "leg", "hip", "head", "finger", "t
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let has_tool0 = cx.robot.links.iter().any(|link| link.shown().ends_with("tool0"));
     if !has_tool0 && serial_arms(cx.robot, cx.kinematics).iter().any(|arm| is_arm(cx.robot, arm)) {
-        out.report(tag_start(cx.expansion, cx.robot.element), "the arm has no frame `tool0`")
-            .help("add a link `tool0` without geometry, fixed to the last link (or to `flange`), z out of the flange")
+        out.report(tag_start(cx.expansion, cx.robot.element), "arm has no frame `tool0`")
+            .help("add a link `tool0` without geometry, fixed to the last link (or to `flange`), with z pointing out of the flange")
             .done();
     }
 }

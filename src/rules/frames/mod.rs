@@ -2,6 +2,7 @@
 
 mod approximate_pi;
 mod base_footprint_tilted;
+mod base_link_tilted;
 mod base_not_fixed;
 mod flange_tool0_offset;
 mod frame_has_geometry;
@@ -43,4 +44,5 @@ pub(super) static RULES: &[Rule] = &[
     imu_frame_name::RULE,
     root_not_conventional::RULE,
     two_rotations::RULE,
+    base_link_tilted::RULE,
 ];

@@ -22,9 +22,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let turned =
             text.numbers::<3>().map_or(0, |angles| angles.iter().filter(|angle| angle.abs() > 1e-6).count());
         if turned > 1 {
-            let message = format!("the frame of joint `{}` is turned about {turned} axes", joint.shown());
+            let message = format!("frame of joint `{}` is rotated about {turned} axes", joint.shown());
             out.report(text.origin, message)
-                .help("keep two of the three angles 0: turn the axis instead of the frame")
+                .help("set two of the three angles to 0 and change `axis` instead")
                 .done();
         }
     }

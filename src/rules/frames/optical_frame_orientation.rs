@@ -9,7 +9,7 @@ use super::super::edits::speaks_xacro;
 use super::super::numbers::rewrite;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use model::{Joint, tag_start};
+use model::{Gazebo, Joint, JointType, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "FRM004",
@@ -48,11 +48,56 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let turned = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
         // on a part that is no camera, the joint holds the pose of the camera as well
         let is_mounted = turned.angle() > TOLERANCE && first_word(parent) != first_word(child);
-        if turned.angle_to(&usual) > TOLERANCE && !is_mounted {
+        let is_off = |turned: &UnitQuaternion<f64>| turned.angle_to(&usual) > TOLERANCE;
+        if is_off(&turned)
+            && !is_mounted
+            && !is_of_ranges(cx, parent, child)
+            && turns_above(cx, parent, turned).iter().all(is_off)
+        {
             let severity = if looks_aside(&turned) { Severity::Info } else { Severity::Warning };
             report(cx, out, joint, child, severity);
         }
     }
+}
+
+/// Whether a frame is that of a sensor that measures ranges and takes no pictures: by its name, or by the sensor that a
+/// simulator has there.
+fn is_of_ranges(cx: &DocumentCx<'_>, parent: &str, child: &str) -> bool {
+    const NAMES: [&str; 4] = ["lidar", "laser", "radar", "sonar"];
+    const SENSORS: [&str; 5] = ["ray", "gpu_ray", "lidar", "gpu_lidar", "sonar"];
+    let tree = &cx.expansion.tree;
+    let is_named = || child.to_lowercase().split('_').any(|word| NAMES.contains(&word));
+    let is_ranging = |id| {
+        let kind = || tree.attr(id, "type").map(|kind| kind.value.as_str());
+        tree.get(id).text == "sensor" && kind().is_some_and(|kind| SENSORS.contains(&kind))
+    };
+    let is_there = |block: &&Gazebo| {
+        let reference = block.reference.as_ref().and_then(|text| text.name());
+        reference.is_some_and(|name| name == child || name == parent)
+    };
+    let mut blocks = cx.robot.into_iter().flat_map(|robot| &robot.gazebo).filter(is_there);
+    is_named() || blocks.any(|block| tree.elements(block.element).any(is_ranging))
+}
+
+/// How a frame is turned in the links above it that are fixed to it, `turned` in `parent`: a camera may be turned itself,
+/// and its frame not.
+fn turns_above(cx: &DocumentCx<'_>, parent: &str, turned: UnitQuaternion<f64>) -> Vec<UnitQuaternion<f64>> {
+    /// Links above that are looked at.
+    const MOST_LINKS: usize = 10;
+    let (mut parent, mut turned, mut found) = (parent, turned, Vec::new());
+    while found.len() < MOST_LINKS {
+        let is_above = |joint: &&Joint| joint.ends().is_some_and(|(_, child)| child == parent);
+        let Some(joint) = cx.joints().iter().find(is_above) else { break };
+        let angles = joint.origin.as_ref().map_or(Some([0.0; 3]), |origin| origin.angles());
+        let is_fixed = joint.joint_type() == Some(JointType::Fixed);
+        let (Some([roll, pitch, yaw]), Some((above, _)), true) = (angles, joint.ends(), is_fixed) else {
+            break;
+        };
+        turned = UnitQuaternion::from_euler_angles(roll, pitch, yaw) * turned;
+        found.push(turned);
+        parent = above;
+    }
+    found
 }
 
 /// Whether a frame is turned on purpose so that it does not look along x of its parent, nor against it: the parent is no
@@ -72,9 +117,9 @@ fn report(cx: &DocumentCx<'_>, out: &mut Sink<'_>, joint: &Joint, child: &str, s
     let rpy = joint.origin.as_ref().and_then(|origin| origin.rpy.as_ref());
     let at = rpy.map_or_else(|| tag_start(cx.expansion, joint.element), |text| text.origin);
     let report = out
-        .report(at, format!("optical frame `{child}` is not turned by -pi/2 0 -pi/2"))
+        .report(at, format!("optical frame `{child}` is not rotated by -pi/2 0 -pi/2"))
         .severity(severity)
-        .help("an optical frame looks along z, with x to the right and y down; its camera looks along x");
+        .help("write rpy=\"${-pi/2} 0 ${-pi/2}\": an optical frame has z forward, x right and y down");
     let Some(text) = rpy else { return report.done() };
     let xacro = speaks_xacro(cx.expansion, text.origin);
     let new = if xacro { "${-pi/2} 0 ${-pi/2}" } else { "-1.5707963267948966 0 -1.5707963267948966" };

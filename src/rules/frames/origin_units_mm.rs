@@ -44,9 +44,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let Some(text) = joint.origin.as_ref().and_then(|origin| origin.xyz.as_ref()) else { continue };
-        let message = format!("joint `{}` is {} m away from its parent", joint.shown(), short(length));
-        let report =
-            out.report(text.origin, message).help("lengths are in metres; this looks like millimetres");
+        let message = format!(
+            "joint `{}` is {} m away from its parent link; this looks like millimeters",
+            joint.shown(),
+            short(length)
+        );
+        let report = out.report(text.origin, message).help("write lengths in meters");
         let metres = text.numbers::<3>().map(|numbers| vector(&numbers.map(|number| number / 1000.0)));
         match metres {
             Some(metres) => rewrite(report, Safety::Unsafe, text, metres).done(),

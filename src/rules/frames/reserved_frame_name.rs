@@ -28,10 +28,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if let Some(word) = RESERVED.iter().find(|word| prefix_of(name, word).is_some()) {
             out.report(
                 text.origin,
-                format!("link `{name}` has the name of a frame that localisation publishes"),
+                format!("link `{name}` has the name of a frame that localization publishes"),
             )
             .help(format!(
-                "`{word}` is no part of the robot: remove the link, or rename it (`world` is fine)"
+                "remove or rename the link (`world` is allowed); `{word}` is not part of the robot"
             ))
             .done();
         }

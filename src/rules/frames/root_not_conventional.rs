@@ -22,8 +22,8 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let Some(text) = cx.robot.links.get(root).and_then(|link| link.name.as_ref()) else { continue };
         let usual = ["world", "base_footprint", "base_link"].contains(&text.value.as_str());
         if !usual && prefix_of(&text.value, "base_link").is_none() {
-            out.report(text.origin, format!("the root link is `{}`", text.value))
-                .help("programs look for `world`, `base_footprint` or `base_link` at the root")
+            out.report(text.origin, format!("root link `{}` has an unconventional name", text.value))
+                .help("rename it to `world`, `base_footprint` or `base_link`, or add such a link above it")
                 .done();
         }
     }

@@ -32,7 +32,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             if angle.abs() > MOST && !is_part_of_pi(angle) || ROUND.contains(&angle.abs()) {
                 let shown = text.value.get(range.clone()).unwrap_or_default();
                 let message = format!("{name} {shown} of {} looks like degrees", placed.owner());
-                let report = out.report(text.part(range.clone()), message).help("angles are in radians");
+                let report = out.report(text.part(range.clone()), message).help("write the angle in radians");
                 from_degrees(report, cx.expansion, text, range).done();
             }
         }

@@ -20,11 +20,10 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for mesh in cx.meshes().filter(is_absolute) {
-        let message =
-            format!("mesh `{}` of link `{}` is named by an absolute path", mesh.name(), mesh.link.shown());
+        let message = format!("mesh `{}` of link `{}` has an absolute path", mesh.name(), mesh.link.shown());
         let report = out
             .report(mesh.file.origin, message)
-            .help("it is found on this machine only; write package://PACKAGE/PATH");
+            .help("write package://PACKAGE/PATH; an absolute path works on this computer only");
         match in_package(cx, &mesh).filter(|uri| is_replaceable(mesh.file, uri)) {
             Some(uri) => report.replace_with(Safety::Unsafe, format!("write `{uri}`"), uri).done(),
             None => report.done(),

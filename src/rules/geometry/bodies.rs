@@ -55,7 +55,7 @@ pub fn extent_of(cx: &DocumentCx<'_>, bodies: &[Body]) -> Extent {
 }
 
 /// The box of a body in the frame of its link.
-fn bounds(cx: &DocumentCx<'_>, body: &Body) -> Option<Bounds> {
+pub(super) fn bounds(cx: &DocumentCx<'_>, body: &Body) -> Option<Bounds> {
     let place = transform(body.origin.as_ref())?;
     Some(shape_bounds(cx, body.shape()?)?.moved(&place))
 }

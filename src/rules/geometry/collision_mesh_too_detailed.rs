@@ -27,7 +27,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             out.report(mesh.file.origin, message)
                 .severity(if many { Severity::Warning } else { Severity::Info })
                 .group(mesh.group())
-                .help("use its convex hull or a few boxes and cylinders")
+                .help("use the convex hull, or a few boxes and cylinders")
                 .done();
         }
     }

@@ -36,11 +36,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if let Some(visual) = meshes.iter().find(is_same) {
             let (name, link, count) = (collision.name(), collision.link.shown(), surface.triangles);
             let message =
-                format!("link `{link}` collides with its visual mesh `{name}` of {count} triangles");
+                format!("link `{link}` uses its visual mesh `{name}` ({count} triangles) for collision");
             out.report(collision.file.origin, message)
                 .group(collision.group())
-                .also(visual.file.origin, "the visual")
-                .help("use its convex hull or a few boxes and cylinders")
+                .also(visual.file.origin, "visual")
+                .help("use the convex hull, or a few boxes and cylinders")
                 .done();
         }
     }

@@ -31,10 +31,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         };
         let out_by = sticks_out(visual, collision);
         if out_by > TOLERANCE {
-            let message =
-                format!("the visual of link `{}` sticks out of its collision by {out_by:.3} m", link.shown());
+            let message = format!(
+                "visual of link `{}` extends {out_by:.3} m beyond its collision geometry",
+                link.shown()
+            );
             let origin = tag_start(cx.expansion, first.element);
-            out.report(origin, message).help("make the collision enclose the visual").done();
+            out.report(origin, message)
+                .help("enlarge the collision geometry so that it encloses the visual")
+                .done();
         }
     }
 }

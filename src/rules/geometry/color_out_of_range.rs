@@ -25,8 +25,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let name = material.name.as_ref().map_or("", |name| name.value.as_str());
-        let message = format!("colour of material `{name}` is outside of 0 to 1");
-        let report = out.report(text.origin, message).help("red, green, blue and alpha go from 0 to 1");
+        let message = format!("color of material `{name}` is outside the range 0 to 1");
+        let report = out.report(text.origin, message).help("write red, green, blue and alpha from 0 to 1");
         match from_bytes(numbers).filter(|_| text.is_literal()) {
             Some(content) => report.replace_with(Safety::Unsafe, "divide by 255", content).done(),
             None => report.done(),

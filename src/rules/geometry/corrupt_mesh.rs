@@ -1,6 +1,7 @@
 //! A mesh that cannot be read.
 
 use super::super::context::DocumentCx;
+use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use model::DefectKind;
@@ -21,14 +22,21 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for mesh in cx.meshes() {
         let Some(defect) = mesh.mesh.and_then(|mesh| mesh.defect.as_ref()) else { continue };
         let (severity, help) = match defect.kind {
-            DefectKind::Corrupt => (Severity::Error, "export or copy it again"),
-            DefectKind::LfsPointer => (Severity::Error, "fetch the file itself with `git lfs pull`"),
-            DefectKind::Untidy => (Severity::Warning, "export it again: strict readers refuse it"),
-            DefectKind::Unescaped => (Severity::Info, "most readers take it; write `&lt;` for strict ones"),
-            DefectKind::TooLarge => (Severity::Info, "it was not checked; a robot needs no such mesh"),
+            DefectKind::Corrupt => (Severity::Error, "export or copy the file again"),
+            DefectKind::LfsPointer => (Severity::Error, "run `git lfs pull` to download the file"),
+            DefectKind::Untidy => (Severity::Warning, "export the file again; strict programs reject it"),
+            DefectKind::Unescaped => {
+                (Severity::Info, "write `&lt;` for `<`; strict programs reject the file")
+            }
+            DefectKind::TooLarge => (Severity::Info, "simplify the mesh; it was not checked"),
             DefectKind::Unread => continue,
         };
         let message = format!("mesh `{}` of link `{}`: {}", mesh.name(), mesh.link.shown(), defect.message);
-        out.report(mesh.file.origin, message).group(mesh.group()).severity(severity).help(help).done();
+        // a checkout without Git LFS has none of its files
+        let group = match defect.kind {
+            DefectKind::LfsPointer => Group::Thing("files of Git LFS".into()),
+            _ => mesh.group(),
+        };
+        out.report(mesh.file.origin, message).group(group).severity(severity).help(help).done();
     }
 }

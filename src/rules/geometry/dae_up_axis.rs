@@ -24,9 +24,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (mesh, others) in each_file(cx, is_turned) {
         let axis =
             if mesh.mesh.is_some_and(|mesh| mesh.up_axis == Some(UpAxis::X)) { "X_UP" } else { "Y_UP" };
-        let message = format!("the up axis of `{}` is `{axis}`", mesh.name());
-        let help = "some programs turn it to z, others do not; export it with Z_UP";
+        let message = format!("up axis of `{}` is `{axis}`", mesh.name());
+        let help = "export it with Z_UP; not all programs apply the up axis";
         let report = out.report(mesh.file.origin, message).group(mesh.group()).help(help);
-        others.iter().fold(report, |report, other| report.also(other.file.origin, "used here too")).done();
+        others.iter().fold(report, |report, other| report.also(other.file.origin, "also used here")).done();
     }
 }

@@ -29,9 +29,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 first.insert(value, name);
             }
             Some(earlier) => out
-                .report(name.origin, format!("material `{value}` is defined twice"))
-                .also(earlier.origin, "defined here first")
-                .help("urdfdom refuses the robot, even if both are equal: keep one")
+                .report(name.origin, format!("duplicate material `{value}`"))
+                .also(earlier.origin, "first defined here")
+                .help("remove one of them; urdfdom rejects the robot even if both are equal")
                 .done(),
         }
     }

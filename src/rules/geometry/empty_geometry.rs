@@ -26,9 +26,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         // what xacro tags inside would have given may be lost
         let certain = cx.kind == RootKind::Robot && cx.expansion.whole && cx.expansion.problems.is_empty();
         if certain || !source_has_elements(cx.expansion, geometry.element) {
-            let message = format!("link `{}`: `geometry` is empty", link.shown());
+            let message = format!("`geometry` of link `{}` is empty", link.shown());
             let origin = tag_start(cx.expansion, geometry.element);
-            out.report(origin, message).help("put a box, cylinder, sphere or mesh inside").done();
+            out.report(origin, message).help("add a <box>, <cylinder>, <sphere> or <mesh>").done();
         }
     }
 }

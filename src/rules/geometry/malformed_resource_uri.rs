@@ -1,6 +1,7 @@
 //! A URI of a mesh or texture that cannot be resolved.
 
 use super::super::context::DocumentCx;
+use super::super::edits::source_text;
 use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
@@ -43,10 +44,17 @@ enum Readers {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for name in resource_names(cx).into_iter().filter(|name| name.is_known()) {
+        if let Some(meant) = without_find(cx, name) {
+            out.report(name.origin, "`package://` and `$(find ...)` exclude each other")
+                .help(format!("write {meant}"))
+                .replace_with(Safety::Unsafe, format!("write `{meant}`"), meant)
+                .done();
+            continue;
+        }
         let Some(UriDefect { message, readers, meant }) = defect(&name.value) else { continue };
         let help = match readers {
-            Readers::OldCurl => "RViz in ROS 2 Humble and later does not find the file: rename it",
-            _ => "URIs are written package://PACKAGE/PATH, with slashes and without spaces",
+            Readers::OldCurl => "rename the file or folder; RViz in ROS 2 Humble and later cannot load it",
+            _ => "write package://PACKAGE/PATH, with slashes and without spaces",
         };
         let report = out
             .report(name.origin, format!("`{}`: {message}", shortened(&name.value)))
@@ -58,6 +66,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             None => report.done(),
         }
     }
+}
+
+/// `package://$(find arm)/meshes/a.stl` as `package://arm/meshes/a.stl`.
+fn without_find(cx: &DocumentCx<'_>, name: &Text) -> Option<String> {
+    let (_, _, source) = source_text(cx.expansion, name.origin).filter(|_| !name.is_literal())?;
+    let (package, path) = source.strip_prefix("package://$(find ")?.split_once(')')?;
+    path.starts_with('/').then(|| format!("package://{}{path}", package.trim()))
 }
 
 fn severity(cx: &DocumentCx<'_>, readers: Readers) -> Severity {
@@ -72,6 +87,10 @@ fn severity(cx: &DocumentCx<'_>, readers: Readers) -> Severity {
 
 /// The scheme and the first name behind it: what is wrong with them is wrong in every URI of a file.
 fn beginning(uri: &str) -> String {
+    // without a package, the first name is that of the mesh
+    if uri.starts_with("package:///") {
+        return String::new();
+    }
     let names: Vec<&str> = uri.split(['/', '\\']).filter(|name| !name.is_empty()).take(2).collect();
     names.join("/")
 }
@@ -90,17 +109,17 @@ fn leads_to_package(cx: &DocumentCx<'_>, name: &Text, meant: &str) -> bool {
 /// What is wrong with a URI or path.
 pub(super) fn defect(value: &str) -> Option<UriDefect> {
     let found = |message, meant| Some(UriDefect { message, readers: Readers::None, meant });
-    let spaces = |readers| Some(UriDefect { message: "spaces in a URI", readers, meant: None });
+    let spaces = |readers| Some(UriDefect { message: "URI contains spaces", readers, meant: None });
     let slashed = value.replace('\\', "/");
     if let Some(rest) = slashed.strip_prefix("package:") {
         let path = rest.trim_start_matches('/');
         let slashes = rest.len() - path.len();
         let meant = path.contains('/').then(|| format!("package://{path}"));
         return match path.split_once('/') {
-            _ if slashes == 2 && slashed != value => found("backslashes in a URI", meant),
-            _ if slashes < 2 => found("two slashes belong behind `package:`", meant),
-            _ if slashes > 2 => found("the package name is missing behind `package://`", meant),
-            None | Some((_, "")) => found("a path is missing behind the package name", None),
+            _ if slashes == 2 && slashed != value => found("URI contains backslashes", meant),
+            _ if slashes < 2 => found("`package:` must be followed by `//`", meant),
+            _ if slashes > 2 => found("missing package name after `package://`", meant),
+            None | Some((_, "")) => found("missing path after the package name", None),
             _ if has_space(value) => spaces(Readers::OldCurl),
             _ => None,
         };
@@ -108,17 +127,18 @@ pub(super) fn defect(value: &str) -> Option<UriDefect> {
     let file = slashed.strip_prefix("file:").map(|rest| rest.strip_prefix("//").unwrap_or(rest));
     match value {
         _ if file.is_some_and(|path| !path.starts_with('/') && !path.starts_with("localhost/")) => {
-            found("the path of a file URI is absolute: three slashes behind the colon", None)
+            found("`file:` must be followed by `///` and an absolute path", None)
         }
         _ if slashed != value => {
             let drive = value.get(1..2) == Some(":") || value.starts_with("\\\\");
-            found("backslashes in a path", (!drive).then_some(slashed))
+            found("path contains backslashes", (!drive).then_some(slashed))
         }
         _ if file.is_some() && has_space(value) => spaces(Readers::Most),
         _ if value.contains("://") && has_space(value) => spaces(Readers::None),
-        _ if value.trim() != value => {
-            found("spaces around a path", Some(value.trim().to_owned()).filter(|path| !path.is_empty()))
-        }
+        _ if value.trim() != value => found(
+            "path starts or ends with a space",
+            Some(value.trim().to_owned()).filter(|path| !path.is_empty()),
+        ),
         _ => None,
     }
 }

@@ -34,10 +34,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(earlier_name) = earlier.name.as_ref().filter(|_| differ(earlier, material)) else {
             continue;
         };
-        let message = format!("link `{}` gives material `{name}` another colour", link.shown());
+        let message = format!("link `{}` redefines material `{name}` with another color", link.shown());
         out.report(text.origin, message)
-            .also(earlier_name.origin, "this one is taken everywhere")
-            .help("use another name for the other colour")
+            .also(earlier_name.origin, "this color is used everywhere")
+            .help("use another material name for the other color")
             .done();
     }
 }

@@ -29,9 +29,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let certain = cx.kind == RootKind::Robot && cx.expansion.whole && cx.expansion.problems.is_empty();
         if certain || !source_has_elements(cx.expansion, material.element) {
             let name = material.name.as_ref().map_or("", |name| name.value.as_str());
-            let message = format!("material `{name}` has neither colour nor texture");
+            let message = format!("material `{name}` has neither color nor texture");
             let origin = tag_start(cx.expansion, material.element);
-            out.report(origin, message).help("urdfdom refuses the robot: add a `color`").done();
+            out.report(origin, message)
+                .help("add <color rgba=\"...\"/>; urdfdom rejects the robot otherwise")
+                .done();
         }
     }
 }

@@ -22,16 +22,21 @@ pub(super) const RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for mesh in cx.meshes() {
         let Target::OtherCase(found) = mesh.target else { continue };
-        let message =
-            format!("mesh `{}` of link `{}` is spelled otherwise on disk", mesh.name(), mesh.link.shown());
+        let message = format!(
+            "mesh `{}` of link `{}` differs in case from the file on disk",
+            mesh.name(),
+            mesh.link.shown()
+        );
         let written = mesh.file.value.as_str();
         let is = shown(cx, mesh.file, found);
-        let help = format!("the file is `{is}`; systems that tell letter cases apart do not find it");
+        let help = format!("write `{is}`; Linux file systems are case-sensitive");
         let report = out.report(mesh.file.origin, message).group(mesh.group()).help(help);
         // the path ends as the file does, but for case
         let tail = tail_of(written, &found.to_string_lossy());
         match tail.filter(|tail| is_replaceable(mesh.file, tail)) {
-            Some(spelled) => report.replace_with(Safety::Unsafe, "spell it as the file is", spelled).done(),
+            Some(spelled) => {
+                report.replace_with(Safety::Unsafe, "write the name of the file on disk", spelled).done()
+            }
             None => report.done(),
         }
     }

@@ -28,14 +28,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let counts = if mesh.is_collision { wrong > 0 } else { wrong * 100 > edges.total };
         if counts {
             let (name, link) = (mesh.name(), mesh.link.shown());
-            let message =
-                format!("mesh `{name}` of link `{link}`: neighbours at {wrong} edges face opposite ways");
+            let message = format!("mesh `{name}` of link `{link}` has inconsistent normals at {wrong} edges");
             let severity =
                 if wrong as f64 > MANY * edges.total as f64 { Severity::Warning } else { Severity::Info };
             out.report(mesh.file.origin, message)
                 .severity(severity)
                 .group(mesh.group())
-                .help("orient all faces coherently in a mesh editor")
+                .help("make all normals consistent in a mesh editor")
                 .done();
         }
     }

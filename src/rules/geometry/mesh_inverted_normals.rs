@@ -27,10 +27,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let mirrored = factors.into_iter().product::<f64>() < 0.0;
         let (edges, noise) = (surface.edges, surface.bounds.extent().powi(3) * NOISE);
         if edges.closed && edges.same_direction == 0 && !mirrored && surface.volume < -noise {
-            let message = format!("mesh `{}` of link `{}` is inside out", mesh.name(), mesh.link.shown());
+            let message =
+                format!("mesh `{}` of link `{}` has inverted normals", mesh.name(), mesh.link.shown());
             out.report(mesh.file.origin, message)
                 .group(mesh.group())
-                .help("its triangles face inward: flip them in a mesh editor")
+                .help("flip the normals in a mesh editor; the triangles face inward")
                 .done();
         }
     }

@@ -34,15 +34,15 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let message =
-            format!("mesh `{}` of link `{}` needs {}", mesh.name(), mesh.link.shown(), names(&missing));
-        let help = "put it beside the mesh, or remove the reference from the mesh";
+            format!("mesh `{}` of link `{}` refers to {}", mesh.name(), mesh.link.shown(), names(&missing));
+        let help = "add the missing file, or remove the reference from the mesh";
         out.report(mesh.file.origin, message).group(mesh.group()).help(help).done();
     }
 }
 
 fn names(missing: &[Missing]) -> String {
     let name = |missing: &Missing| match &missing.named_in {
-        Some(library) => format!("`{}` (named in `{library}`)", missing.name),
+        Some(library) => format!("`{}` (referenced in `{library}`)", missing.name),
         None => format!("`{}`", missing.name),
     };
     let listed: Vec<String> = missing.iter().take(MOST_NAMES).map(name).collect();

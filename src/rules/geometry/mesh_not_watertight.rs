@@ -23,11 +23,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         };
         if edges.boundary > 0 {
             let (name, link, count) = (mesh.name(), mesh.link.shown(), edges.boundary);
-            let message =
-                format!("collision mesh `{name}` of link `{link}` has holes ({count} edges of one triangle)");
+            let message = format!("collision mesh `{name}` of link `{link}` has holes ({count} open edges)");
             out.report(mesh.file.origin, message)
                 .group(mesh.group())
-                .help("close it, or use its convex hull")
+                .help("close the holes, or use the convex hull")
                 .done();
         }
     }

@@ -4,10 +4,11 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::thresholds::{MAX_EXTENT, MIN_EXTENT};
+use super::bodies::extent_of;
 use super::resources::MeshUse;
 use base::TextRange;
 use expand::{FileIdx, Origin};
-use model::{Robot, tag_start};
+use model::{Body, Bounds, Link, Robot, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO007",
@@ -21,38 +22,116 @@ pub(super) const RULE: Rule = Rule {
     check: Check::Document(check),
 };
 
+/// What a mesh in another unit is that has a collision or a visual beside it in the right one: a thousandth.
+const THOUSANDTH: std::ops::Range<f64> = 0.0005..0.002;
+
+/// Whether a mesh is too large or too small for any link.
+pub(super) fn is_suspicious(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> bool {
+    extent(mesh).is_some_and(|extent| !admitted(cx).contains(&extent))
+}
+
+/// Whether a mesh of a link is: nothing else that rests on its size is right.
+pub(in super::super) fn is_scaled_wrong(cx: &DocumentCx<'_>, link: &Link) -> bool {
+    let own = |mesh: &MeshUse<'_>| mesh.link.element == link.element;
+    cx.meshes().filter(own).any(|mesh| is_suspicious(cx, &mesh)) || shrunk(cx, link).is_some()
+}
+
+/// The extents that are admitted, metres.
+fn admitted(cx: &DocumentCx<'_>) -> std::ops::RangeInclusive<f64> {
+    MIN_EXTENT.value(cx.world.config)..=MAX_EXTENT.value(cx.world.config)
+}
+
+/// The extent of a mesh; none where it is not known, or a factor of zero, which is another defect, makes it flat.
+fn extent(mesh: &MeshUse<'_>) -> Option<f64> {
+    let surface = mesh.mesh.and_then(|mesh| mesh.surface)?;
+    let factors = mesh.factors().filter(|factors| !factors.contains(&0.0))?;
+    Some(surface.bounds.scaled(factors).extent()).filter(|&extent| extent > 0.0)
+}
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let (most, least) = (MAX_EXTENT.value(cx.world.config), MIN_EXTENT.value(cx.world.config));
-    for mesh in cx.meshes() {
-        let surface = mesh.mesh.and_then(|mesh| mesh.surface);
-        let (Some(surface), Some(factors)) = (surface, mesh.factors()) else { continue };
-        let extent = surface.bounds.scaled(factors).extent();
-        // what a factor of zero makes is another defect
-        let flat = factors.contains(&0.0) || extent == 0.0;
-        if flat || least <= extent && extent <= most {
-            continue;
-        }
-        let message =
-            format!("mesh `{}` of link `{}` is {} large", mesh.name(), mesh.link.shown(), metres(extent));
-        let is_millimetres = extent > most && (0.001..=most).contains(&(extent / 1000.0));
-        let help = match is_millimetres {
-            true => "it seems to be in millimetres: scale it by 0.001",
-            false => "meshes are in metres: check its unit and `scale`",
-        };
-        // an object without joints may be a building or a floor
-        let is_object = cx.robot.is_some_and(Robot::is_rigid);
-        let may_be_meant = is_object && most < extent && extent < 10.0 * most;
-        let severity = if may_be_meant { Severity::Info } else { Severity::Warning };
-        let report = out.report(mesh.file.origin, message).severity(severity).help(help);
-        match rescaled(cx, &mesh).filter(|_| is_millimetres) {
-            Some((origin, content)) => {
-                let edit = cx.expansion.place(origin).map(|place| (place.file, place.range));
-                let (file, range) = edit.unwrap_or((FileIdx(0), TextRange::default()));
-                report.fix(Safety::Unsafe, "scale it from millimetres", file, [(range, content)]).done();
-            }
-            None => report.done(),
+    for mesh in cx.meshes().filter(|mesh| is_suspicious(cx, mesh)) {
+        report(cx, &mesh, out);
+    }
+    for link in cx.links() {
+        if let Some(bodies) = shrunk(cx, link) {
+            report_shrunk(cx, link, bodies, out);
         }
     }
+}
+
+/// The visuals or the collisions of a link, when they are a thousandth of the others, and only a mesh decides.
+fn shrunk<'a>(cx: &DocumentCx<'_>, link: &'a Link) -> Option<&'a [Body]> {
+    let extent = |bodies| extent_of(cx, bodies).bounds().map(Bounds::extent).filter(|&extent| extent > 0.0);
+    let ratio = extent(&link.visuals)? / extent(&link.collisions)?;
+    let small = match ratio {
+        ratio if THOUSANDTH.contains(&ratio) => &link.visuals,
+        ratio if THOUSANDTH.contains(&ratio.recip()) => &link.collisions,
+        _ => return None,
+    };
+    let is_known = |mesh: MeshUse<'_>| mesh.link.element == link.element && is_suspicious(cx, &mesh);
+    (!cx.meshes().any(is_known)).then_some(small)
+}
+
+fn report_shrunk(cx: &DocumentCx<'_>, link: &Link, bodies: &[Body], out: &mut Sink<'_>) {
+    let is_own = |mesh: &MeshUse<'_>| {
+        bodies.iter().any(|body| body.shape().is_some_and(|shape| shape.element == mesh.element))
+    };
+    let Some(mesh) = cx.meshes().find(is_own) else { return };
+    let other = if mesh.is_collision { "visual" } else { "collision" };
+    let message =
+        format!("mesh `{}` is 1000 times smaller than the {other} of link `{}`", mesh.name(), link.shown());
+    let small = mesh.scale.and_then(|scale| scale.numbers::<3>().map(|factors| (scale, factors)));
+    match small.filter(|(scale, _)| scale.is_literal()) {
+        Some((scale, factors)) => {
+            let [x, y, z] = factors.map(|factor| (factor * 1000.0 * 1e6).round() / 1e6);
+            let text = format!("{x} {y} {z}");
+            out.report(scale.origin, message)
+                .help(format!("write scale=\"{text}\"; the mesh is in meters"))
+                .replace_with(Safety::Unsafe, format!("write `{text}`"), text)
+                .done();
+        }
+        None => out
+            .report(mesh.file.origin, message)
+            .help(format!("export the mesh in meters, or correct the size of the {other}"))
+            .done(),
+    }
+}
+
+fn report(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>, out: &mut Sink<'_>) {
+    let (Some(extent), Some(surface)) = (extent(mesh), mesh.mesh.and_then(|mesh| mesh.surface)) else {
+        return;
+    };
+    let bounds = surface.bounds.scaled(mesh.factors().unwrap_or([1.0; 3]));
+    let most = MAX_EXTENT.value(cx.world.config);
+    let message =
+        format!("mesh `{}` of link `{}` is {} across", mesh.name(), mesh.link.shown(), metres(extent));
+    let is_millimetres = extent > most && (0.001..=most).contains(&(extent / 1000.0));
+    let help = match is_millimetres {
+        true => "add scale=\"0.001 0.001 0.001\"; the mesh seems to be in millimeters",
+        false => "check the unit of the mesh and `scale`; meshes are in meters",
+    };
+    // an object without joints may be a building or a floor
+    let is_object = cx.robot.is_some_and(Robot::is_rigid);
+    let may_be_meant = most < extent && is_object && (extent < 10.0 * most || is_ground(bounds.size()));
+    let severity = if may_be_meant { Severity::Info } else { Severity::Warning };
+    let report = out.report(mesh.file.origin, message).severity(severity).help(help);
+    match rescaled(cx, mesh).filter(|_| is_millimetres) {
+        Some((origin, content)) => {
+            let edit = cx.expansion.place(origin).map(|place| (place.file, place.range));
+            let (file, range) = edit.unwrap_or((FileIdx(0), TextRange::default()));
+            report.fix(Safety::Unsafe, "scale from millimeters", file, [(range, content)]).done();
+        }
+        None => report.done(),
+    }
+}
+
+/// Whether a size is that of a floor: wide in two directions, and thin in the third.
+fn is_ground(mut size: [f64; 3]) -> bool {
+    /// The part of its width that a floor is thick.
+    const THIN: f64 = 0.01;
+    size.sort_by(f64::total_cmp);
+    let [thickness, width, _] = size;
+    thickness < THIN * width
 }
 
 /// Where a scale of 0.001 goes, and what is written there.
@@ -72,7 +151,7 @@ fn rescaled(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> Option<(Origin, String)>
 }
 
 /// A length for people.
-fn metres(length: f64) -> String {
+pub(super) fn metres(length: f64) -> String {
     let digits = (2 - length.log10().floor() as i32).clamp(0, 9) as usize;
     match length {
         0.001..1e6 => format!("{length:.digits$} m"),

@@ -64,7 +64,7 @@ fn report(
             .report(file.name.origin, message(file, package))
             .group(Group::Thing(folder.to_string_lossy().into()));
         if let Some(argument) = cx.expansion.empty_argument(&file.name.pieces) {
-            let help = format!("argument `{argument}` is empty by default: give it");
+            let help = format!("pass {argument}:=...; argument `{argument}` is empty by default");
             report.severity(Severity::Info).help(help).done();
             continue;
         }
@@ -85,10 +85,12 @@ fn found_elsewhere<'s, 'a>(
 ) -> Reported<'s, 'a> {
     let place = found.parent().map_or_else(String::new, |folder| shown(cx, file.name, folder));
     if is_installed(cx, found, &file.path, package) {
-        let help = format!("found in `{place}`: the build seems to install it to where the URI points");
+        let help = format!(
+            "build the package; the file is in `{place}`, and the build seems to install it where the URI points"
+        );
         return report.severity(Severity::Info).help(help);
     }
-    let report = report.help(format!("found in `{place}` instead"));
+    let report = report.help(format!("correct the path; a file of this name is in `{place}`"));
     match uri_of(cx, file.name, found).filter(|uri| is_replaceable(file.name, uri)) {
         Some(uri) => report.replace_with(Safety::Unsafe, format!("write `{uri}`"), uri),
         None => report,
@@ -100,9 +102,9 @@ fn message(file: &MissingFile<'_>, package: Option<&Path>) -> String {
     let inside = package.and_then(|package| file.path.strip_prefix(package).ok());
     match (inside, package_name(&file.name.value)) {
         (Some(inside), Some(package)) => {
-            format!("{what} is not found: package `{package}` has no `{}`", inside.display())
+            format!("{what} not found: package `{package}` has no file `{}`", inside.display())
         }
-        _ => format!("{what} is not found at `{}`", file.path.display()),
+        _ => format!("{what} not found at `{}`", file.path.display()),
     }
 }
 

@@ -36,9 +36,9 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         if is_part || DECORATION.iter().any(|word| lower.contains(word)) {
             continue;
         }
-        let message = format!("link `{}` has a visual mesh, but no collision", name.value);
+        let message = format!("link `{}` has a visual mesh but no collision", name.value);
         out.report(name.origin, message)
-            .help("planners and simulators move through it: add a collision")
+            .help("add a <collision>; planners and simulators ignore a link without one")
             .done();
     }
 }

@@ -4,6 +4,7 @@ mod absolute_mesh_path;
 mod ascii_stl;
 mod binary_stl_solid_header;
 mod bodies;
+mod collision_left_out;
 mod collision_mesh_too_detailed;
 mod collision_same_as_visual;
 mod collision_smaller_than_visual;
@@ -17,6 +18,7 @@ mod malformed_resource_uri;
 mod material_redefinition;
 mod material_without_color;
 mod mesh_case_mismatch;
+mod mesh_far_from_link;
 mod mesh_inconsistent_normals;
 mod mesh_inverted_normals;
 mod mesh_missing_dependency;
@@ -37,6 +39,7 @@ mod undefined_material;
 mod unknown_geometry_type;
 mod unsupported_mesh_format;
 mod unused_material;
+mod visual_collision_apart;
 mod zero_mesh_scale;
 
 use super::registry::Rule;
@@ -45,6 +48,7 @@ pub use bodies::link_bounds;
 pub use resources::{Target as FileTarget, factors, resolve as resolve_file};
 
 pub(super) use bodies::{Extent, extent, extent_of, volume};
+pub(super) use mesh_scale_suspicious::is_scaled_wrong;
 pub(super) use resources::Resources;
 
 /// The rules.
@@ -82,4 +86,7 @@ pub(super) static RULES: &[Rule] = &[
     material_without_color::RULE,
     missing_collision::RULE,
     collision_smaller_than_visual::RULE,
+    mesh_far_from_link::RULE,
+    visual_collision_apart::RULE,
+    collision_left_out::RULE,
 ];

@@ -24,10 +24,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         // a shape that URDF does not know has a rule of its own
         let mut shapes = geometry.shapes.iter().filter(|shape| !matches!(shape.kind, ShapeKind::Other));
         if let (Some(first), Some(second)) = (shapes.next(), shapes.next()) {
-            let message = format!("link `{}`: a second shape in one `geometry`", link.shown());
+            let message = format!("`geometry` of link `{}` has more than one shape", link.shown());
             out.report(tag_start(cx.expansion, second.element), message)
-                .also(tag_start(cx.expansion, first.element), "parsers take this one")
-                .help("give each shape a visual or collision of its own")
+                .also(tag_start(cx.expansion, first.element), "parsers use this shape")
+                .help("put each shape in a separate <visual> or <collision>")
                 .done();
         }
     }

@@ -22,9 +22,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let negative = factors.iter().filter(|&&factor| factor < 0.0).count();
         // two negative factors turn the mesh by half a circle
         if negative % 2 == 1 {
-            let message = format!("mesh of link `{}` is mirrored by its scale", mesh.link.shown());
+            let message = format!("mesh of link `{}` has a negative scale", mesh.link.shown());
             out.report(scale.origin, message)
-                .help("some programs show it inside out or refuse it; a mirrored mesh file works everywhere")
+                .help(
+                    "use a mirrored mesh file; some programs render a negative scale inside out or reject it",
+                )
                 .done();
         }
     }

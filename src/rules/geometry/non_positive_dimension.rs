@@ -32,17 +32,23 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 ShapeKind::Sphere { radius } => length("radius", radius, |text| Some(vec![text.number()?])),
                 ShapeKind::Mesh { .. } | ShapeKind::Other => Vec::new(),
             };
+            // a shape without any extent is a stand-in that hits nothing, and a box with one is a floor: both on purpose
+            let zeros =
+                lengths.iter().flat_map(|(_, _, numbers)| numbers).filter(|&&number| number == 0.0).count();
+            let all: usize = lengths.iter().map(|(_, _, numbers)| numbers.len()).sum();
+            let is_meant = zeros == all || zeros == 1 && matches!(shape.kind, ShapeKind::Box { .. });
             for (name, text, numbers) in lengths {
                 if numbers.iter().all(|&number| number > 0.0) {
                     continue;
                 }
                 // readers accept a length of zero, and nothing is drawn or hit; a negative one is never meant
                 let is_negative = numbers.iter().any(|&number| number < 0.0);
-                let severity = if is_collision || is_negative { Severity::Warning } else { Severity::Info };
-                let message = format!("link `{}`: `{name}` of a shape is not positive", link.shown());
+                let is_defect = is_negative || is_collision && !is_meant;
+                let severity = if is_defect { Severity::Warning } else { Severity::Info };
+                let message = format!("`{name}` of a shape of link `{}` is not positive", link.shown());
                 out.report(text.origin, message)
                     .severity(severity)
-                    .help("lengths are greater than zero, in metres")
+                    .help("write a length greater than 0, in meters")
                     .done();
             }
         }

@@ -31,10 +31,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(package) = source.and_then(|file| cx.world.packages.containing(&file.source.path)) else {
             continue;
         };
-        let message =
-            format!("mesh `{}` of link `{}` is named by a relative path", mesh.name(), mesh.link.shown());
-        let report =
-            out.report(mesh.file.origin, message).help("RViz does not find it; write package://PACKAGE/PATH");
+        let message = format!("mesh `{}` of link `{}` has a relative path", mesh.name(), mesh.link.shown());
+        let report = out
+            .report(mesh.file.origin, message)
+            .help("write package://PACKAGE/PATH; RViz cannot load relative paths");
         let inside = mesh
             .target
             .file()

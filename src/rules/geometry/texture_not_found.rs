@@ -38,10 +38,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 missing.add(file, what, &path, package.as_deref());
             }
             Target::OtherCase(found) => {
-                let message = format!("texture of material `{name}` is spelled otherwise on disk");
-                out.report(file.origin, message)
-                    .help(format!("the file is `{}`", shown(cx, file, &found)))
-                    .done();
+                let message = format!("texture of material `{name}` differs in case from the file on disk");
+                out.report(file.origin, message).help(format!("write `{}`", shown(cx, file, &found))).done();
             }
             _ => {}
         }

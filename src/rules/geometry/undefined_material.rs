@@ -33,14 +33,14 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let report = out
-            .report(text.origin, format!("material `{name}` of link `{}` is defined nowhere", link.shown()))
+            .report(text.origin, format!("undefined material `{name}` in link `{}`", link.shown()))
             .group(Group::Name(name.clone()));
         match nearest(name, defined.iter().copied()).filter(|near| is_replaceable(text, near)) {
             Some(near) => {
-                let report = report.help(format!("a material with a similar name exists: `{near}`"));
-                report.replace_with(Safety::Unsafe, format!("rename it to `{near}`"), near).done();
+                let report = report.help(format!("did you mean `{near}`?"));
+                report.replace_with(Safety::Unsafe, format!("rename to `{near}`"), near).done();
             }
-            None => report.help("give it a colour or texture, here or as a child of `robot`").done(),
+            None => report.help(format!("add <material name=\"{name}\"><color rgba=\"...\"/></material> to <robot>, or a <color> here")).done(),
         }
     }
 }

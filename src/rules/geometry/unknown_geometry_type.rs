@@ -39,23 +39,25 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let is_of_simulators = matches!(name, "capsule" | "ellipsoid" | "plane");
             let help = match name {
                 "capsule" => {
-                    "urdfdom reads capsules from 5.1 on, when the robot says version=\"1.1\"; Drake, MuJoCo and Bullet take them"
+                    "write version=\"1.1\" in <robot>, which needs urdfdom 5.1, or use a cylinder and two spheres"
                 }
-                "ellipsoid" => "urdfdom refuses it; Drake, MuJoCo and Gazebo's SDF take ellipsoids",
-                "plane" => "urdfdom refuses it; MuJoCo, Bullet and Gazebo's SDF take planes",
-                "material" | "origin" => "move it out of `geometry`",
-                _ => "URDF has box, cylinder, sphere and mesh; capsule from version 1.1 on",
+                "ellipsoid" => "use a sphere or a mesh; only Drake, MuJoCo and SDF support ellipsoids",
+                "plane" => "use a flat box; only MuJoCo, Bullet and SDF support planes",
+                "material" | "origin" => "move it out of <geometry>",
+                _ => "use <box>, <cylinder>, <sphere> or <mesh> (or <capsule> since URDF 1.1)",
             };
             let version = if name == "capsule" { " 1.0" } else { "" };
-            let message = format!("link `{}`: `{name}` is no shape of URDF{version}", link.shown());
+            let message = format!("`{name}` in link `{}` is not a shape of URDF{version}", link.shown());
             // outside of a package, it is for the programs that take the shape
             let root = cx.expansion.files.first().map(|file| &*file.source.path);
             let in_package = root.is_some_and(|root| cx.world.packages.containing(root).is_some());
             let is_meant = is_of_simulators && !in_package;
-            out.report(tag_start(cx.expansion, shape.element), message)
-                .severity(if is_meant || is_passed_over { Severity::Warning } else { RULE.severity })
-                .help(help)
-                .done();
+            let severity = match (is_meant, is_passed_over) {
+                (true, _) => Severity::Info,
+                (false, true) => Severity::Warning,
+                (false, false) => RULE.severity,
+            };
+            out.report(tag_start(cx.expansion, shape.element), message).severity(severity).help(help).done();
         }
     }
 }

@@ -39,8 +39,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         }
         let link = mesh.link.shown();
         let message = match ending {
-            "" => format!("mesh `{name}` of link `{link}` has no ending that tells its format"),
-            _ => format!("mesh of link `{link}`: format `.{ending}` is read by few programs"),
+            "" => format!("mesh `{name}` of link `{link}` has no file extension"),
+            _ => format!("mesh of link `{link}` is in format `.{ending}`, which few programs support"),
         };
         let near = USUAL.iter().find(|known| edit_distance(known, &ending.to_lowercase()) == 1);
         let help = near.map_or_else(

@@ -34,10 +34,17 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let whole = element_range(cx.expansion, material.element);
-        let report = out.report(text.origin, format!("material `{name}` is never used")).help("remove it");
+        let report = out.report(text.origin, format!("unused material `{name}`")).help("remove the material");
         match cx.expansion.place(whole) {
             Some(place) => {
-                report.fix(Safety::Unsafe, "remove it", place.file, [(place.range, String::new())]).done();
+                report
+                    .fix(
+                        Safety::Unsafe,
+                        format!("remove material `{name}`"),
+                        place.file,
+                        [(place.range, String::new())],
+                    )
+                    .done();
             }
             None => report.done(),
         }

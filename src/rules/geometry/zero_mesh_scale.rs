@@ -20,9 +20,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for mesh in cx.meshes() {
         let (Some(scale), Some(factors)) = (mesh.scale, mesh.factors()) else { continue };
         if factors.contains(&0.0) {
-            let message = format!("mesh of link `{}` is scaled to nothing", mesh.link.shown());
+            let message = format!("mesh of link `{}` has a scale of zero", mesh.link.shown());
             out.report(scale.origin, message)
-                .help("scale by 1 to keep its size, by 0.001 from millimetres")
+                .help("write scale=\"1 1 1\", or scale=\"0.001 0.001 0.001\" for a mesh in millimeters")
                 .done();
         }
     }

@@ -50,10 +50,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             }
             _ => Severity::Warning,
         };
-        let message = format!("centre of mass of link `{}` lies outside of its geometry", link.shown());
+        let message = format!("center of mass of link `{}` is outside its geometry", link.shown());
         out.report(text.origin, message)
             .severity(severity)
-            .help("check units (metres) and the frame of the link")
+            .help("check the units (meters) and the frame of the inertial origin")
             .done();
     }
 }

@@ -1,13 +1,13 @@
 //! A mass that does not fit the volume of the link.
 
 use super::super::context::DocumentCx;
-use super::super::geometry::volume;
+use super::super::geometry::{is_scaled_wrong, volume};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{is_in_world, shape};
 use super::moments::{inertials, short};
 use super::placeholder_inertia::is_placeholder;
-use model::Link;
+use model::{Link, Robot};
 
 pub(super) const RULE: Rule = Rule {
     code: "INR007",
@@ -40,20 +40,44 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(mass) = text.number().filter(|&mass| mass > 0.0) else { continue };
         let Some(volume) = volume(cx, link).filter(|&volume| volume >= LEAST_VOLUME) else { continue };
         let density = mass / volume;
-        if (LIGHT..=HEAVY).contains(&density) {
+        if (LIGHT..=HEAVY).contains(&density) || is_scaled_wrong(cx, link) {
             continue;
         }
-        let message = format!("link `{}` has a density of {} kg/m^3", link.shown(), short(density));
+        let message =
+            format!("link `{}` has an implausible density of {} kg/m^3", link.shown(), short(density));
         let is_gross = !(FAR_TOO_LIGHT..FAR_TOO_HEAVY).contains(&density)
             && mass >= LEAST_MASS
             && !fits_in_shape(cx, link, mass)
             && !is_in_world(cx, link)
-            && !is_placeholder(cx, link, inertial);
+            && !is_placeholder(cx, link, inertial)
+            && !is_mass_of_all(cx, mass)
+            && !is_immovable(cx, mass);
         out.report(text.origin, message)
             .severity(if is_gross { Severity::Warning } else { Severity::Info })
-            .help("check units: kilograms, and metres for the geometry")
+            .help("check the units: kilograms for the mass, meters for the geometry")
             .done();
     }
+}
+
+/// Whether an object without joints has a large round mass: it is an obstacle that nothing is to move.
+fn is_immovable(cx: &DocumentCx<'_>, mass: f64) -> bool {
+    const LEAST_MASS: f64 = 1e4;
+    mass >= LEAST_MASS && mass.log10().fract() == 0.0 && cx.robot.is_some_and(Robot::is_rigid)
+}
+
+/// Whether most links have this mass, large ones and small ones: a number to begin with.
+fn is_mass_of_all(cx: &DocumentCx<'_>, mass: f64) -> bool {
+    /// Links that share a mass.
+    const LEAST_LINKS: usize = 4;
+    /// How much larger than the smallest the largest of them is.
+    const SPREAD: f64 = 10.0;
+    let all: Vec<(&Link, f64)> = inertials(cx).filter_map(|(link, own)| Some((link, own.mass()?))).collect();
+    let same: Vec<&Link> = all.iter().filter(|(_, own)| *own == mass).map(|(link, _)| *link).collect();
+    let volumes = || same.iter().filter_map(|link| volume(cx, link)).filter(|&volume| volume > 0.0);
+    let least = || volumes().fold(f64::INFINITY, f64::min);
+    same.len() >= LEAST_LINKS
+        && same.len() * 2 >= all.len()
+        && volumes().fold(0.0, f64::max) > SPREAD * least()
 }
 
 /// Whether a mass is possible in the box around visuals and collisions, or that box is not known: the collision alone may

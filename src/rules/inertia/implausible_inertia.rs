@@ -1,7 +1,7 @@
 //! An inertia that does not fit the size of the link.
 
 use super::super::context::DocumentCx;
-use super::super::geometry::{Extent, extent};
+use super::super::geometry::{Extent, extent, is_scaled_wrong};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{LIGHT, is_in_world, is_joined, shape};
@@ -35,16 +35,19 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(entries) = inertial.entries() else { continue };
         let Verdict::Definite([_, _, most]) = verdict(entries) else { continue };
         let radius = (most / mass).sqrt();
-        let Some(misfit) = misfit(cx, link, radius).filter(|_| !is_placeholder(cx, link, inertial)) else {
+        let Some(misfit) = misfit(cx, link, radius)
+            .filter(|_| !is_placeholder(cx, link, inertial) && !is_scaled_wrong(cx, link))
+        else {
             continue;
         };
         let made_up = is_same_about_all_axes(entries);
         let (severity, help) = match misfit.is_gross && !made_up && matters(cx, link, mass) {
-            true => (Severity::Warning, "check units: kg m^2, not kg mm^2 or g mm^2"),
-            false => (Severity::Info, "compute it from mass and shape"),
+            true => (Severity::Warning, "check the units: kg m^2, not kg mm^2 or g mm^2"),
+            false => (Severity::Info, "compute the inertia from mass and shape"),
         };
         let (name, radius, beside) = (link.shown(), short(radius), misfit.beside);
-        let message = format!("inertia of link `{name}` means a radius of gyration of {radius} m; {beside}");
+        let message =
+            format!("inertia of link `{name}` is implausible: radius of gyration {radius} m, {beside}");
         out.report(inertia_tag(cx.expansion, inertial), message).severity(severity).help(help).done();
     }
 }
@@ -67,7 +70,7 @@ fn misfit(cx: &DocumentCx<'_>, link: &Link, radius: f64) -> Option<Misfit> {
     match extent(cx, link) {
         Extent::Unknown => None,
         Extent::Nothing => {
-            (radius > FAR).then(|| Misfit { is_gross: true, beside: "no link is so large".to_owned() })
+            (radius > FAR).then(|| Misfit { is_gross: true, beside: "too large for any link".to_owned() })
         }
         Extent::Known(bounds) => {
             let half = bounds.diagonal() / 2.0;
@@ -78,7 +81,7 @@ fn misfit(cx: &DocumentCx<'_>, link: &Link, radius: f64) -> Option<Misfit> {
                 let misfits = |half: f64| !(1.0 / GROSS..GROSS).contains(&ratio(half));
                 misfits(half) && misfits(shape.diagonal() / 2.0)
             });
-            let beside = format!("its geometry has a radius of {} m", short(half));
+            let beside = format!("geometry radius {} m", short(half));
             wrong.then_some(Misfit { is_gross, beside })
         }
     }

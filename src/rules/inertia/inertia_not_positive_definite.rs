@@ -3,6 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use super::joined::is_joined;
 use super::moments::{NEGLIGIBLE_MASS, Verdict, inertia_tag, inertials, verdict};
 
 pub(super) const RULE: Rule = Rule {
@@ -25,14 +26,16 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let (severity, message) = match inertial.entries().map(verdict) {
             Some(Verdict::Negative) => (Severity::Error, "has a negative principal moment"),
             Some(Verdict::Singular) => {
-                (Severity::Warning, "has a principal moment of zero, as only a line has")
+                // simulators add the inertia of a link that is fixed to that of its parent
+                let severity = if is_joined(cx, link) { Severity::Info } else { Severity::Warning };
+                (severity, "has a principal moment of zero")
             }
             _ => continue,
         };
         let message = format!("inertia of link `{}` {message}", link.shown());
         out.report(inertia_tag(cx.expansion, inertial), message)
             .severity(severity)
-            .help("check the signs of the products and the frame it is given in")
+            .help("check the signs of ixy, ixz and iyz and the frame of the inertia")
             .done();
     }
 }

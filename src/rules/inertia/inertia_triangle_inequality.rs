@@ -4,6 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use super::joined::is_small_part;
 use super::moments::{Verdict, inertia_tag, inertials, short, verdict};
 
 pub(super) const RULE: Rule = Rule {
@@ -21,7 +22,10 @@ pub(super) const RULE: Rule = Rule {
 /// Less than this part short is rounding.
 const ROUNDING: f64 = 1e-6;
 /// Less than this part short may be rounding.
-const COARSE: f64 = 1e-2;
+const COARSE: f64 = 2e-2;
+
+/// What the last digit of exporters that write six decimals stands for, kg m^2.
+const LAST_DIGIT: f64 = 1e-6;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
@@ -29,9 +33,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if a + b >= c * (1.0 - ROUNDING) {
             continue;
         }
-        let severity = if a + b >= c * (1.0 - COARSE) { Severity::Info } else { Severity::Error };
+        // simulators add the inertia of a part that is fixed to a heavy body to that of the body
+        let is_added = inertial.mass().is_some_and(|mass| is_small_part(cx, link, mass));
+        let is_harmless = is_added || a + b >= c * (1.0 - COARSE) || c - a - b <= LAST_DIGIT;
+        let severity = if is_harmless { Severity::Info } else { Severity::Error };
         let message = format!(
-            "inertia of link `{}`: principal moment {} is greater than {} and {} together",
+            "inertia of link `{}` is impossible: moment {} exceeds the sum of {} and {}",
             link.shown(),
             short(c),
             short(a),
@@ -40,7 +47,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         out.report(inertia_tag(cx.expansion, inertial), message)
             .group(Group::Value(format!("{:?}", inertial.entries()).into()))
             .severity(severity)
-            .help("no body has such moments: compute them again from mass and shape")
+            .help("compute the inertia from mass and shape")
             .done();
     }
 }

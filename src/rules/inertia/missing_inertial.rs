@@ -31,10 +31,10 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let above = cx.kinematics.up(index).first().and_then(|&joint| robot.joints.get(joint)?.joint_type());
         let moves = above.is_some_and(|kind| kind != JointType::Fixed);
         if moves && link.has_geometry() && link.inertial.is_none() && !carries_mass(cx, index) {
-            let message = format!("link `{}` moves, but has no `inertial`", name.value);
+            let message = format!("moving link `{}` has no `inertial`", name.value);
             out.report(name.origin, message)
                 .severity(severity)
-                .help("Gazebo drops it, its joint and all below: give it mass and inertia")
+                .help("add an <inertial> with mass and inertia; Gazebo ignores the link, its joint and its children otherwise")
                 .done();
         }
     }

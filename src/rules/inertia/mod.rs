@@ -3,6 +3,7 @@
 mod com_outside_geometry;
 mod implausible_density;
 mod implausible_inertia;
+mod inertia_axes_swapped;
 mod inertia_not_positive_definite;
 mod inertia_triangle_inequality;
 mod joined;
@@ -31,4 +32,5 @@ pub(super) static RULES: &[Rule] = &[
     root_link_inertia::RULE,
     missing_inertial::RULE,
     tiny_inertia::RULE,
+    inertia_axes_swapped::RULE,
 ];

@@ -23,7 +23,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         else {
             continue;
         };
-        let message = format!("mass of link `{}` is negative", link.shown());
-        out.report(text.origin, message).help("masses are greater than zero, in kilograms").done();
+        let message = format!("link `{}` has a negative mass", link.shown());
+        out.report(text.origin, message).help("write a mass greater than 0, in kilograms").done();
     }
 }

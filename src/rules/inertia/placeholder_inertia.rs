@@ -22,9 +22,9 @@ pub(super) const RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
         if is_placeholder(cx, link, inertial) {
-            let message = format!("inertia of link `{}` looks like a placeholder", link.shown());
+            let message = format!("inertia of link `{}` looks like a placeholder value", link.shown());
             out.report(inertia_tag(cx.expansion, inertial), message)
-                .help("compute it from mass and shape")
+                .help("compute the inertia from mass and shape")
                 .done();
         }
     }

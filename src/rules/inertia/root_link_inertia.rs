@@ -26,8 +26,9 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let Some(link) = cx.robot.links.get(root).filter(|_| cx.whole && !without_ros) else { return };
     let (Some(name), Some(_)) = (&link.name, &link.inertial) else { return };
     let message = format!("root link `{}` has an inertia, which KDL ignores", name.value);
-    let report =
-        out.report(name.origin, message).help("put a link without inertia above it, joined by a fixed joint");
+    let report = out
+        .report(name.origin, message)
+        .help("add a root link without inertia and a fixed joint to this link");
     let tag = tag_start(cx.expansion, link.element);
     let is_plain = name.is_literal() && !name.value.contains(['&', '<', '"']);
     match cx.expansion.place(tag).filter(|_| is_plain && cx.robot.link("base_footprint").is_none()) {

@@ -25,10 +25,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(Verdict::Definite([least, ..])) = inertial.entries().map(verdict) else { continue };
         if least > 0.0 && least < TINY {
             let message =
-                format!("inertia of link `{}` has a moment of {} kg m^2", link.shown(), short(least));
+                format!("inertia of link `{}` is very small: {} kg m^2", link.shown(), short(least));
             out.report(inertia_tag(cx.expansion, inertial), message)
                 .help(
-                    "solvers become inaccurate: give small parts a little more, or fix them to their parent",
+                    "increase the inertia, or attach the link with a fixed joint; simulators become inaccurate otherwise",
                 )
                 .done();
         }

@@ -28,11 +28,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let is_object = no_inertia && cx.robot.is_some_and(Robot::is_rigid);
         let harmless = is_frame || is_object || is_joined(cx, link);
         let severity = if harmless { Severity::Info } else { Severity::Warning };
-        let message = format!("mass of link `{}` is zero", link.shown());
+        let message = format!("link `{}` has zero mass", link.shown());
         let report = out
             .report(text.origin, message)
             .severity(severity)
-            .help("simulators drop a link without mass: give it one, or remove `inertial`");
+            .help("write a mass greater than 0, or remove <inertial>; simulators ignore a link without mass");
         match cx.expansion.place(element_range(cx.expansion, inertial.element)) {
             Some(place) => {
                 let edit = [(place.range, String::new())];

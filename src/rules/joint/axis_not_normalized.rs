@@ -23,10 +23,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (joint, text, axis) in moving_axes(cx.joints()) {
         let length = length(axis);
         if length >= NO_LENGTH && (length - 1.0).abs() > 1e-3 {
-            let message =
-                format!("the axis of joint `{}` has the length {}, not 1", joint.shown(), short(length));
-            let report =
-                out.report(text.origin, message).help("parsers take it as it is, and motion is scaled by it");
+            let message = format!(
+                "axis of joint `{}` is not a unit vector: its length is {}",
+                joint.shown(),
+                short(length)
+            );
+            let report = out
+                .report(text.origin, message)
+                .help("normalize the axis; parsers use it unchanged, so motion is scaled by its length");
             rewrite(report, Safety::Unsafe, text, vector(&axis.map(|part| part / length))).done();
         }
     }

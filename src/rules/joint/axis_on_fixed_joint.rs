@@ -26,10 +26,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             ("dynamics", joint.dynamics.as_ref().map(|dynamics| dynamics.element)),
         ];
         for (name, element) in parts.into_iter().filter_map(|(name, element)| Some((name, element?))) {
-            let message = format!("<{name}> of the fixed joint `{}` has no effect", joint.shown());
+            let message = format!("`{name}` has no effect on fixed joint `{}`", joint.shown());
             let report = out.report(element_range(cx.expansion, element), message);
             let fix = format!("remove <{name}>");
-            delete_element(report, cx.expansion, element, (Safety::Safe, &fix)).done();
+            delete_element(report.help(fix.clone()), cx.expansion, element, (Safety::Safe, &fix)).done();
         }
     }
 }

@@ -24,10 +24,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         else {
             continue;
         };
-        let message = format!("<dynamics> of joint `{}` has neither damping nor friction", joint.shown());
+        let message = format!("`dynamics` of joint `{}` has neither damping nor friction", joint.shown());
         let report = out.report(element_range(cx.expansion, dynamics.element), message);
         let report =
-            report.help("urdfdom refuses the joint: remove the element, or write damping or friction");
+            report.help("remove <dynamics>, or add damping=\"...\" or friction=\"...\"; urdfdom rejects the joint otherwise");
         delete_element(report, cx.expansion, dynamics.element, (Safety::Safe, "remove <dynamics>")).done();
     }
 }

@@ -20,8 +20,8 @@ pub(super) const RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for joint in cx.joints().iter().filter(|joint| joint.is(&[Floating, Planar])) {
         let Some(kind) = &joint.kind else { continue };
-        out.report(kind.origin, format!("joint `{}` is {}, which kdl_parser takes for fixed", joint.shown(), kind.value))
-            .help("robot_state_publisher publishes it as fixed; build it of prismatic and revolute joints where that matters")
+        out.report(kind.origin, format!("joint `{}` is {}, which kdl_parser treats as fixed", joint.shown(), kind.value))
+            .help("use a chain of prismatic and revolute joints; robot_state_publisher publishes this joint as fixed")
             .done();
     }
 }

@@ -21,19 +21,34 @@ pub(super) const RULE: Rule = Rule {
 /// Four half turns each way and some: more than any wrist has, in radians.
 const MOST: f64 = 4.0 * std::f64::consts::PI + 0.01;
 
+/// Whether a limit is some half turns of 3.14.
+fn is_in_half_turns(value: f64) -> bool {
+    // as people write it, not as it is
+    const HUNDREDTHS_OF_PI: f64 = 314.0;
+    const MOST_TURNS: f64 = 20.0;
+    let turns = (value * 100.0 / HUNDREDTHS_OF_PI).abs();
+    turns <= MOST_TURNS && (turns - turns.round()).abs() < 1e-6
+}
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for joint in cx.joints().iter().filter(|joint| joint.is(&[JointType::Revolute])) {
         let Some(limit) = &joint.limit else { continue };
         for (name, text) in [("lower", &limit.lower), ("upper", &limit.upper)] {
             let Some(text) = text else { continue };
-            let is_large =
-                |value: &f64| value.abs() > MOST && value.abs() < UNLIMITED && !is_part_of_pi(*value);
+            let is_large = |value: &f64| {
+                value.abs() > MOST
+                    && value.abs() < UNLIMITED
+                    && !is_part_of_pi(*value)
+                    && !is_in_half_turns(*value)
+            };
             let Some(value) = text.number().filter(is_large) else { continue };
             let turns = short((value / std::f64::consts::TAU).abs().round());
-            let message =
-                format!("joint `{}`: the {name} limit {} rad is {turns} turns", joint.shown(), text.value);
-            let report =
-                out.report(text.origin, message).help("angles are in radians; this looks like degrees");
+            let message = format!(
+                "{name} limit of joint `{}` is {} rad ({turns} turns); this looks like degrees",
+                joint.shown(),
+                text.value
+            );
+            let report = out.report(text.origin, message).help("write the angle in radians");
             from_degrees(report, cx.expansion, text, whole(text)).done();
         }
     }

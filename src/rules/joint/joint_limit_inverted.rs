@@ -24,7 +24,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(limit) = &joint.limit else { continue };
         let Some((lower, upper)) = limit.range().filter(|(lower, upper)| lower > upper) else { continue };
         let message =
-            format!("joint `{}` has the lower limit {lower} above the upper limit {upper}", joint.shown());
+            format!("lower limit {lower} of joint `{}` is greater than upper limit {upper}", joint.shown());
         let report = out.report(tag_start(cx.expansion, limit.element), message);
         swapped(report, cx, limit).done();
     }
@@ -33,14 +33,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// With the fix to swap both values.
 fn swapped<'s, 'a>(report: Reported<'s, 'a>, cx: &DocumentCx<'_>, limit: &Limit) -> Reported<'s, 'a> {
     let (Some(lower), Some(upper)) = (&limit.lower, &limit.upper) else {
-        return report.help("a limit that is not written is 0");
+        return report.help("add the missing limit; its default is 0");
     };
     let given = |text: &Text| !text.is_literal() && is_called(cx.expansion, text.origin);
     if given(lower) || given(upper) {
-        return report.help("the values come from the calls: swap them there");
+        return report.help("swap the values in the macro calls");
     }
     let texts = (source_text(cx.expansion, lower.origin), source_text(cx.expansion, upper.origin));
     let (Some((file, at_lower, low)), Some((_, at_upper, up))) = texts else { return report };
     let edits = [(at_lower, up), (at_upper, low)];
-    report.help("swap them, or correct a sign").fix(Safety::Unsafe, "swap lower and upper", file, edits)
+    report.help("swap the limits, or correct a sign").fix(Safety::Unsafe, "swap lower and upper", file, edits)
 }

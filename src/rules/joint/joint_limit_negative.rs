@@ -28,11 +28,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             if let Some(value) = text.number().filter(|&value| value < 0.0) {
                 // SDFormat reads -1 as "no limit"; urdfdom refuses it from URDF 1.2 on
                 let severity = if value == -1.0 && !is_new { Severity::Warning } else { Severity::Error };
-                let message = format!("joint `{}` has the negative {name} {}", joint.shown(), text.value);
+                let message = format!("joint `{}` has negative {name} {}", joint.shown(), text.value);
                 let report = out
                     .report(text.origin, message)
                     .severity(severity)
-                    .help("write its magnitude: it holds in both directions");
+                    .help("write the value without the sign; it applies to both directions");
                 rewrite(report, Safety::Unsafe, text, text.value.trim().trim_start_matches('-').to_owned())
                     .done();
             }

@@ -54,12 +54,12 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             let expected = format!("{prefix}joint_{}", i + 1);
             if name.value != expected {
                 let message = format!(
-                    "joint `{}` is number {} of the arm, but not named `{expected}`",
+                    "joint `{}` is joint {} of the arm but is not named `{expected}`",
                     name.value,
                     i + 1
                 );
                 out.report(name.origin, message)
-                    .help("ROS-Industrial numbers the joints of an arm from the base on")
+                    .help(format!("rename it to `{expected}`; ROS-Industrial numbers joints from the base"))
                     .done();
             }
         }

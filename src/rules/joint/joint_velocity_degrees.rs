@@ -34,10 +34,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         if text.number().is_some_and(|value| value > most && IN_DEGREES.contains(&value)) {
-            let message = format!("revolute joint `{}` may turn at {} rad/s", joint.shown(), text.value);
-            let report = out
-                .report(text.origin, message)
-                .help("velocities are in rad/s; this looks like degrees per second");
+            let message = format!(
+                "velocity limit of joint `{}` is {} rad/s; this looks like degrees per second",
+                joint.shown(),
+                text.value
+            );
+            let report = out.report(text.origin, message).help("write the velocity in rad/s");
             from_degrees(report, cx.expansion, text, whole(text)).done();
         }
     }

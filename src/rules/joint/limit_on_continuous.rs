@@ -43,7 +43,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             } else {
                 Severity::Info
             })
-            .help("a joint with limits is revolute; of a continuous one, only effort and velocity count");
+            .help("write type=\"revolute\", or remove the position limits; a continuous joint uses only effort and velocity");
         delete_attrs(report, cx.expansion, limit.element, &names).done();
     }
 }

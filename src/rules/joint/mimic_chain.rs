@@ -23,7 +23,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let message =
             format!("joint `{}` mimics `{}`, which mimics `{}`", joint.shown(), target.shown(), last.value);
         out.report(text.origin, message)
-            .help("name the joint at the end, with the product of the multipliers")
+            .help("mimic the last joint directly, with the product of the multipliers")
             .done();
     }
 }

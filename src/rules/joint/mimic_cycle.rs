@@ -26,9 +26,9 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let (Some(at), Some(own)) = (value(last), joint(last)) else { continue };
         let message = match circle.len() {
             1 => format!("joint `{}` mimics itself", own.shown()),
-            _ => format!("joint `{}` mimics `{}`, which in the end mimics it", own.shown(), at.value),
+            _ => format!("joint `{}` mimics `{}`, which mimics it in turn", own.shown(), at.value),
         };
-        let mut report = out.report(at.origin, message).help("one joint of a circle has to move by itself");
+        let mut report = out.report(at.origin, message).help("remove one <mimic> of the cycle");
         for &other in circle.iter().filter(|&&other| other != last) {
             if let (Some(at), Some(other)) = (value(other), joint(other)) {
                 report = report.also(at.origin, format!("joint `{}` mimics `{}`", other.shown(), at.value));

@@ -25,7 +25,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             let message =
                 format!("joint `{}` mimics joint `{}`, which is fixed", joint.shown(), target.shown());
             out.report(text.origin, message)
-                .help("name the joint that moves, or make this one fixed too")
+                .help("mimic a joint that moves, or make this joint fixed")
                 .done();
         }
     }

@@ -41,7 +41,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             .as_ref()
             .map_or_else(|| tag_start(cx.expansion, mimic.element), |text| text.origin);
         let message = format!(
-            "joint `{}` follows `{}` to {} ... {}, but its limits are {} ... {}",
+            "joint `{}` mimics `{}` from {} to {}, but its limits are {} to {}",
             joint.shown(),
             target.shown(),
             short(low),
@@ -49,9 +49,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             short(own.0),
             short(own.1)
         );
-        out.report(at, message)
-            .help("change multiplier or offset, or the limits of one of both joints")
-            .done();
+        out.report(at, message).help("change the multiplier, the offset or the limits of one joint").done();
     }
 }
 

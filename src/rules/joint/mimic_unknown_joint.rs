@@ -24,15 +24,15 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     for joint in &cx.robot.joints {
         let Some(text) = joint.mimic.as_ref().and_then(|mimic| mimic.joint.as_ref()) else { continue };
         let Some(target) = text.name().filter(|name| !known.contains(name.as_str())) else { continue };
-        let message = format!("joint `{}` mimics joint `{target}`, which does not exist", joint.shown());
+        let message = format!("joint `{}` mimics unknown joint `{target}`", joint.shown());
         let report = out.report(text.origin, message);
         let names = cx.robot.joints.iter().map(|joint| joint.shown()).filter(|name| *name != joint.shown());
         match nearest(target, names) {
             Some(near) => {
-                let report = report.help(format!("a joint with a similar name exists: `{near}`"));
+                let report = report.help(format!("did you mean `{near}`?"));
                 rename(report, cx.expansion, text, near).done();
             }
-            None => report.help("name a joint of this robot").done(),
+            None => report.help("use the name of a joint of this robot").done(),
         }
     }
 }

@@ -26,9 +26,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let moving =
         |joint: &&Joint| joint.joint_type().is_some_and(|kind| kind.has_axis() || kind == JointType::Planar);
     for joint in cx.joints().iter().filter(moving).filter(|joint| joint.axis.is_none()) {
-        let message = format!("joint `{}` names no axis and gets 1 0 0", joint.shown());
+        let message = format!("joint `{}` has no `axis`; the default is `1 0 0`", joint.shown());
         let report = out.report(tag_start(cx.expansion, joint.element), message);
-        written(report.help("write the axis that is meant"), cx, joint).done();
+        written(report.help("add <axis xyz=\"...\"/>"), cx, joint).done();
     }
 }
 

@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use model::JointType::{Prismatic, Revolute};
-use model::tag_start;
+use model::{Joint, Text, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT002",
@@ -24,10 +24,19 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
     for joint in cx.joints().iter().filter(|joint| joint.limit.is_none() && joint.is(&[Revolute, Prismatic]))
     {
+        // an expression that was meant to insert a block has its own finding
+        if has_unknown_text(cx, joint) {
+            continue;
+        }
         let kind = joint.kind.as_ref().map_or("", |kind| kind.value.as_str());
         let name = joint.shown();
-        out.report(tag_start(cx.expansion, joint.element), format!("{kind} joint `{name}` has no limit"))
+        out.report(tag_start(cx.expansion, joint.element), format!("{kind} joint `{name}` has no `limit`"))
             .help("add <limit lower=\"...\" upper=\"...\" effort=\"...\" velocity=\"...\"/>")
             .done();
     }
+}
+
+/// Whether a joint holds text that could not be computed.
+fn has_unknown_text(cx: &DocumentCx<'_>, joint: &Joint) -> bool {
+    Text::content(&cx.expansion.tree, joint.element).is_some_and(|text| !text.is_known())
 }

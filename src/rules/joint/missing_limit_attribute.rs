@@ -23,15 +23,18 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let is_new = Version::V1_2.is_in(&cx.expansion.tree);
         let missing = if is_new { missing_bounds(joint, limit) } else { missing_strength(limit) };
         if missing.is_empty() {
+            if !is_new {
+                half_bounds(cx, joint, limit, out);
+            }
             continue;
         }
         let fixed = joint.is(&[JointType::Fixed]);
-        let message = format!("the limit of joint `{}` has no {}", joint.shown(), missing.join(" and no "));
+        let message = format!("`limit` of joint `{}` has no {}", joint.shown(), missing.join(" and no "));
         out.report(tag_start(cx.expansion, limit.element), message)
             .severity(if fixed { Severity::Info } else { Severity::Error })
             .help(match is_new {
-                true => "from URDF 1.2 on, urdfdom wants lower and upper in limits of these joints",
-                false => "urdfdom wants effort (N m or N) and velocity (rad/s or m/s) in every limit",
+                true => "add lower=\"...\" and upper=\"...\", which URDF 1.2 requires",
+                false => "add effort=\"...\" (N m or N) and velocity=\"...\" (rad/s or m/s), which urdfdom requires",
             })
             .done();
     }
@@ -50,4 +53,17 @@ fn missing_bounds(joint: &Joint, limit: &Limit) -> Vec<&'static str> {
     }
     let bounds = [("lower", &limit.lower), ("upper", &limit.upper)];
     bounds.into_iter().filter(|(_, text)| text.is_none()).map(|(name, _)| name).collect()
+}
+
+/// Before URDF 1.2, a bound that is left out is 0: right for a gripper that opens from 0 on, and easily overlooked in an arm.
+fn half_bounds(cx: &DocumentCx<'_>, joint: &Joint, limit: &Limit, out: &mut Sink<'_>) {
+    let missing = missing_bounds(joint, limit);
+    let [missing] = missing.as_slice() else { return };
+    out.report(
+        tag_start(cx.expansion, limit.element),
+        format!("`limit` of joint `{}` has no {missing}", joint.shown()),
+    )
+    .severity(Severity::Info)
+    .help(format!("add {missing}=\"...\"; without it, the bound is 0"))
+    .done();
 }

@@ -24,9 +24,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             if text.number().is_some_and(|value| value < 0.0) {
                 out.report(
                     text.origin,
-                    format!("joint `{}` has the negative {name} {}", joint.shown(), text.value),
+                    format!("joint `{}` has negative {name} {}", joint.shown(), text.value),
                 )
-                .help("a joint that gains energy makes simulations blow up: write 0 or more")
+                .help("write 0 or more; a negative value makes simulations unstable")
                 .done();
             }
         }

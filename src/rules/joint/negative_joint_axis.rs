@@ -22,8 +22,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (joint, text, axis) in moving_axes(cx.joints()) {
         let zeros = axis.iter().filter(|part| **part == 0.0).count();
         if zeros == 2 && axis.contains(&-1.0) {
-            out.report(text.origin, format!("joint `{}` turns about a negative axis", joint.shown()))
-                .help("a positive axis reads easier, if the sign agrees with the controller")
+            out.report(text.origin, format!("joint `{}` has a negative axis", joint.shown()))
+                .help("use the positive axis if the sign agrees with the controller")
                 .done();
         }
     }

@@ -48,7 +48,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 format!("joint `{}`: {name} {} is {side} limit {}", joint.shown(), text.value, short(hard));
             out.report(text.origin, message)
                 .severity(severity)
-                .help("a soft limit works only inside of the hard one")
+                .help("write a soft limit inside the hard limits")
                 .done();
         }
     }

@@ -25,15 +25,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if JointType::of(&kind.value).is_some() {
             continue;
         }
-        let message =
-            format!("joint `{}` has the type `{}`, which URDF does not know", joint.shown(), kind.value);
+        let message = format!("joint `{}` has unknown type `{}`", joint.shown(), kind.value);
         let report = out.report(kind.origin, message);
         let names = || JointType::ALL.iter().map(|(name, _)| *name);
         let same = names().find(|name| name.eq_ignore_ascii_case(kind.value.trim()));
         match (same, nearest(&kind.value, names())) {
             (Some(name), _) => {
                 rewrite(
-                    report.help("types are written in small letters"),
+                    report.help(format!("write `{name}`; joint types are lower case")),
                     Safety::Safe,
                     kind,
                     name.to_owned(),
@@ -49,9 +48,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// What to do about a type that resembles none.
 fn advice(kind: &str) -> String {
     let alone = match kind {
-        "spherical" => "only urdf-rs knows `spherical`; ",
-        "ball" | "screw" | "universal" => "other programs take this type, urdfdom does not; ",
+        "spherical" => "only urdf-rs supports `spherical`; ",
+        "ball" | "screw" | "universal" => "urdfdom does not support this type; ",
         _ => "",
     };
-    format!("{alone}write revolute, continuous, prismatic, fixed, floating or planar")
+    format!("{alone}use revolute, continuous, prismatic, fixed, floating or planar")
 }

@@ -37,10 +37,10 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     }
     for joint in backward {
         let Some(text) = joint.axis.as_ref().and_then(|axis| axis.xyz.as_ref()) else { continue };
-        let message = format!("the axis of wheel `{}` points to the right of the robot", joint.shown());
+        let message = format!("axis of wheel `{}` points to the right of the robot", joint.shown());
         let mut report = out
             .report(text.origin, message)
-            .help("x is forward and y is left: a wheel that turns about +y drives forward");
+            .help("use an axis that points to the left (+y), so that a positive velocity drives forward");
         if let Some(axis) = text.numbers::<3>() {
             report = rewrite(report, Safety::Unsafe, text, vector(&axis.map(|part| 0.0 - part)));
         }

@@ -36,11 +36,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let xyz = joint.axis.as_ref().and_then(|axis| axis.xyz.as_ref());
             xyz.map_or_else(|| tag_start(cx.expansion, joint.element), |text| text.origin)
         };
-        let message = format!("joints `{}` and `{}` turn against each other", first.shown(), joint.shown());
+        let message = format!("wheel joints `{}` and `{}` have opposite axes", first.shown(), joint.shown());
         let mut report = out
             .report(at(joint), message)
-            .also(at(first), format!("the axis of joint `{}`", first.shown()))
-            .help("drive controllers give both sides one sign: let both axes point the same way");
+            .also(at(first), format!("axis of joint `{}`", first.shown()))
+            .help("make both axes point in the same direction; drive controllers use the same sign for both sides");
         if let Some(text) = joint.axis.as_ref().and_then(|axis| axis.xyz.as_ref())
             && let Some(axis) = text.numbers::<3>()
         {

@@ -44,11 +44,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for First { joint, name, value, others } in order.iter().filter_map(|file| files.get(file)) {
         let more = match others {
             0 => String::new(),
-            1 => " (one more joint of this file is alike)".to_owned(),
-            others => format!(" ({others} more joints of this file are alike)"),
+            1 => " (and one more joint in this file)".to_owned(),
+            others => format!(" (and {others} more joints in this file)"),
         };
-        out.report(value.origin, format!("joint `{}` has the {name} 0{more}", joint.shown()))
-            .help("planners and simulators that honour the limit cannot move the joint")
+        out.report(value.origin, format!("joint `{}` has zero {name}{more}", joint.shown()))
+            .help(format!(
+                "write the maximum {name}; planners and simulators that apply the limit cannot move the joint"
+            ))
             .done();
     }
 }

@@ -20,6 +20,23 @@ pub(super) const RULE: Rule = Rule {
 /// The finding about a warning of the configuration in `file`.
 pub fn invalid_config(file: FileId, warning: &ConfigWarning) -> Finding {
     let span = Span { file, range: warning.place.range };
-    let help = warning.nearest.as_ref().map(|near| format!("did you mean `{near}`?"));
-    Finding { help, ..Finding::new(&RULE, span, warning.message.clone()) }
+    let help = warning
+        .nearest
+        .as_ref()
+        .map_or_else(|| advice(&warning.message).to_owned(), |near| format!("did you mean `{near}`?"));
+    Finding { help: Some(help), ..Finding::new(&RULE, span, warning.message.clone()) }
+}
+
+/// What to do about a setting that resembles no valid one.
+fn advice(message: &str) -> &'static str {
+    let has = |words: &str| message.contains(words);
+    if has("is not a folder") || has("no file matches") {
+        "correct the path; paths are relative to the folder of the configuration file"
+    } else if has("unknown argument") {
+        "remove it, or declare it with <xacro:arg> in a file of the root"
+    } else if has("unknown rule") {
+        "run `xacro-lint rules` to list all rules"
+    } else {
+        "run `xacro-lint config --schema` to list all settings and their values"
+    }
 }

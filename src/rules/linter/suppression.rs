@@ -133,8 +133,8 @@ impl Suppressions {
         if suppression.directive == Directive::DisableFile && is_late() {
             return self.malformed.push(Malformed {
                 comment,
-                message: format!("`disable-file` holds only in the first {HEAD_LINES} lines of a file"),
-                help: "move it to the top, or write `disable` for what follows".to_owned(),
+                message: format!("`disable-file` has no effect after the first {HEAD_LINES} lines of a file"),
+                help: "move the comment to the top of the file, or write `disable`".to_owned(),
             });
         }
         self.list.push(suppression);
@@ -184,8 +184,11 @@ fn misspelled(text: &str) -> Option<(String, String)> {
         return None;
     }
     let begins = &text[..text.len() - said.len()];
-    let message =
-        format!("a comment for the linter begins with `{}`, not `{}`", Suppressions::MARK, begins.trim_end());
+    let message = format!(
+        "suppression comment starts with `{1}` instead of `{0}`",
+        Suppressions::MARK,
+        begins.trim_end()
+    );
     Some((message, format!("write <!-- {} {} -->", Suppressions::MARK, said.trim())))
 }
 
@@ -200,13 +203,13 @@ fn read(text: &str, start: u32, comment: TextRange) -> Result<Suppression, (Stri
         "disable" => Directive::Disable,
         "enable" => Directive::Enable,
         "disable-file" => Directive::DisableFile,
-        "" => return Err(("the comment does not say what to do".to_owned(), FORM.to_owned())),
+        "" => return Err(("suppression comment has no directive".to_owned(), FORM.to_owned())),
         _ => {
             let help = match nearest(word, WORDS) {
-                Some(near) => format!("a similar word is `{near}`"),
+                Some(near) => format!("did you mean `{near}`?"),
                 None => format!("use one of `{}`", WORDS.join("`, `")),
             };
-            return Err((format!("`{word}` is no word for the linter"), help));
+            return Err((format!("unknown directive `{word}` in a suppression comment"), help));
         }
     };
     let mut rules = Vec::new();
@@ -215,13 +218,13 @@ fn read(text: &str, start: u32, comment: TextRange) -> Result<Suppression, (Stri
         let name = part.trim();
         let offset = start + (at + part.len() - part.trim_start().len()) as u32;
         if name.is_empty() {
-            let message = format!("`{word}` names no rule");
+            let message = format!("`{word}` has no rule");
             return Err((message, FORM.replace("disable-next-line", word)));
         }
         if name.contains(char::is_whitespace) {
-            let help = "put commas between rules, and a colon before the reason".to_owned();
+            let help = "separate rules with commas, and start the reason with a colon".to_owned();
             return Err((
-                format!("`{}` is no rule", name.split_whitespace().collect::<Vec<_>>().join(" ")),
+                format!("unknown rule `{}`", name.split_whitespace().collect::<Vec<_>>().join(" ")),
                 help,
             ));
         }
@@ -323,23 +326,23 @@ mod tests {
     #[test]
     fn what_cannot_be_understood() {
         for (comment, expected) in [
-            ("xacro-lint:", "the comment does not say what to do"),
-            ("xacro-lint: disabel STR008", "`disabel` is no word for the linter"),
-            ("xacro-lint: disable", "`disable` names no rule"),
-            ("xacro-lint: disable: all of it", "`disable` names no rule"),
-            ("xacro-lint: disable STR008, : why", "`disable` names no rule"),
-            ("xacro-lint: disable STR008 STR007", "`STR008 STR007` is no rule"),
+            ("xacro-lint:", "suppression comment has no directive"),
+            ("xacro-lint: disabel STR008", "unknown directive `disabel` in a suppression comment"),
+            ("xacro-lint: disable", "`disable` has no rule"),
+            ("xacro-lint: disable: all of it", "`disable` has no rule"),
+            ("xacro-lint: disable STR008, : why", "`disable` has no rule"),
+            ("xacro-lint: disable STR008 STR007", "unknown rule `STR008 STR007`"),
             (
                 "Xacro-Lint: disable STR008",
-                "a comment for the linter begins with `xacro-lint:`, not `Xacro-Lint:`",
+                "suppression comment starts with `Xacro-Lint:` instead of `xacro-lint:`",
             ),
             (
                 "xacro-lint disable STR008",
-                "a comment for the linter begins with `xacro-lint:`, not `xacro-lint`",
+                "suppression comment starts with `xacro-lint` instead of `xacro-lint:`",
             ),
             (
                 "XACRO-LINT : Disable x",
-                "a comment for the linter begins with `xacro-lint:`, not `XACRO-LINT :`",
+                "suppression comment starts with `XACRO-LINT :` instead of `xacro-lint:`",
             ),
         ] {
             let found = Suppressions::of(&Document::parse(&format!("<robot><!-- {comment} --></robot>")));

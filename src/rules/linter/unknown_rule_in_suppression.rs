@@ -29,10 +29,10 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         }
         let near = nearest_selector(name);
         let help = match near {
-            Some(near) => format!("a similar rule is `{near}`"),
-            None => "`xacro-lint rules` lists them".to_owned(),
+            Some(near) => format!("did you mean `{near}`?"),
+            None => "run `xacro-lint rules` to list all rules".to_owned(),
         };
-        let finding = out.report_in(cx.file, selector.range, format!("`{name}` is no rule")).help(help);
+        let finding = out.report_in(cx.file, selector.range, format!("unknown rule `{name}`")).help(help);
         match near.filter(|near| edit_distance(&name.to_lowercase(), &near.to_lowercase()) <= 1) {
             Some(near) => finding.replace_with(Safety::Safe, format!("write `{near}`"), near).done(),
             None => finding.done(),

@@ -31,8 +31,8 @@ pub fn unused_suppression(
     let names: Vec<String> = unused.iter().map(|selector| format!("`{}`", selector.text)).collect();
     let names = names.join(", ");
     let message = match suppression.directive {
-        Directive::Enable => format!("`enable` of {names} ends no `disable`"),
-        _ => format!("the suppression of {names} hides nothing"),
+        Directive::Enable => format!("`enable` of {names} has no matching `disable`"),
+        _ => format!("unused suppression of {names}"),
     };
     let span = |range| Span { file, range };
     let starts: FastSet<u32> = unused.iter().map(|selector| selector.range.start).collect();
@@ -43,15 +43,16 @@ pub fn unused_suppression(
         (false, Some(first), Some(last)) => {
             let range = TextRange::new(first.range.start, last.range.end);
             let kept: Vec<&str> = used.iter().map(|selector| selector.text.as_str()).collect();
-            (format!("delete {names}"), Edit { span: span(range), content: kept.join(", ") })
+            (format!("remove {names}"), Edit { span: span(range), content: kept.join(", ") })
         }
         _ => {
             let range = with_its_line(document, suppression.comment);
-            ("delete the comment".to_owned(), Edit { span: span(range), content: String::new() })
+            ("remove the comment".to_owned(), Edit { span: span(range), content: String::new() })
         }
     };
+    let help = Some(format!("{message_of_fix}; it suppresses nothing"));
     let fix = Fix { safety, message: message_of_fix, edits: vec![edit] };
-    Finding { fix: Some(fix), ..Finding::new(&RULE, span(suppression.comment), message) }
+    Finding { fix: Some(fix), help, ..Finding::new(&RULE, span(suppression.comment), message) }
 }
 
 /// A comment that has its lines for itself, with these lines.

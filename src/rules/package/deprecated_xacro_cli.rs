@@ -23,8 +23,8 @@ pub(super) const RULE: Rule = Rule {
 
 /// The words to replace, and by what.
 const WORDS: [(&str, &str, &str); 2] = [
-    ("xacro.py", "xacro", "the program is called `xacro`"),
-    ("--inorder", "", "this is the default since ROS Melodic"),
+    ("xacro.py", "xacro", "call the program `xacro`"),
+    ("--inorder", "", "remove the option; it is the default since ROS Melodic"),
 ];
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
@@ -46,9 +46,9 @@ fn check_file(cx: &DocumentCx<'_>, path: &Path, out: &mut Sink<'_>) {
             let blank = replacement.is_empty() && file.text.get(..at).is_some_and(|text| text.ends_with(' '));
             let range = TextRange::new(range.start - u32::from(blank), range.end);
             let edit = Edit { span: Span { range, ..span }, content: replacement.to_owned() };
-            out.report_span(span, format!("`{word}` is a thing of the past"))
+            out.report_span(span, format!("`{word}` is deprecated"))
                 .help(help)
-                .edits(Safety::Safe, "bring it up to date", vec![edit])
+                .edits(Safety::Safe, "update the command", vec![edit])
                 .done();
         }
     }

@@ -21,10 +21,12 @@ pub(super) const RULE: Rule = Rule {
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let Some(manifest) = manifest::of_file(cx.world, cx.expansion, FileIdx(0)) else { return };
     if !manifest.name.ends_with("_description") && !manifest.name.ends_with("_support") {
-        let message =
-            format!("package `{}` holds a description, and its name does not say so", manifest.name);
+        let message = format!(
+            "package `{}` contains a robot description, but its name does not end in `_description`",
+            manifest.name
+        );
         out.report_span(manifest.name_span(), message)
-            .help("end the name in `_description`, or in `_support` for the robots of a vendor")
+            .help("end the name in `_description`, or in `_support` for vendor packages")
             .done();
     }
 }

@@ -30,11 +30,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let errors = source.document.errors();
         let Some(error) = errors.iter().min_by_key(|error| error.expat_offset) else { continue };
         let span = Span { file: source.id, range: error.range };
-        out.report_span(
-            span,
-            format!("the package.xml of `{}` cannot be read: {}", package.name, error.message),
-        )
-        .help("no tool reads it as it is, and dependencies are not checked")
-        .done();
+        out.report_span(span, format!("package.xml of `{}` is malformed: {}", package.name, error.message))
+            .help("correct the XML; dependencies are not checked until then")
+            .done();
     }
 }

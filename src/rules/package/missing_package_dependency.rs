@@ -5,7 +5,7 @@ use super::super::finding::Edit;
 use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::manifest;
+use super::manifest::{self, Manifest};
 use super::mentions::{self, Mention};
 use base::FastSet;
 
@@ -39,14 +39,29 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         let (span, content) = manifest.addition(name);
         // what a condition brings in may be optional, and what another dependency brings along is there
         let comes_along = mention.is_conditional || manifest.brings(cx.world, &cx.source.path, name);
-        let severity = if comes_along { Severity::Info } else { RULE.severity };
-        out.report_in(cx.file, mention.range, format!("`{}` does not depend on `{name}`", manifest.name))
-            .severity(severity)
-            .group(Group::Thing(format!("{} of {}", name, manifest.folder.display()).into()))
-            .help("what is not declared is not installed along: add it to package.xml")
-            .edits(Safety::Safe, "declare it in package.xml", vec![Edit { span, content }])
-            .done();
+        let severity =
+            if comes_along || needs(cx, name, &manifest.name) { Severity::Info } else { RULE.severity };
+        out.report_in(
+            cx.file,
+            mention.range,
+            format!("package `{}` does not declare its dependency on `{name}`", manifest.name),
+        )
+        .severity(severity)
+        .group(Group::Thing(format!("{} of {}", name, manifest.folder.display()).into()))
+        .help(format!(
+            "add <exec_depend>{name}</exec_depend> to package.xml; undeclared dependencies are not installed"
+        ))
+        .edits(Safety::Safe, "add the dependency to package.xml", vec![Edit { span, content }])
+        .done();
     }
+}
+
+/// Whether a package depends on the one that names it: declared both ways, neither could be built.
+fn needs(cx: &FileCx<'_>, name: &str, own: &str) -> bool {
+    let from = &cx.source.path;
+    let Ok(found) = cx.world.packages.find(name, from) else { return false };
+    let manifest = Manifest::around(cx.world, &found.path.join("package.xml"));
+    manifest.is_some_and(|manifest| manifest.declares(own) || manifest.brings(cx.world, from, own))
 }
 
 /// Whether no such package is known: that is said elsewhere.

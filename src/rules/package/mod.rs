@@ -4,20 +4,25 @@ mod deprecated_xacro_cli;
 mod description_package_name;
 mod invalid_package_name;
 mod launch;
+mod launched_file_not_found;
 mod malformed_package_xml;
 mod manifest;
 mod mentions;
 mod missing_package_dependency;
 mod package_not_found;
 mod resource_not_installed;
+mod unknown_launch_argument;
 mod xacro_not_in_package;
 
 use super::registry::Rule;
 
 pub(super) use launch::reads_as_it_stands;
+pub use launched_file_not_found::launched_file_not_found;
 pub use manifest::Manifests;
 pub(super) use mentions::Mention;
+pub use package_not_found::missing_packages;
 pub(super) use package_not_found::{is_news, warn_once};
+pub use unknown_launch_argument::unknown_launch_argument;
 
 /// The rules.
 pub(super) static RULES: &[Rule] = &[
@@ -29,4 +34,6 @@ pub(super) static RULES: &[Rule] = &[
     description_package_name::RULE,
     deprecated_xacro_cli::RULE,
     malformed_package_xml::RULE,
+    unknown_launch_argument::RULE,
+    launched_file_not_found::RULE,
 ];

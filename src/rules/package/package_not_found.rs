@@ -1,5 +1,8 @@
 //! A package that nothing knows.
 
+use std::collections::BTreeSet;
+use std::path::Path;
+
 use indexmap::IndexMap;
 
 use super::super::context::{DocumentCx, Surroundings};
@@ -69,6 +72,14 @@ pub(in super::super) fn warn_once(findings: &mut [Finding], expansion: &Expansio
         }
         missing.push(name);
     }
+    // where the own package is found, packages are looked for in the right places, and this one is of others: unless what
+    // it should hold is here
+    let uris = || expansion.tree.root().into_iter().flat_map(|root| file_names(expansion, root));
+    let is_at_hand = || from.as_ref().is_some_and(|from| uris().any(|attr| has_file_of(world, attr, from)));
+    let is_owned = from.as_ref().is_some_and(|from| world.packages.containing(from).is_some());
+    if is_owned && !is_at_hand() || from.as_ref().is_some_and(|from| is_fetched(world, expansion, from)) {
+        return;
+    }
     // what the package declares is installed along with it, and only not here; a folder around the file with the name of
     // a package is a copy of it
     let manifest = manifest::of_file(world, expansion, FileIdx(0));
@@ -83,13 +94,48 @@ pub(in super::super) fn warn_once(findings: &mut [Finding], expansion: &Expansio
     let names =
         missing.iter().take(MOST_PLACES).map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
     first.severity = Severity::Warning;
-    first.message = "no package that this robot names is found".to_owned();
+    first.message = "none of the packages of this robot were found".to_owned();
     // what is missing is the same for all robots of a check
     first.group = Some(Group::Thing("packages".into()));
     first.help = Some(format!(
-        "looked for {names}: packages are found in the workspace, in the folders of --package-path (or `package-path` \
-         in xacro-lint.toml) and in a sourced ROS"
+        "source the ROS installation, or pass --package-path (or set `package-path` \
+         in xacro-lint.toml); not found: {names}"
     ));
+}
+
+/// The packages that an expansion names and that were not found.
+pub fn missing_packages(expansion: &Expansion, world: Surroundings<'_>) -> BTreeSet<String> {
+    let named = expansion.record.iter().filter_map(|read| match read {
+        Read::Package(name, None) => Some(name.to_string()),
+        _ => None,
+    });
+    let from = expansion.files.first().map(|file| file.source.path.clone());
+    let uris = expansion.tree.root().into_iter().flat_map(|root| file_names(expansion, root));
+    let is_missing = |name: &&str| from.as_ref().is_some_and(|from| world.packages.find(name, from).is_err());
+    let names: BTreeSet<&str> = uris.filter_map(package).collect();
+    named.chain(names.into_iter().filter(is_missing).map(str::to_owned)).collect()
+}
+
+/// Whether a file of the name that a URI ends with is in the workspace.
+fn has_file_of(world: Surroundings<'_>, attr: &XAttr, from: &Path) -> bool {
+    path_in_package(attr).is_some_and(|path| world.packages.namesake(Path::new(path), None, from).is_some())
+}
+
+/// Whether what is missing comes with the sources that a list of repositories brings, or lies in a folder around the file
+/// by its path: the folder is the package, and gets its manifest elsewhere.
+fn is_fetched(world: Surroundings<'_>, expansion: &Expansion, from: &Path) -> bool {
+    let top = world.packages.sources_around(from);
+    let inside = |folder: &&Path| top.as_ref().is_some_and(|top| folder.starts_with(top));
+    let folders: Vec<&Path> = from.ancestors().skip(1).take_while(inside).collect();
+    let is_list =
+        |name: &str| name.ends_with(".repos") || name.ends_with(".rosinstall") || name == ".gitmodules";
+    let has_list = |folder: &&Path| world.vfs.list_dir(folder).iter().any(|entry| is_list(&entry.name));
+    let lies_around = |attr: &XAttr| {
+        let is_there = |path: &str| folders.iter().any(|folder| world.vfs.is_file(&folder.join(path)));
+        path_in_package(attr).is_some_and(is_there)
+    };
+    let mut uris = expansion.tree.root().into_iter().flat_map(|root| file_names(expansion, root));
+    folders.iter().any(has_list) || uris.any(lies_around)
 }
 
 /// The `filename` attributes of meshes and textures, in document order.
@@ -128,14 +174,14 @@ fn report(cx: &DocumentCx<'_>, missing: &NotFound, places: &[Origin], out: &mut 
     let severity = if news { Severity::Warning } else { Severity::Info };
     let mut report = out.report(first, message(missing)).severity(severity);
     for &other in others.iter().take(MOST_PLACES) {
-        report = report.also(other, "named here too");
+        report = report.also(other, "also used here");
     }
     match &missing.nearest {
         Some(near) => report
-            .help(format!("a package with a similar name exists: `{near}`"))
-            .replace_with(Safety::Unsafe, format!("rename it to `{near}`"), near)
+            .help(format!("did you mean `{near}`?"))
+            .replace_with(Safety::Unsafe, format!("rename to `{near}`"), near)
             .done(),
-        None => report.help("name its folder with --package-path, or source its workspace").done(),
+        None => report.help("pass its folder with --package-path, or source its workspace").done(),
     }
 }
 
@@ -145,6 +191,12 @@ fn package(attr: &XAttr) -> Option<&str> {
     let end = ("package://".len() + name.len()) as u32;
     let known = attr.pieces.iter().all(|piece| !piece.unknown || piece.out.start > end);
     (known && !name.is_empty()).then_some(name)
+}
+
+/// The path behind the package of a `package://` URI.
+fn path_in_package(attr: &XAttr) -> Option<&str> {
+    let path = attr.value.strip_prefix("package://")?.strip_prefix(package(attr)?)?;
+    Some(path.trim_start_matches('/')).filter(|path| !path.is_empty())
 }
 
 /// The name in the source; the whole value, or the expression, where the source does not spell it.
@@ -159,5 +211,5 @@ fn name_in_source(attr: &XAttr, name: &str) -> Origin {
 }
 
 fn message(missing: &NotFound) -> String {
-    format!("package `{}` is not found (looked in {} places)", missing.name, missing.tried.len())
+    format!("package `{}` not found (searched {} places)", missing.name, missing.tried.len())
 }

@@ -37,8 +37,8 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     let mut said: FastSet<&str> = FastSet::default();
     for (folder, range) in std::iter::once(first).chain(folders) {
         if said.insert(folder) && !build.covers(&package.name, folder) {
-            out.report_in(cx.file, range, format!("`{}` does not install `{folder}`", package.name))
-                .help(format!("add it to the install rules of {file}"))
+            out.report_in(cx.file, range, format!("package `{}` does not install `{folder}`", package.name))
+                .help(format!("add `{folder}` to the install rules in {file}"))
                 .done();
         }
     }

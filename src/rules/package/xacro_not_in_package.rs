@@ -27,10 +27,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let Some(manifest) = manifest::of_file(cx.world, cx.expansion, FileIdx(0)) else { return };
     if manifest.name != "xacro" && !manifest.runtime.iter().any(|name| name == "xacro") {
         let (span, content) = manifest.addition("xacro");
-        let message = format!("`{}` has xacro files and does not depend on `xacro`", manifest.name);
+        let message = format!("package `{}` has xacro files but does not depend on `xacro`", manifest.name);
         out.report_span(manifest.start(), message)
-            .help("launch files expand them with xacro: add it to package.xml")
-            .edits(Safety::Safe, "declare it", vec![Edit { span, content }])
+            .help("add <exec_depend>xacro</exec_depend> to package.xml")
+            .edits(Safety::Safe, "add the dependency to package.xml", vec![Edit { span, content }])
             .done();
     }
 }

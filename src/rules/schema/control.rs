@@ -37,21 +37,21 @@ pub(super) static ELEMENTS: &[ElementSpec] = &[
         .with(&[at(
             "reference",
             LinkOrJoint,
-            "The link or joint that the content is about; without it, the robot",
+            "The link or joint the content applies to; the whole robot if missing",
         )])
         .many(),
     el("mujoco", &["robot"], "Settings for MuJoCo's compiler").many(),
     el("ros2_control", &["robot"], "A hardware component and its interfaces")
         .with(&[
             at("name", Name, "The name of the component").required(),
-            at("type", Choice(HARDWARE), "What the component is").required(),
-            at("rw_rate", Number, "How often it is read and written").unit("Hz"),
-            at("is_async", Choice(TRUTH), "Whether it runs in a thread of its own").default("false"),
+            at("type", Choice(HARDWARE), "The type of the component").required(),
+            at("rw_rate", Number, "Update rate").unit("Hz"),
+            at("is_async", Choice(TRUTH), "Whether it runs in a separate thread").default("false"),
             at("thread_priority", Number, "The priority of that thread"),
         ])
         .many()
         .holding(Elements),
-    el("transmission", &["robot", "ros2_control"], "How an actuator drives a joint")
+    el("transmission", &["robot", "ros2_control"], "A transmission between actuator and joint")
         .with(&[at("name", Name, "The name of the transmission")])
         .many(),
     el("plugin", &["gazebo"], "A library that Gazebo loads")
@@ -66,12 +66,12 @@ pub(super) static ELEMENTS: &[ElementSpec] = &[
             at("type", Text, "The kind of sensor").required(),
         ])
         .many(),
-    el("hardware", &["ros2_control"], "The driver and its parameters"),
+    el("hardware", &["ros2_control"], "The hardware plugin and its parameters"),
     el("joint", &["ros2_control"], "The interfaces of a joint")
         .keyed("ros2_control/joint")
         .with(&[
             at("name", Joint, "The joint of the robot").required(),
-            at("mimic", Choice(TRUTH), "Whether the joint takes part in mimicking"),
+            at("mimic", Choice(TRUTH), "Whether the joint mimics another one"),
         ])
         .many(),
     el("sensor", &["ros2_control"], "The interfaces of a sensor")
@@ -82,7 +82,7 @@ pub(super) static ELEMENTS: &[ElementSpec] = &[
         .with(&[at("name", Name, "The name of the group").required()])
         .many(),
     el("plugin", &["hardware"], "The class of the driver").holding(Characters),
-    el("group", &["hardware"], "A group of components that fail together").holding(Characters),
+    el("group", &["hardware"], "A group of components with a common error state").holding(Characters),
     el("param", PARAMETERS, "A parameter")
         .with(&[at("name", Name, "The name of the parameter").required()])
         .many()
@@ -95,23 +95,24 @@ pub(super) static ELEMENTS: &[ElementSpec] = &[
         .keyed("transmission/joint")
         .with(&[
             at("name", Joint, "The joint of the robot").required(),
-            at("role", Text, "What the joint is to the transmission"),
+            at("role", Text, "The role of the joint in the transmission"),
         ])
         .many(),
     el("actuator", &["transmission"], "The driving actuator")
         .with(&[
             at("name", Name, "The name of the actuator").required(),
-            at("role", Text, "What the actuator is to the transmission"),
+            at("role", Text, "The role of the actuator in the transmission"),
         ])
         .many(),
-    el("hardwareInterface", GEARS, "The interface of ROS 1 that it has").many().holding(Characters),
-    el("mechanicalReduction", GEARS, "Turns of the actuator for one of the joint").holding(Characters),
+    el("hardwareInterface", GEARS, "Its ROS 1 hardware interface").many().holding(Characters),
+    el("mechanicalReduction", GEARS, "Rotations of the actuator per rotation of the joint")
+        .holding(Characters),
     el("offset", GEARS, "The position at the actuator's zero").holding(Characters),
 ];
 
 /// The attributes of an interface.
 const INTERFACE: &[AttributeSpec] = &[
-    at("name", Name, "position, velocity, acceleration, effort, or a name of the driver's own").required(),
+    at("name", Name, "position, velocity, acceleration, effort, or a custom name").required(),
     at("data_type", Text, "The type of the value").default("double"),
     at("size", Number, "How many values of this kind there are").default("1"),
 ];

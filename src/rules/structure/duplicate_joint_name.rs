@@ -3,6 +3,7 @@
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use super::repeated_calls::{HELP, RepeatedCalls};
 use base::FastMap;
 use model::Text;
 
@@ -19,18 +20,23 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    let names = cx.robot.joints.iter().filter_map(|joint| joint.name.as_ref());
+    // what links show of two calls is not said again of joints
+    let mut calls = RepeatedCalls::of_links(cx);
     let mut first: FastMap<&str, &Text> = FastMap::default();
-    for name in cx.robot.joints.iter().filter_map(|joint| joint.name.as_ref()) {
+    for name in names {
         let Some(text) = name.name() else { continue };
-        match first.get(text.as_str()) {
-            Some(earlier) => out
-                .report(name.origin, format!("a second joint is named `{text}`"))
-                .also(earlier.origin, format!("the first joint named `{text}`"))
-                .help("names of joints are unique; in a macro, begin them with a parameter: name=\"${prefix}...\"")
-                .done(),
-            None => {
-                first.insert(text, name);
-            }
+        let Some(earlier) = first.get(text.as_str()) else {
+            first.insert(text, name);
+            continue;
+        };
+        let call = calls.between(cx.expansion, earlier.origin, name.origin);
+        if call.as_ref().is_some_and(|call| !call.is_first) {
+            continue;
         }
+        out.report(name.origin, format!("duplicate joint name `{text}`"))
+            .also(earlier.origin, format!("first joint named `{text}`"))
+            .help(call.map_or_else(|| HELP.to_owned(), |call| call.help()))
+            .done();
     }
 }

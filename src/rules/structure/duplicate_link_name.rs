@@ -3,6 +3,7 @@
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use super::repeated_calls::{HELP, RepeatedCalls};
 use base::FastMap;
 use model::Text;
 
@@ -19,18 +20,22 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    let names = cx.robot.links.iter().filter_map(|link| link.name.as_ref());
+    let mut calls = RepeatedCalls::default();
     let mut first: FastMap<&str, &Text> = FastMap::default();
-    for name in cx.robot.links.iter().filter_map(|link| link.name.as_ref()) {
+    for name in names {
         let Some(text) = name.name() else { continue };
-        match first.get(text.as_str()) {
-            Some(earlier) => out
-                .report(name.origin, format!("a second link is named `{text}`"))
-                .also(earlier.origin, format!("the first link named `{text}`"))
-                .help("names of links are unique; in a macro, begin them with a parameter: name=\"${prefix}...\"")
-                .done(),
-            None => {
-                first.insert(text, name);
-            }
+        let Some(earlier) = first.get(text.as_str()) else {
+            first.insert(text, name);
+            continue;
+        };
+        let call = calls.between(cx.expansion, earlier.origin, name.origin);
+        if call.as_ref().is_some_and(|call| !call.is_first) {
+            continue;
         }
+        out.report(name.origin, format!("duplicate link name `{text}`"))
+            .also(earlier.origin, format!("first link named `{text}`"))
+            .help(call.map_or_else(|| HELP.to_owned(), |call| call.help()))
+            .done();
     }
 }

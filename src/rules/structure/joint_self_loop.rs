@@ -21,8 +21,8 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         if let (Some((parent, child)), Some(at)) = (joint.ends(), &joint.child)
             && parent == child
         {
-            out.report(at.origin, format!("joint `{}` joins link `{child}` to itself", joint.shown()))
-                .help("some parsers never come back from this: name another parent or child")
+            out.report(at.origin, format!("joint `{}` connects link `{child}` to itself", joint.shown()))
+                .help("use another parent or child link; some parsers hang on this")
                 .done();
         }
     }

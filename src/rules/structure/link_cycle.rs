@@ -23,14 +23,13 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let names: Vec<&str> =
             cycle.iter().filter_map(joint).filter_map(|j| Some(j.ends()?.0.as_str())).collect();
         let Some(child) = joint(&last).and_then(|joint| joint.child.as_ref()) else { continue };
-        let message = format!("links hang on each other in a circle: `{}`", names.join("` -> `"));
+        let message = format!("kinematic loop: `{}`", names.join("` -> `"));
         let mut report = out.report(child.origin, message);
         for other in cycle.iter().filter(|&&i| i != last).filter_map(joint) {
             if let Some(child) = &other.child {
-                report =
-                    report.also(child.origin, format!("joint `{}` is part of the circle", other.shown()));
+                report = report.also(child.origin, format!("joint `{}` is part of the loop", other.shown()));
             }
         }
-        report.help("one of these joints has its ends the wrong way round, or names the wrong link").done();
+        report.help("swap parent and child of one joint, or correct the link it refers to").done();
     }
 }

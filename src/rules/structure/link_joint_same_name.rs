@@ -24,9 +24,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for text in cx.joints().iter().filter_map(|joint| joint.name.as_ref()) {
         let Some(name) = text.name() else { continue };
         if let Some(link) = links.get(name.as_str()) {
-            out.report(text.origin, format!("joint `{name}` has the name of a link"))
+            out.report(text.origin, format!("joint `{name}` has the same name as a link"))
                 .also(link.origin, format!("link `{name}`"))
-                .help("SDF wants different names; usual is `NAME_joint`")
+                .help(format!(
+                    "rename the joint, for example to `{name}_joint`; SDF requires different names"
+                ))
                 .done();
         }
     }

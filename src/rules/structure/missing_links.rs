@@ -6,8 +6,8 @@ use indexmap::IndexMap;
 use super::super::context::{RobotCx, elements};
 use base::FastSet;
 use expand::Origin;
+use model::Text;
 use workspace::nearest;
-use xml::Node;
 
 /// A link that does not exist.
 pub(super) struct Missing {
@@ -42,10 +42,14 @@ pub(super) struct Use {
 /// All links that joints name and nobody defines, in the order of their first use.
 pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<Missing> {
     let mut missing: IndexMap<EcoString, Uses> = IndexMap::new();
+    let almost = almost_links(cx);
     for joint in &cx.robot.joints {
         for (end, text) in [("parent", &joint.parent), ("child", &joint.child)] {
             let Some(text) = text else { continue };
             let Some(name) = text.name().filter(|name| cx.kinematics.link(name).is_none()) else { continue };
+            if almost.contains(name) {
+                continue;
+            }
             let used =
                 Use { joint: joint.shown().to_owned(), end, at: text.origin, literal: text.is_literal() };
             match missing.get_mut(name) {
@@ -60,6 +64,17 @@ pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<Missing> {
     let near = |i: usize, name: &EcoString| if i < 50 { near_link(cx, name) } else { None };
     let missing = missing.into_iter().enumerate();
     missing.map(|(i, (name, uses))| Missing { nearest: near(i, &name), name, uses }).collect()
+}
+
+/// The names of links that are there but for something else that is reported: a tag that is misspelled, spaces in the name.
+fn almost_links(cx: &RobotCx<'_>) -> FastSet<EcoString> {
+    let tree = &cx.expansion.tree;
+    let is_misspelt = |tag: &str| tag != "link" && nearest(tag, ["link"]).is_some();
+    let elements = tree.elements(cx.robot.element).filter(|&id| is_misspelt(&tree.get(id).text));
+    let named = elements.filter_map(|id| Some(Text::attr(tree, id, "name")?.name()?.clone()));
+    let links = cx.robot.links.iter().filter_map(|link| link.name.as_ref()?.name());
+    let trimmed = links.filter(|name| name.trim() != name.as_str()).map(|name| name.trim().into());
+    named.chain(trimmed).collect()
 }
 
 /// Links that a misspelt joint lost: what is wrong with them is said at the joint.
@@ -82,10 +97,10 @@ fn near_link(cx: &RobotCx<'_>, name: &str) -> Option<EcoString> {
     }
 }
 
-/// Whether a joint somewhere in the files, with other arguments, has a link as one of these ends: `parent`, `child`.
-pub(super) fn is_joined_elsewhere(cx: &RobotCx<'_>, link: &str, ends: &[&str]) -> bool {
-    let names = |node: Node<'_>| {
-        ends.contains(&node.name()) && node.attr("link").is_some_and(|name| name.raw() == link)
-    };
-    cx.expansion.files.iter().any(|file| elements(&file.source.document).any(|(_, node)| names(node)))
+/// The links that joints somewhere in the files, with other arguments, have as one of these ends: `parent`, `child`.
+pub(super) fn joined_elsewhere(cx: &RobotCx<'_>, ends: &[&str]) -> FastSet<EcoString> {
+    let files = cx.expansion.files.iter();
+    let nodes = files.flat_map(|file| elements(&file.source.document)).map(|(_, node)| node);
+    let names = nodes.filter(|node| ends.contains(&node.name())).filter_map(|node| node.attr("link"));
+    names.map(|name| name.raw().into()).collect()
 }

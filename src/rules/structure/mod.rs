@@ -12,6 +12,7 @@ mod multiple_roots;
 mod names_differ_by_case;
 mod no_links;
 mod orphan_link;
+mod repeated_calls;
 mod rust_consumer_cannot_load;
 mod undefined_link;
 

@@ -34,14 +34,14 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         for joint in joints.filter(|joint| joint.shown() != first.shown()) {
             let (Some(child), Some(earlier)) = (&joint.child, &first.child) else { continue };
             let message = format!(
-                "link `{}` is child of joint `{}` and of joint `{}`",
+                "link `{}` has more than one parent joint: `{}` and `{}`",
                 child.value,
                 first.shown(),
                 joint.shown()
             );
             out.report(child.origin, message)
-                .also(earlier.origin, format!("joint `{}` is its first parent joint", first.shown()))
-                .help("a link hangs on one joint: describe closed chains outside of the URDF, or swap parent and child")
+                .also(earlier.origin, format!("joint `{}` is the first parent joint", first.shown()))
+                .help("remove one joint, or swap its parent and child; a link can have only one parent joint")
                 .done();
         }
     }

@@ -3,8 +3,8 @@
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::missing_links::{is_joined_elsewhere, lost_links};
-use model::Text;
+use super::missing_links::{joined_elsewhere, lost_links};
+use model::{Joint, Text};
 
 pub(super) const RULE: Rule = Rule {
     code: "STR007",
@@ -22,6 +22,17 @@ pub(super) const RULE: Rule = Rule {
 const USUAL_ROOTS: [&str; 3] = ["world", "base_footprint", "base_link"];
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    // the other end of a joint from a link to itself is the root that is too many
+    let is_loop = |joint: &Joint| {
+        joint
+            .parent
+            .as_ref()
+            .zip(joint.child.as_ref())
+            .is_some_and(|(parent, child)| parent.value == child.value)
+    };
+    if cx.robot.joints.iter().any(is_loop) {
+        return;
+    }
     let lost = lost_links(cx);
     let mut roots: Vec<&Text> = Vec::new();
     for root in cx.kinematics.roots(cx.robot) {
@@ -33,12 +44,12 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         return;
     }
     let first = roots.remove(usual.unwrap_or(0));
+    let elsewhere = joined_elsewhere(cx, &["child"]);
     for root in roots {
-        let has_branch = is_joined_elsewhere(cx, &root.value, &["child"]);
-        out.report(root.origin, format!("link `{}` is a second root beside `{}`", root.value, first.value))
-            .severity(if has_branch { Severity::Info } else { RULE.severity })
-            .also(first.origin, "the first root")
-            .help(format!("join it to the rest: a joint with child `{}`", root.value))
+        out.report(root.origin, format!("more than one root link: `{}` and `{}`", root.value, first.value))
+            .severity(if elsewhere.contains(&root.value) { Severity::Info } else { RULE.severity })
+            .also(first.origin, "first root link")
+            .help(format!("add a joint whose child is `{}`", root.value))
             .done();
     }
 }

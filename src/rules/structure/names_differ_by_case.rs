@@ -34,10 +34,10 @@ fn alike<'a>(kind: &str, names: impl Iterator<Item = &'a Text>, out: &mut Sink<'
             Some(earlier) if earlier.value != *name => out
                 .report(
                     text.origin,
-                    format!("{kind}s `{}` and `{name}` differ only in their case", earlier.value),
+                    format!("{kind} names `{}` and `{name}` differ only in case", earlier.value),
                 )
                 .also(earlier.origin, format!("{kind} `{}`", earlier.value))
-                .help("TF tells them apart, other programs and people do not: name one of them otherwise")
+                .help("rename one of them; TF is case-sensitive, other programs are not")
                 .done(),
             Some(_) => {}
             None => {

@@ -19,8 +19,8 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     if cx.robot.links.is_empty() {
-        out.report(tag_start(cx.expansion, cx.robot.element), "the robot has no link")
-            .help("urdfdom refuses a robot without links")
+        out.report(tag_start(cx.expansion, cx.robot.element), "robot has no links")
+            .help("add <link name=\"base_link\"/>; urdfdom rejects a robot without links")
             .done();
     }
 }

@@ -1,12 +1,15 @@
 //! A link in no joint.
 
+use std::cell::OnceCell;
+
 use ecow::EcoString;
 
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::missing_links::{is_joined_elsewhere, lost_links};
+use super::missing_links::{joined_elsewhere, lost_links};
 use base::FastSet;
+use model::Text;
 
 pub(super) const RULE: Rule = Rule {
     code: "STR008",
@@ -27,16 +30,29 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let ends = cx.robot.joints.iter().flat_map(|joint| [&joint.parent, &joint.child]);
     let joined: FastSet<&EcoString> = ends.flatten().map(|end| &end.value).collect();
     let lost = lost_links(cx);
+    let misplaced = ends_of_misplaced_joints(cx);
     let mut said: FastSet<&EcoString> = FastSet::default();
+    // by a joint below a condition that does not hold, or in a macro that nothing calls; read when it is asked for
+    let elsewhere = OnceCell::new();
     for name in cx.robot.links.iter().filter_map(|link| link.name.as_ref()) {
         let Some(text) = name.name() else { continue };
-        if !joined.contains(text) && !lost.contains(text) && said.insert(text) {
-            // a joint below a condition that does not hold, or in a macro that nothing calls
-            let has_branch = is_joined_elsewhere(cx, text, &["parent", "child"]);
-            out.report(name.origin, format!("link `{text}` is in no joint"))
-                .severity(if has_branch { Severity::Info } else { RULE.severity })
-                .help(format!("join it to the rest: a joint with child `{text}`"))
+        // spaces in a name have their own finding
+        let is_joined = joined.contains(text) || joined.contains(&EcoString::from(text.trim()));
+        if !is_joined && !lost.contains(text) && !misplaced.contains(text) && said.insert(text) {
+            let elsewhere = elsewhere.get_or_init(|| joined_elsewhere(cx, &["parent", "child"]));
+            out.report(name.origin, format!("link `{text}` is not connected to any joint"))
+                .severity(if elsewhere.contains(text) { Severity::Info } else { RULE.severity })
+                .help(format!("add a joint whose child is `{text}`"))
                 .done();
         }
     }
+}
+
+/// The links that joints inside of links connect: what is wrong is said at these joints.
+fn ends_of_misplaced_joints(cx: &RobotCx<'_>) -> FastSet<EcoString> {
+    let tree = &cx.expansion.tree;
+    let joints = cx.robot.links.iter().flat_map(|link| tree.elements(link.element));
+    let ends = joints.filter(|&id| tree.get(id).text == "joint").flat_map(|joint| tree.elements(joint));
+    let links = ends.filter(|&end| matches!(tree.get(end).text.as_str(), "parent" | "child"));
+    links.filter_map(|end| Some(Text::attr(tree, end, "link")?.name()?.clone())).collect()
 }

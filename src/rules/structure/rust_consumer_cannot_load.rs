@@ -28,6 +28,8 @@ const MOST_BYTES: usize = 8 << 20;
 const MOST_ATTRIBUTES: usize = 256;
 /// Deeper elements are not: those parsers call themselves for each level.
 const MOST_LEVELS: usize = 64;
+/// Characters of what urdf-rs reports that are quoted.
+const MOST_LETTERS: usize = 60;
 /// Elements that are tried by themselves.
 const MOST_PARTS: usize = 5000;
 
@@ -47,7 +49,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let found = parts.find_map(|(part, id)| Some((id, refused(&alone(&text, part))?)));
     let (id, why) = found.unwrap_or((cx.robot.element, why));
     out.report(tag_start(cx.expansion, id), format!("urdf-rs cannot load {}: {why}", named(cx, id)))
-        .help("programs in Rust read descriptions with it")
+        .help("correct the element; Rust programs read robot descriptions with urdf-rs")
         .done();
 }
 
@@ -62,7 +64,12 @@ fn is_sane(document: &Document<'_>) -> bool {
 fn refused(text: &str) -> Option<String> {
     let read = catch_unwind(AssertUnwindSafe(|| urdf_rs::read_from_string(text).map(|_| ())));
     let error = read.ok()?.err()?.to_string();
-    Some(error.split_whitespace().collect::<Vec<_>>().join(" "))
+    let error = error.split_whitespace().collect::<Vec<_>>().join(" ");
+    let sentence = error.split(". ").next().unwrap_or_default().trim_end_matches('.');
+    Some(match sentence.char_indices().nth(MOST_LETTERS) {
+        Some((end, _)) => format!("{}...", sentence.get(..end).unwrap_or_default()),
+        None => sentence.to_owned(),
+    })
 }
 
 /// The root element with one of its children.

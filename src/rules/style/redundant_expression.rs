@@ -27,10 +27,14 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
                 let Token::Expr { range, inner, .. } = token else { continue };
                 let literal = inner.slice(text).trim();
                 if is_printed_as_written(literal) {
-                    out.report_in(cx.file, range.shift(start), format!("`{literal}` needs no expression"))
-                        .help(format!("write `{literal}`"))
-                        .replace_with(Safety::Safe, format!("write `{literal}`"), literal)
-                        .done();
+                    out.report_in(
+                        cx.file,
+                        range.shift(start),
+                        format!("unnecessary expression for `{literal}`"),
+                    )
+                    .help(format!("write `{literal}`"))
+                    .replace_with(Safety::Safe, format!("write `{literal}`"), literal)
+                    .done();
                 }
             }
         }

@@ -26,9 +26,9 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         let counts = node.parent().is_some_and(|parent| PARENTS.contains(&parent.name()));
         if counts && is_identity(node) && node.child_elements().next().is_none() {
             let range = node.range().shift(base);
-            out.report_in(cx.file, range, "this origin has no effect")
-                .help("zero is the default")
-                .fix(Safety::Safe, "remove it", cx.file, [(line(node, base), String::new())])
+            out.report_in(cx.file, range, "redundant `origin`")
+                .help("remove the element; zero is the default")
+                .fix(Safety::Safe, "remove the element", cx.file, [(line(node, base), String::new())])
                 .done();
         }
     }

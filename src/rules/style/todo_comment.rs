@@ -26,7 +26,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
             let mut words = node.raw().split(|c: char| !c.is_alphanumeric());
             if let Some(word) = words.find(|word| LEFT_TO_DO.contains(word)) {
                 out.report_in(cx.file, node.range().shift(base), format!("`{word}` in a comment"))
-                    .help("do it, or move it to where such things are tracked")
+                    .help("resolve it, or move it to an issue tracker")
                     .done();
             }
         }

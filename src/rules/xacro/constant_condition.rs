@@ -26,11 +26,14 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         let Some(value) = node.attr("value") else { continue };
         let Some(truth) = truth(value.raw()) else { continue };
         let (verb, help) = if truth == wanted {
-            ("always", "remove the condition, and keep its content")
+            ("always", "remove the condition and keep its content")
         } else {
-            ("never", "remove it, or make the value depend on an argument")
+            ("never", "remove the element, or make the condition depend on an argument")
         };
-        let message = format!("the content of this `{}` is {verb} part of the robot", node.name());
+        let message = format!(
+            "condition of this `{}` is constant: its content is {verb} part of the robot",
+            node.name()
+        );
         out.report_in(cx.file, value.value_range().shift(base), message).help(help).done();
     }
 }

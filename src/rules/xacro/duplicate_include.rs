@@ -98,16 +98,16 @@ fn report(
 ) {
     let name = source::file_name(cx.expansion, later.target);
     let report = out
-        .report_in(later.tag.file, later.tag.range, format!("`{name}` is included a second time"))
-        .also_at(first.tag, "included here first");
+        .report_in(later.tag.file, later.tag.range, format!("duplicate include of `{name}`"))
+        .also_at(first.tag, "first included here");
     if !one_file {
         return report
             .severity(Severity::Info)
-            .help("what it defines is defined once more; harmless, unless something was redefined between")
+            .help("remove one include if nothing is redefined between them; the definitions are repeated")
             .done();
     }
     if emits {
-        return report.help("what it contains is in the robot twice: remove one of them").done();
+        return report.help("remove one of the includes; the content is in the robot twice").done();
     }
     let Some(file) = cx.expansion.files.get(later.tag.file.0 as usize) else { return };
     let element = later.node.range();
@@ -115,7 +115,7 @@ fn report(
     let range = TextRange::new(start, start + element.len());
     let removal = source::removal(&file.source.document, range);
     report
-        .help("what it defines is there already: remove this one")
-        .fix(Safety::Safe, "remove it", later.tag.file, [(removal, String::new())])
+        .help("remove this include; everything it defines is already defined")
+        .fix(Safety::Safe, "remove the include", later.tag.file, [(removal, String::new())])
         .done();
 }

@@ -41,10 +41,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let earlier = first.insert((space.as_str(), name), (place, node));
         if let Some((earlier, _)) = earlier.filter(|(_, earlier)| !is_same(*earlier, node)) {
             let is_called = cx.expansion.symbols.uses_of(id).any(|used| used.kind == UseKind::Call);
-            out.report_in(place.file, place.range, format!("macro `{name}` is defined again"))
+            out.report_in(place.file, place.range, format!("macro `{name}` is redefined"))
                 .severity(if is_called { RULE.severity } else { Severity::Info })
-                .also_at(earlier, "the first definition is here")
-                .help("calls below use the second one: rename one of them, or include a file with ns=\"...\"")
+                .also_at(earlier, "first defined here")
+                .help("rename one of them, or include one file with ns=\"...\"; later calls use the second macro")
                 .done();
         }
     }

@@ -42,7 +42,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             out.report_in(
                 place.file,
                 place.range,
-                format!("property `{}` is defined again", definition.name),
+                format!("property `{}` is redefined before it is used", definition.name),
             )
             .severity(if is_same { Severity::Info } else { Severity::Warning })
             .also_at(first, "this value is never read")

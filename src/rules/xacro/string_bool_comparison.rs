@@ -205,8 +205,7 @@ fn report(at: Place, found: &Comparison, out: &mut Sink<'_>) {
     let verdict = if *equal { "never" } else { "always" };
     let truth = text.eq_ignore_ascii_case("true");
     let replacement = if truth == *equal { name.clone() } else { format!("not {name}") };
-    let message =
-        format!("this is {verdict} true: xacro turns `{text}` in `{name}` into a truth value, no text");
+    let message = format!("comparison is {verdict} true: xacro converts `{text}` in `{name}` to a boolean");
     out.report_in(at.file, at.range, message)
         .help(format!("write `{replacement}`"))
         .replace_with(Safety::Safe, format!("write `{replacement}`"), replacement)

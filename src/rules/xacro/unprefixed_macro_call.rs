@@ -30,8 +30,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
             .into_iter()
             .flatten()
             .map(|range| (TextRange::empty(range.start), "xacro:".to_owned()));
-        let message =
-            format!("macro `{name}` is called without the prefix `xacro:`: nothing is expanded here");
+        let message = format!("call of macro `{name}` is missing the `xacro:` prefix, so xacro ignores it");
         out.report_in(cx.file, TextRange::new(start.start - 1, start.end), message)
             .help(format!("write `xacro:{name}`"))
             .fix(Safety::Safe, format!("write `xacro:{name}`"), cx.file, edits)

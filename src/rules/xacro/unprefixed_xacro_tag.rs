@@ -5,6 +5,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use super::super::vocabulary::outside_free_zones;
 use base::TextRange;
+use expand::Expansion;
 use xml::{Document, Node};
 
 pub(super) const RULE: Rule = Rule {
@@ -21,15 +22,26 @@ pub(super) const RULE: Rule = Rule {
 
 const TAGS: [&str; 7] = ["arg", "if", "include", "insert_block", "macro", "property", "unless"];
 
-/// Whether an element outside of free zones is a tag of xacro without its prefix.
-pub(in super::super) fn is_unprefixed(document: &Document, node: Node<'_>) -> bool {
-    let declares = |root: Node<'_>| root.name() == "robot" && root.attr("xmlns:xacro").is_some();
-    TAGS.contains(&node.name()) && document.root().is_some_and(declares)
+/// Those that nothing but xacro knows.
+const OWN_TAGS: [&str; 3] = ["insert_block", "macro", "property"];
+
+/// Whether an element outside of free zones is a tag of xacro without its prefix. A file that a robot in xacro includes is
+/// one in xacro, whether it declares the prefix or not.
+pub(in super::super) fn is_unprefixed(expansion: &Expansion, document: &Document, node: Node<'_>) -> bool {
+    let is_included = || expansion.files.first().is_some_and(|file| declares(&file.source.document));
+    TAGS.contains(&node.name()) && declares(document)
+        || OWN_TAGS.contains(&node.name())
+            && document.root().is_some_and(|root| root.name() == "robot")
+            && is_included()
+}
+
+fn declares(document: &Document) -> bool {
+    document.root().is_some_and(|root| root.name() == "robot" && root.attr("xmlns:xacro").is_some())
 }
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     let elements = outside_free_zones(cx.elements());
-    for (base, node) in elements.filter(|&(_, node)| is_unprefixed(&cx.source.document, node)) {
+    for (base, node) in elements.filter(|&(_, node)| is_unprefixed(cx.expansion, &cx.source.document, node)) {
         let name = node.name();
         let start = node.name_range().shift(base);
         let end = node.end_name_range().map(|range| range.shift(base));
@@ -37,10 +49,14 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
             .into_iter()
             .flatten()
             .map(|range| (TextRange::empty(range.start), "xacro:".to_owned()));
-        let message = format!("`{name}` lacks its prefix `xacro:`: it goes into the robot as it stands");
-        out.report_in(cx.file, TextRange::new(start.start - 1, start.end), message)
-            .help(format!("write `xacro:{name}`"))
-            .fix(Safety::Safe, format!("write `xacro:{name}`"), cx.file, edits)
-            .done();
+        let message = format!("`{name}` is missing the `xacro:` prefix, so xacro ignores it");
+        let report = out
+            .report_in(cx.file, TextRange::new(start.start - 1, start.end), message)
+            .help(format!("write `xacro:{name}`"));
+        if !declares(&cx.source.document) {
+            report.done();
+            continue;
+        }
+        report.fix(Safety::Safe, format!("write `xacro:{name}`"), cx.file, edits).done();
     }
 }

@@ -27,12 +27,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let Some(mentions) = mentions::everywhere(cx) else { return };
     let is_read = |name: &str| mentions.iter().any(|file| file.word(name));
     for (_, definition, place) in found.into_iter().filter(|(_, found, _)| !is_read(&found.name)) {
-        let message = format!("argument `{}` is never read", definition.name);
-        let help = "remove it, and what passes it in launch files";
+        let message = format!("unused argument `{}`", definition.name);
+        let help = "remove it here and in launch files that pass it";
         let report = out.report_in(place.file, place.range, message).help(help);
         match unused::removal(cx, definition) {
             Some(range) => {
-                report.fix(Safety::Unsafe, "remove it", place.file, [(range, String::new())]).done();
+                report
+                    .fix(Safety::Unsafe, "remove the argument", place.file, [(range, String::new())])
+                    .done();
             }
             None => report.done(),
         }

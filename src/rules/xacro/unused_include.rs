@@ -116,8 +116,8 @@ fn report(cx: &DocumentCx<'_>, inclusion: &Inclusion<'_>, out: &mut Sink<'_>) {
     let element = inclusion.node.range();
     let start = inclusion.tag.range.start - (inclusion.node.name_range().start - 1 - element.start);
     let removal = source::removal(&file.source.document, TextRange::new(start, start + element.len()));
-    out.report_in(inclusion.tag.file, inclusion.tag.range, format!("nothing that `{name}` defines is used"))
-        .help("remove it")
-        .fix(Safety::Unsafe, "remove it", inclusion.tag.file, [(removal, String::new())])
+    out.report_in(inclusion.tag.file, inclusion.tag.range, format!("unused include `{name}`"))
+        .help("remove the include")
+        .fix(Safety::Unsafe, "remove the include", inclusion.tag.file, [(removal, String::new())])
         .done();
 }

@@ -30,12 +30,19 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if mentions.iter().any(|file| file.tag(name)) {
             continue;
         }
-        let message = format!("macro `{name}` is never called");
+        let message = format!("unused macro `{name}`");
         let report =
-            out.report_in(place.file, place.range, message).help("remove it, or begin its name with `_`");
+            out.report_in(place.file, place.range, message).help("remove it, or start its name with `_`");
         match unused::removal(cx, definition) {
             Some(range) => {
-                report.fix(Safety::Unsafe, "remove it", place.file, [(range, String::new())]).done();
+                report
+                    .fix(
+                        Safety::Unsafe,
+                        format!("remove macro `{name}`"),
+                        place.file,
+                        [(range, String::new())],
+                    )
+                    .done();
             }
             None => report.done(),
         }

@@ -155,8 +155,6 @@ fn report(cx: &DocumentCx<'_>, of: DefinitionId, param: &Definition, out: &mut S
     let message = format!("{what} `{}` of macro `{owner}` is never {verb}", param.name);
     out.report_in(place.file, place.range, message)
         .severity(severity)
-        .help(
-            "remove it from the macro and its calls; a parameter whose name begins with `_` is not reported",
-        )
+        .help("remove it from the macro and its calls, or start its name with `_`")
         .done();
 }

@@ -31,12 +31,19 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if mentions.iter().any(|file| file.word(name) || block && file.block(name)) {
             continue;
         }
-        let message = format!("property `{name}` is never read");
+        let message = format!("unused property `{name}`");
         let report =
-            out.report_in(place.file, place.range, message).help("remove it, or begin its name with `_`");
+            out.report_in(place.file, place.range, message).help("remove it, or start its name with `_`");
         match unused::removal(cx, definition) {
             Some(range) => {
-                report.fix(Safety::Unsafe, "remove it", place.file, [(range, String::new())]).done();
+                report
+                    .fix(
+                        Safety::Unsafe,
+                        format!("remove property `{name}`"),
+                        place.file,
+                        [(range, String::new())],
+                    )
+                    .done();
             }
             None => report.done(),
         }

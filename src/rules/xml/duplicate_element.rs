@@ -46,12 +46,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 continue;
             }
             if let Some(&earlier) = first.get(name) {
-                let message = format!("{} has a second `{name}`", walk::described(cx, id));
+                let message = format!("{} has more than one `{name}`", walk::described(cx, id));
                 let equal = is_same(tree, earlier, child);
                 out.report(tag_start(cx.expansion, child), message)
                     .severity(if equal { Severity::Info } else { Severity::Warning })
-                    .also(tag_start(cx.expansion, earlier), "the first one is here")
-                    .help("urdfdom takes the first one, other readers refuse the file: keep one")
+                    .also(tag_start(cx.expansion, earlier), "first one here")
+                    .help("remove one of them; urdfdom uses the first one, other parsers reject the file")
                     .done();
             } else {
                 first.insert(name, child);

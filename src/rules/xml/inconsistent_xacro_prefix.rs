@@ -25,11 +25,16 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
             continue;
         };
         if is_xacro_uri(attr.raw()) {
-            let message =
-                format!("xacro's namespace is bound to `{prefix}`: tags `{prefix}:...` are not expanded");
+            let edits = renamed(cx, attr, prefix);
+            // nothing but the declaration has the prefix: no tag is lost
+            let severity = if edits.len() > 1 { Severity::Error } else { Severity::Info };
+            let message = format!(
+                "the xacro namespace has the prefix `{prefix}`, so xacro ignores `{prefix}:` elements"
+            );
             out.report_in(cx.file, attr.range(), message)
-                .help("xacro compares the letters `xacro:`, not namespaces: name the prefix `xacro`")
-                .fix(Safety::Unsafe, "name the prefix `xacro`", cx.file, renamed(cx, attr, prefix))
+                .severity(severity)
+                .help("write xmlns:xacro=\"...\" and `xacro:` elements; xacro does not use namespaces")
+                .fix(Safety::Unsafe, "rename the prefix to `xacro`", cx.file, edits)
                 .done();
         }
     }

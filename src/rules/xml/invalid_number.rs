@@ -9,7 +9,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use super::meant::{self, Meant};
 use super::walk;
-use expand::{Origin, Place, XId};
+use expand::{Origin, Place, XId, meant_number};
 use model::{Text, decimal, is_decimal};
 use xml::Document;
 
@@ -92,9 +92,11 @@ fn blanks(
             return;
         }
         let element = walk::described(cx, id);
-        let message =
-            format!("{element}: `{name}` ends with a blank, and urdfdom takes none behind a number");
-        rewrite(out.report(text.origin, message), Safety::Unsafe, text, trimmed.to_owned()).done();
+        let message = format!(
+            "`{name}` of {element} ends with whitespace, which urdfdom does not accept after a number"
+        );
+        let report = out.report(text.origin, message).help(format!("write `{trimmed}`"));
+        rewrite(report, Safety::Unsafe, text, trimmed.to_owned()).done();
     } else if is_plain
         && text.is_literal()
         && let Some((_, _, written)) = source_text(cx.expansion, text.origin)
@@ -102,9 +104,10 @@ fn blanks(
     {
         let element = walk::described(cx, id);
         let message =
-            format!("{element}: {blank} between the numbers of `{name}`, where urdfdom takes spaces only");
+            format!("{blank} between the numbers of `{name}` of {element}; urdfdom accepts only spaces");
         let spaced = trimmed.split_ascii_whitespace().collect::<Vec<_>>().join(" ");
-        rewrite(out.report(text.origin, message), Safety::Unsafe, text, spaced).done();
+        let report = out.report(text.origin, message).help(format!("write `{spaced}`"));
+        rewrite(report, Safety::Unsafe, text, spaced).done();
     }
 }
 
@@ -160,8 +163,8 @@ pub(super) fn bad_words(text: &Text, count: usize) -> Vec<Range<usize>> {
 /// A value of which it is clear what it was meant to be.
 fn report_meant(cx: &DocumentCx<'_>, id: XId, name: &str, text: &Text, meant: Meant, out: &mut Sink<'_>) {
     let Meant { help, value } = meant;
-    let what = if text.words().nth(1).is_some() { "are no numbers" } else { "is not a number" };
-    let message = format!("{}: `{}` in `{name}` {what}", walk::described(cx, id), text.value);
+    let what = if text.words().nth(1).is_some() { "is not a list of numbers" } else { "is not a number" };
+    let message = format!("`{1}` in `{name}` of {0} {what}", walk::described(cx, id), text.value);
     let is_written = text.is_literal() && text.origin.range.len() as usize == text.value.len();
     let report = out.report(text.origin, message).help(format!("{help}: {name}=\"{value}\""));
     match is_written {
@@ -173,17 +176,24 @@ fn report_meant(cx: &DocumentCx<'_>, id: XId, name: &str, text: &Text, meant: Me
 fn report(cx: &DocumentCx<'_>, id: XId, name: &str, text: &Text, range: Range<usize>, out: &mut Sink<'_>) {
     let element = walk::described(cx, id);
     let word = text.value.get(range.clone()).unwrap_or_default();
+    if let Some(at) = written_at(cx, text, range.clone()) {
+        return report_value(cx, (&element, name), word, at, out);
+    }
     let origin = if word.is_empty() { text.origin } else { text.part(range.clone()) };
     let message = match word {
-        "" | " " => format!("{element}: `{name}` is empty instead of a number"),
-        word => format!("{element}: `{word}` in `{name}` is not a number"),
+        "" | " " => format!("`{name}` of {element} is empty; expected a number"),
+        word => format!("`{word}` in `{name}` of {element} is not a number"),
     };
     let report = out.report(origin, message);
     let repaired = word.replace(',', ".");
     let is_written = text.is_literal() && origin.range.len() as usize == word.len();
     if decimal(&repaired).is_some() && word.contains(',') && is_written {
-        let report = report.help("decimals are written with a point");
+        let report = report.help("write a decimal point instead of a comma");
         return report.replace_with(Safety::Unsafe, format!("write `{repaired}`"), repaired).done();
+    }
+    if let Some(meant) = meant::of_word(cx, word).filter(|_| text.is_written(range)) {
+        let report = report.help(format!("write `{meant}`: an expression is in `${{...}}`"));
+        return report.replace_with(Safety::Unsafe, format!("write `{meant}`"), meant).done();
     }
     let help = match word.trim_start_matches(['+', '-']).to_ascii_lowercase().as_str() {
         "nan" | "inf" | "infinity" => "write a finite number",
@@ -191,4 +201,39 @@ fn report(cx: &DocumentCx<'_>, id: XId, name: &str, text: &Text, range: Range<us
         _ => "write a decimal number such as 0.25 or 2.5e-3, without a unit",
     };
     report.help(help).done();
+}
+
+/// Where a word is written that comes from a property, an argument or a parameter, and is a number with a slip.
+fn written_at(cx: &DocumentCx<'_>, text: &Text, range: Range<usize>) -> Option<Origin> {
+    const MOST: usize = 64;
+    let word = text.value.get(range.clone())?;
+    meant_number(word)?;
+    let mut open: Vec<u32> = text.reads(cx.expansion, range).collect();
+    let mut seen = 0;
+    while let Some(read) = open.pop().filter(|_| seen < MOST) {
+        seen += 1;
+        let Some(binding) = cx.expansion.bindings.get(read as usize) else { continue };
+        open.extend(cx.expansion.read_in(binding.reads));
+        let Some(origin) = binding.origin else { continue };
+        if source_text(cx.expansion, origin).is_some_and(|(_, _, source)| source == word) {
+            return Some(origin);
+        }
+    }
+    None
+}
+
+/// A number with a slip, where it is written. What an expression could not do with it is said there already.
+fn report_value(
+    cx: &DocumentCx<'_>,
+    (element, name): (&str, &str),
+    word: &str,
+    at: Origin,
+    out: &mut Sink<'_>,
+) {
+    let Some((number, help)) = meant_number(word).filter(|_| !is_reported(cx, at)) else { return };
+    let message = format!("`{word}` in `{name}` of {element} is not a number");
+    out.report(at, message)
+        .help(format!("{help}: write `{number}`"))
+        .replace_with(Safety::Unsafe, format!("write `{number}`"), number)
+        .done();
 }

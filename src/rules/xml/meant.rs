@@ -22,19 +22,16 @@ pub(super) fn of_numbers(cx: &DocumentCx<'_>, text: &Text, count: usize) -> Opti
     }
     let plain = value.replace(['\u{2212}', '\u{2013}'], "-");
     if plain != value && holds_numbers(&plain) {
-        return Some(Meant {
-            help: "the sign in front is not the minus sign of a keyboard, write it",
-            value: plain,
-        });
+        return Some(Meant { help: "write an ASCII minus sign `-`", value: plain });
     }
     let spaced = value.replace([',', ';'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
     if count > 1 && spaced != value && holds_numbers(&spaced) {
-        return Some(Meant { help: "numbers are separated by blanks, not by commas", value: spaced });
+        return Some(Meant { help: "separate the numbers with spaces, not commas", value: spaced });
     }
     let is_xacro = cx.expansion.files.first().is_some_and(|file| !is_plain_urdf(&file.source.path));
     let bracketed = bracketed(cx, value)?;
     (bracketed != value && text.is_literal() && is_xacro)
-        .then_some(Meant { help: "an expression stands in `${...}`", value: bracketed })
+        .then_some(Meant { help: "write the expression in `${...}`", value: bracketed })
 }
 
 /// The words of a value with `${...}` around those that are expressions of known names.
@@ -54,6 +51,13 @@ fn expression<'w>(cx: &DocumentCx<'_>, word: &'w str) -> Option<&'w str> {
         code.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|name| is_identifier(name)).peekable();
     let is_code = names.peek().is_some() && names.all(|name| is_known(cx, name));
     (is_code && expr::parse(code).errors.is_empty()).then_some(code)
+}
+
+/// `{width}` and `$width` as `${width}`, in the text of a robot that speaks xacro.
+pub(super) fn of_word(cx: &DocumentCx<'_>, word: &str) -> Option<String> {
+    let is_xacro = cx.expansion.files.first().is_some_and(|file| !is_plain_urdf(&file.source.path));
+    let code = expression(cx, word).filter(|&code| is_xacro && code != word)?;
+    Some(format!("${{{code}}}"))
 }
 
 /// Whether an expression can name it.

@@ -1,12 +1,13 @@
 //! An element without an attribute that parsers insist on.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::edits::source_text;
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::schema::ElementSpec;
 use super::super::sink::Sink;
 use super::{unknown_attribute, walk};
 use expand::XId;
-use model::tag_start;
+use model::{Text, element_range, tag_start};
 
 pub(super) const RULE: Rule = Rule {
     code: "XML008",
@@ -15,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     severity: Severity::Error,
     default: Activation::On,
     since: "0.1",
-    fix: None,
+    fix: Some(Safety::Unsafe),
     docs: page("missing-attribute"),
     check: Check::Document(check),
 };
@@ -28,7 +29,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let plural = if missing.len() == 1 { "attribute" } else { "attributes" };
-        let message = format!("{} lacks the {plural} `{}`", walk::described(cx, id), missing.join("`, `"));
+        let message = format!("missing {plural} `{1}` in {0}", walk::described(cx, id), missing.join("`, `"));
+        if let (["value"], Some(text)) = (missing.as_slice(), number_inside(cx, id)) {
+            report_inside(cx, id, (spec.name, message), &text, out);
+            continue;
+        }
         let add: Vec<String> = missing.iter().map(|name| format!("{name}=\"...\"")).collect();
         out.report(tag_start(cx.expansion, id), message).help(format!("add {}", add.join(" "))).done();
     }
@@ -48,4 +53,30 @@ fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str
     let misspelt: Vec<&str> =
         unknown.filter_map(|attr| Some(walk::meant(&attr.name, absent.iter().copied())?.0)).collect();
     absent.into_iter().filter(|name| required(name) && !misspelt.contains(name)).collect()
+}
+
+/// The text of an element that holds nothing but a number.
+fn number_inside(cx: &DocumentCx<'_>, id: XId) -> Option<Text> {
+    let is_alone = cx.expansion.tree.elements(id).next().is_none();
+    Text::content(&cx.expansion.tree, id).filter(|text| is_alone && text.number().is_some())
+}
+
+/// The value stands between the tags.
+fn report_inside(
+    cx: &DocumentCx<'_>,
+    id: XId,
+    (name, message): (&str, String),
+    text: &Text,
+    out: &mut Sink<'_>,
+) {
+    let content = source_text(cx.expansion, text.origin).map_or_else(String::new, |(_, _, source)| source);
+    let element = format!("<{name} value=\"{}\"/>", content.trim());
+    let report = out.report(tag_start(cx.expansion, id), message).help(format!("write {element}"));
+    let is_plain = cx.expansion.tree.get(id).attrs.is_empty() && !content.contains(['"', '<']);
+    match source_text(cx.expansion, element_range(cx.expansion, id)).filter(|_| is_plain) {
+        Some((file, range, _)) => {
+            report.fix(Safety::Unsafe, format!("write `{element}`"), file, [(range, element)]).done();
+        }
+        None => report.done(),
+    }
 }

@@ -30,7 +30,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if missing.is_empty() || walk::may_get_more(cx, id) {
             continue;
         }
-        let message = format!("{} has no `{}`", walk::described(cx, id), missing.join("` and no `"));
+        let message =
+            format!("missing element `{1}` in {0}", walk::described(cx, id), missing.join("` and `"));
+        let shape = bare_shape(cx, id).filter(|_| missing == ["geometry"]);
+        if let Some(shape) = shape {
+            let help = format!("put `{shape}` in <geometry>");
+            out.report(tag_start(cx.expansion, id), message).help(help).done();
+            continue;
+        }
         let add: Vec<String> = missing.iter().map(|name| format!("<{name} .../>")).collect();
         out.report(tag_start(cx.expansion, id), message).help(format!("add {}", add.join(" and "))).done();
     }
@@ -54,4 +61,13 @@ fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str
         !there && !misspelt.iter().any(|(meant, _)| meant == name)
     };
     spec.required.iter().copied().filter(absent).collect()
+}
+
+/// The shape that stands in a visual or collision without a geometry around it.
+pub(super) fn bare_shape<'a>(cx: &'a DocumentCx<'_>, id: XId) -> Option<&'a str> {
+    let tree = &cx.expansion.tree;
+    let mut names = tree.elements(id).map(|child| tree.get(child).text.as_str());
+    let is_body = matches!(tree.get(id).text.as_str(), "visual" | "collision");
+    let is_bare = is_body && !tree.elements(id).any(|child| tree.get(child).text == "geometry");
+    names.find(|name| is_bare && ["box", "cylinder", "sphere", "capsule", "mesh"].contains(name))
 }

@@ -1,10 +1,11 @@
 //! A robot without name.
 
 use super::super::context::{DocumentCx, RootKind};
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::finding::{Edit, Finding, Fix};
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, by_code, page};
 use super::super::sink::Sink;
-use base::TextRange;
-use expand::FileIdx;
+use base::{Span, TextRange};
+use expand::{Expansion, FileIdx};
 use model::{Robot, tag_start};
 
 pub(super) const RULE: Rule = Rule {
@@ -19,34 +20,47 @@ pub(super) const RULE: Rule = Rule {
     check: Check::Document(check),
 };
 
+const HELP: &str = "add name=\"...\"; urdfdom rejects a robot without a name";
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let Some(robot) = cx.robot.filter(|_| cx.kind == RootKind::Robot) else { return };
     let message = match &robot.name {
-        None => "the robot has no name",
-        Some(name) if name.is_known() && name.value.is_empty() => "the name of the robot is empty",
+        None => "robot has no name",
+        Some(name) if name.is_known() && name.value.is_empty() => "robot has an empty name",
         Some(_) => return,
     };
-    let report = out
-        .report(tag_start(cx.expansion, robot.element), message)
-        .help("urdfdom refuses a robot without name: add name=\"...\"");
-    match named_like_file(cx, robot) {
-        Some((range, content)) => {
-            report.fix(Safety::Unsafe, "name it like the file", FileIdx(0), [(range, content)]).done();
-        }
+    let report = out.report(tag_start(cx.expansion, robot.element), message).help(HELP);
+    match named_like_file(cx.expansion, robot) {
+        Some((range, content)) => report.fix(Safety::Unsafe, FIX, FileIdx(0), [(range, content)]).done(),
         None => report.done(),
     }
 }
 
+const FIX: &str = "use the file name as robot name";
+
+/// The same of a file that is a robot, as its surroundings say.
+pub fn missing_robot_name(expansion: &Expansion, robot: &Robot) -> Option<Finding> {
+    let place = |range| Some(Span { file: expansion.files.first()?.source.id, range });
+    let tag =
+        expansion.place(tag_start(expansion, robot.element)).filter(|place| place.file == FileIdx(0))?;
+    let fix = named_like_file(expansion, robot).and_then(|(range, content)| {
+        let edits = vec![Edit { span: place(range)?, content }];
+        Some(Fix { safety: Safety::Unsafe, message: FIX.to_owned(), edits })
+    });
+    let finding = Finding::new(by_code(RULE.code)?, place(tag.range)?, "robot has no name");
+    Some(Finding { help: Some(HELP.to_owned()), fix, ..finding })
+}
+
 /// The edit that names the robot like its file.
-fn named_like_file(cx: &DocumentCx<'_>, robot: &Robot) -> Option<(TextRange, String)> {
-    let file = cx.expansion.files.first()?;
+fn named_like_file(expansion: &Expansion, robot: &Robot) -> Option<(TextRange, String)> {
+    let file = expansion.files.first()?;
     let stem = file.source.path.file_name()?.to_str()?.split('.').next()?;
     let plain = stem.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') && !stem.is_empty();
     match &robot.name {
         _ if !plain => None,
         // an empty value: between the quotes, when they are in this file
         Some(name) => {
-            let place = cx.expansion.place(name.origin).filter(|place| place.file == FileIdx(0))?;
+            let place = expansion.place(name.origin).filter(|place| place.file == FileIdx(0))?;
             name.is_literal().then(|| (place.range, stem.to_owned()))
         }
         None => {

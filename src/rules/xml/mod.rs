@@ -22,6 +22,7 @@ use super::registry::{Category::Xml, Rule, Safety, Severity::Error, page};
 
 pub use invalid_number::Numeric;
 pub(super) use meant::with_dollars;
+pub use missing_robot_name::missing_robot_name;
 pub use walk::Seen;
 
 /// The rules.
@@ -51,7 +52,7 @@ pub(super) static RULES: &[Rule] = &[
 const XACRO_URI: &str = "http://www.ros.org/wiki/xacro";
 
 /// Whether a namespace is meant to be xacro's: files in the wild spell it in many ways.
-fn is_xacro_uri(uri: &str) -> bool {
+pub(super) fn is_xacro_uri(uri: &str) -> bool {
     let rest = uri.trim_start_matches("http://").trim_start_matches("https://");
     let host = rest.split('/').next().unwrap_or("").trim_start_matches("www.");
     matches!(host, "ros.org" | "wiki.ros.org") && rest.trim_end_matches('/').ends_with("xacro")

@@ -32,15 +32,15 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             // a rotation that is lost changes the robot; limits of acceleration are for those who know them
             let is_rotation = name == "quat_xyzw";
             let severity = if is_rotation { Severity::Warning } else { Severity::Info };
-            let instead = if is_rotation { ", or the rotation as rpy" } else { "" };
+            let instead = if is_rotation { ", or write the rotation as rpy" } else { "" };
             let message = format!(
-                "{}: `{name}` is of URDF {since}, and the robot is of {own}: readers skip it",
+                "`{name}` of {} requires URDF {since}, but the robot is URDF {own}, so parsers ignore it",
                 walk::described(cx, id)
             );
             out.report(text.origin, message)
                 .severity(severity)
                 .group(Group::Name(format!("{name} of {}", spec.name).into()))
-                .help(format!("write version=\"{since}\" in `robot`{instead}"))
+                .help(format!("write version=\"{since}\" in <robot>{instead}"))
                 .done();
         }
     }

@@ -27,8 +27,9 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     let package = cx.world.packages.containing(&cx.source.path);
     let group = package.map_or(Group::File, |own| Group::Thing(own.folder.to_string_lossy().into()));
     // the root stands in the header, which begins the file
-    out.report_in(cx.file, attr.range(), format!("`xmlns:xacro` is `{uri}` instead of `{XACRO_URI}`"))
+    out.report_in(cx.file, attr.range(), format!("nonstandard URI for `xmlns:xacro`: `{uri}`"))
         .group(group)
+        .help(format!("write xmlns:xacro=\"{XACRO_URI}\""))
         .fix(
             Safety::Safe,
             format!("use `{XACRO_URI}`"),

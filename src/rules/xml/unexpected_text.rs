@@ -43,9 +43,9 @@ fn report(cx: &DocumentCx<'_>, parent: XId, text: XId, out: &mut Sink<'_>) {
         Some((end, _)) => format!("{}...", shown.get(..end).unwrap_or_default()),
         None => shown,
     };
-    let message = format!("the text `{shown}` in {} belongs to no element", walk::described(cx, parent));
+    let message = format!("unexpected text `{shown}` in {}", walk::described(cx, parent));
     out.report(trimmed(cx, node.origin), message)
-        .help("readers skip it: remove it, or make it a comment")
+        .help("remove it, or put it in a comment <!-- ... -->; parsers ignore it")
         .done();
 }
 

@@ -1,6 +1,7 @@
 //! An attribute that URDF does not know on its element.
 
 use super::super::context::DocumentCx;
+use super::super::edits::source_text;
 use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::schema::{self, ElementSpec};
@@ -32,11 +33,44 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .filter(|attr| spec.attribute(&attr.name).is_none() && !is_admitted(cx, &attr.name))
             .take(MOST)
             .collect();
+        let unknown = report_parts(cx, id, spec, unknown, out);
         if !unknown.is_empty() {
             let absent = absent(cx, id, spec);
             unknown.into_iter().for_each(|attr| report(cx, id, spec, &absent, attr, out));
         }
     }
+}
+
+/// Vectors whose numbers some write as attributes of their own.
+const PARTS: [(&str, [&str; 3]); 2] = [("xyz", ["x", "y", "z"]), ("rpy", ["roll", "pitch", "yaw"])];
+
+/// Report `x`, `y` and `z` where `xyz` is meant, as one; the other attributes.
+fn report_parts<'a>(
+    cx: &DocumentCx<'_>,
+    id: XId,
+    spec: &ElementSpec,
+    mut unknown: Vec<&'a XAttr>,
+    out: &mut Sink<'_>,
+) -> Vec<&'a XAttr> {
+    for (vector, parts) in PARTS {
+        let is_meant = spec.attribute(vector).is_some() && cx.expansion.tree.attr(id, vector).is_none();
+        let own = |attr: &&XAttr| parts.contains(&attr.name.as_str());
+        let Some(&first) = unknown.iter().find(|attr| is_meant && own(attr)) else { continue };
+        let number = |part: &str| {
+            let text = unknown.iter().find(|attr| attr.name == part);
+            text.map_or_else(|| Some("0".to_owned()), |attr| Some(source_text(cx.expansion, attr.origin)?.2))
+        };
+        let numbers: Option<Vec<String>> = parts.into_iter().map(number).collect();
+        let names: Vec<&str> =
+            unknown.iter().filter(|attr| own(attr)).map(|attr| attr.name.as_str()).collect();
+        let plural = if names.len() == 1 { "attribute" } else { "attributes" };
+        let message = format!("unknown {plural} `{}` in {}", names.join("`, `"), walk::described(cx, id));
+        let text = numbers.map_or_else(|| "...".to_owned(), |numbers| numbers.join(" "));
+        let help = format!("write {vector}=\"{text}\"; parsers silently ignore `{}`", first.name);
+        out.report(name_of(cx, first), message).severity(Severity::Warning).help(help).done();
+        unknown.retain(|attr| !own(attr));
+    }
+    unknown
 }
 
 /// Names that any element may have.
@@ -60,7 +94,7 @@ fn report(
     out: &mut Sink<'_>,
 ) {
     let name = &attr.name;
-    let message = format!("{}: URDF knows no attribute `{name}` here", walk::described(cx, id));
+    let message = format!("unknown attribute `{name}` in {}", walk::described(cx, id));
     let group = Group::Name(format!("{name} of {}", spec.name).into());
     let report = out.report(name_of(cx, attr), message).group(group);
     let taken: Vec<String> = spec.attributes.iter().map(|known| format!("`{}`", known.name)).collect();
@@ -69,15 +103,21 @@ fn report(
             let safety = if sure { Safety::Safe } else { Safety::Unsafe };
             report
                 .severity(Severity::Warning)
-                .help(format!("`{near}` is meant, it seems; readers skip `{name}` in silence"))
-                .replace_with(safety, format!("rename it to `{near}`"), near)
+                .help(format!("did you mean `{near}`? Parsers silently ignore `{name}`"))
+                .replace_with(safety, format!("rename to `{near}`"), near)
                 .done();
         }
         None if taken.is_empty() => {
-            report.help(format!("`{}` has no attributes; readers skip it in silence", spec.name)).done();
+            report
+                .help(format!("remove it; `{}` has no attributes, and parsers silently ignore it", spec.name))
+                .done();
         }
         None => {
-            let help = format!("readers skip it in silence; `{}` has {}", spec.name, taken.join(", "));
+            let help = format!(
+                "use an attribute of `{}`: {}; parsers silently ignore others",
+                spec.name,
+                taken.join(", ")
+            );
             let severity = if is_of_other_shape(spec, name) { Severity::Warning } else { Severity::Hint };
             report.severity(severity).help(help).done();
         }

@@ -3,8 +3,10 @@
 use super::super::context::{DocumentCx, RootKind};
 use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::run::is_whole;
 use super::super::schema::{self, ElementSpec};
 use super::super::sink::Sink;
+use super::missing_element::bare_shape;
 use super::walk::{self, Seen};
 use base::TextRange;
 use expand::{FileIdx, XId};
@@ -31,6 +33,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if elsewhere || is_allowed(cx, name) || walk::lacks_prefix(cx, id) {
             continue;
         }
+        let is_bare = |around| bare_shape(cx, around).is_some_and(|shape| shape == name);
+        if is_whole(cx.expansion) && cx.expansion.tree.parent(id).is_some_and(is_bare) {
+            continue; // it is said that the geometry is missing
+        }
         let near = walk::meant(name, parent.children().map(|child| child.name));
         if cx.kind == RootKind::Library && parent.name == "robot" && near.is_none() {
             continue; // the file may be meant for the inside of a free zone
@@ -52,7 +58,7 @@ fn report(
 ) {
     let name = &cx.expansion.tree.get(id).text;
     let around = cx.expansion.tree.parent(id).map_or(String::new(), |id| walk::described(cx, id));
-    let message = format!("URDF knows no `{name}` in {around}");
+    let message = format!("unknown element `{name}` in {around}");
     let group = Group::Name(format!("{name} in {}", parent.name).into());
     let report = out.report(tag_start(cx.expansion, id), message).group(group);
     let Some((near, sure)) = near else {
@@ -62,27 +68,39 @@ fn report(
     };
     let report = report
         .severity(Severity::Warning)
-        .help(format!("`{near}` is meant, it seems; readers skip `{name}` in silence"));
+        .help(format!("did you mean `{near}`? Parsers silently ignore `{name}`"));
     let Some((file, names)) = names(cx, id) else { return report.done() };
     let safety = if sure { Safety::Safe } else { Safety::Unsafe };
     let edits = names.into_iter().map(|range| (range, near.to_owned()));
-    report.fix(safety, format!("rename it to `{near}`"), file, edits).done();
+    report.fix(safety, format!("rename to `{near}`"), file, edits).done();
 }
 
 /// The severity and the advice for a name that is close to none that may stand there.
 fn unlike_all(name: &str, parent: &ElementSpec) -> (Severity, String) {
     if name == "pose" && parent.child("origin").is_some() {
-        let help = "SDF calls it `pose`, URDF `origin`, with attributes `xyz` and `rpy`; readers skip this in silence";
+        let help =
+            "write <origin xyz=\"...\" rpy=\"...\"/>; `pose` is SDF, and URDF parsers silently ignore it";
         return (Severity::Warning, help.to_owned());
+    }
+    if matches!(name, "link" | "joint") && parent.name != "robot" {
+        let help = format!(
+            "move it out of `{}`, to be a child of `robot`; parsers silently ignore it here",
+            parent.name
+        );
+        return (Severity::Warning, help);
     }
     // an element of URDF in the wrong place has no effect; other names are meant for other programs
     let is_misplaced = schema::is_urdf(name) && !(name == "material" && parent.name == "collision");
     let severity = if is_misplaced { Severity::Warning } else { Severity::Hint };
     let children: Vec<String> = parent.children().map(|child| format!("`{}`", child.name)).collect();
     let help = if children.is_empty() {
-        format!("`{}` has no content; readers skip this in silence", parent.name)
+        format!("remove it; `{}` has no child elements, and parsers silently ignore it", parent.name)
     } else {
-        format!("readers skip it in silence; `{}` may hold {}", parent.name, children.join(", "))
+        format!(
+            "use a child element of `{}`: {}; parsers silently ignore others",
+            parent.name,
+            children.join(", ")
+        )
     };
     (severity, help)
 }

@@ -28,19 +28,16 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let Some(root) = tree.root().filter(|_| cx.kind == RootKind::Robot && cx.robot.is_none()) else { return };
     let name = &tree.get(root).text;
     let report =
-        out.report(tag_start(cx.expansion, root), format!("the root element is `{name}` instead of `robot`"));
+        out.report(tag_start(cx.expansion, root), format!("root element is `{name}` instead of `robot`"));
     if OTHER_FORMATS.contains(&name.as_str()) && !cx.explicit {
         return report
             .severity(Severity::Info)
-            .help("this file is of another format and was not checked")
+            .help("pass the file explicitly to check it; it is in another format")
             .done();
     }
     let mut parts = tree.elements(root).map(|part| tree.get(part).text.as_str()).peekable();
     if parts.peek().is_some() && parts.all(|part| PARTS_OF_LINKS.contains(&part)) {
-        return report
-            .severity(Severity::Info)
-            .help("whoever includes this inside a link gets its content")
-            .done();
+        return report.severity(Severity::Info).help("include this file inside a link").done();
     }
-    report.help("urdfdom reads nothing but a `robot`").done();
+    report.help("write <robot name=\"...\"> as the root element").done();
 }

@@ -36,23 +36,22 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let (severity, message) = judged(value, read, admitted);
     out.report_in(at.file, range, message)
         .severity(severity)
-        .help("write version=\"1.0\", or list the version under `urdf-version` in xacro-lint.toml")
+        .help("write version=\"1.0\", or add the version to `urdf-version` in xacro-lint.toml")
         .done();
 }
 
 /// What there is to say about a version that is not admitted, and how bad it is.
 fn judged(value: &str, read: Option<Version>, admitted: &[String]) -> (Severity, String) {
-    let needs = |reader| format!("version `{value}` of URDF needs {reader}: older readers refuse the robot");
+    let needs = |reader| format!("URDF version `{value}` needs {reader}; older parsers reject the robot");
     match read {
         Some(Version::V1_1) => (Severity::Warning, needs("urdfdom 5.1")),
         Some(Version::V1_2) => (Severity::Warning, needs("urdfdom 6.0")),
         Some(_) => {
             let admitted = admitted.join("`, `");
-            (Severity::Error, format!("version `{value}` of URDF is not admitted, only `{admitted}`"))
+            (Severity::Error, format!("unsupported URDF version `{value}`; supported: `{admitted}`"))
         }
-        None => (
-            Severity::Error,
-            format!("version `{value}` of URDF is not of the form `1.0`: urdfdom refuses it"),
-        ),
+        None => {
+            (Severity::Error, format!("invalid URDF version `{value}`; expected a version such as `1.0`"))
+        }
     }
 }

@@ -127,14 +127,15 @@ pub(super) fn meant<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -
     Some((best, sure))
 }
 
-/// The macros that the files of an expansion define somewhere.
+/// The macros that the files of an expansion define somewhere, with or without the prefix.
 fn macros<'a, 'e>(cx: &'a DocumentCx<'e>) -> &'a FastSet<&'e str> {
     cx.macros.get_or_init(|| defined_macros(cx.expansion))
 }
 
 fn defined_macros(expansion: &Expansion) -> FastSet<&str> {
     let items = expansion.files.iter().flat_map(|file| file.source.document.parts());
-    let macros = items.flat_map(|(_, item)| item.all_nodes()).filter(|node| node.name() == "xacro:macro");
+    let is_macro = |node: &Node<'_>| matches!(node.name(), "xacro:macro" | "macro");
+    let macros = items.flat_map(|(_, item)| item.all_nodes()).filter(is_macro);
     macros.filter_map(|node| Some(node.attr("name")?.raw())).collect()
 }
 

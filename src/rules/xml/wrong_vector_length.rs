@@ -27,7 +27,21 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         }
         let plural = if found == 1 { "number" } else { "numbers" };
         let message =
-            format!("{}: `{name}` has {found} {plural} instead of {count}", walk::described(cx, id));
-        out.report(text.origin, message).help("separate the numbers by blanks").done();
+            format!("`{name}` of {} has {found} {plural} instead of {count}", walk::described(cx, id));
+        let help = match example(name) {
+            Some(example) => format!("write {count} numbers separated by spaces: {name}=\"{example}\""),
+            None => format!("write {count} numbers separated by spaces"),
+        };
+        out.report(text.origin, message).help(help).done();
     }
+}
+
+/// What the numbers of an attribute stand for.
+fn example(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "xyz" | "size" | "scale" => "X Y Z",
+        "rpy" => "ROLL PITCH YAW",
+        "rgba" => "RED GREEN BLUE ALPHA",
+        _ => return None,
+    })
 }

@@ -31,10 +31,12 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     out.report_in(
         cx.file,
         TextRange::new(name.start - 1, name.end),
-        format!("`{}` in a file that ends in `.urdf`", node.name()),
+        format!("xacro element `{}` in a `.urdf` file", node.name()),
     )
     .severity(if reads_as_it_stands(cx) && has_effect(cx) { Severity::Warning } else { Severity::Info })
-    .help("readers of plain URDF skip it in silence: rename the file to `.urdf.xacro`, and expand it")
+    .help(
+        "rename the file to `.urdf.xacro` and expand it with xacro; URDF parsers silently ignore the element",
+    )
     .done();
 }
 
@@ -61,13 +63,10 @@ fn expressions(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     out.report_in(
         cx.file,
         attr.value_range().shift(base),
-        format!(
-            "`{}` in a file that ends in `.urdf`: no reader of plain URDF takes it for a number",
-            attr.raw()
-        ),
+        format!("expression `{}` in a `.urdf` file, which URDF parsers cannot read", attr.raw()),
     )
     .severity(severity)
-    .help("write the number, or rename the file to `.urdf.xacro`, and expand it")
+    .help("write the number, or rename the file to `.urdf.xacro` and expand it with xacro")
     .done();
 }
 

@@ -147,7 +147,7 @@ fn renamed_to_xacro(
     });
     let changes = Some(DocumentChanges::Operations(vec![DocumentChangeOperation::Op(rename)]));
     Some(CodeAction {
-        title: format!("rename the file to `{name}.urdf.xacro`"),
+        title: format!("Rename file to `{name}.urdf.xacro`"),
         kind: Some(CodeActionKind::QUICKFIX),
         diagnostics: Some(vec![shown.clone()]),
         edit: Some(WorkspaceEdit { document_changes: changes, ..WorkspaceEdit::default() }),
@@ -273,8 +273,8 @@ fn mesh_rewritten(
     cancel: &CancelFlag,
 ) -> Result<Option<CodeAction>, Failure> {
     let title = match rule {
-        "ascii-stl" => "write the mesh as binary STL",
-        "binary-stl-solid-header" => "change the header of the mesh",
+        "ascii-stl" => "Convert mesh to binary STL",
+        "binary-stl-solid-header" => "Change header of the mesh",
         _ => return Ok(None),
     };
     let at = TextDocumentPositionParams::new(params.text_document.clone(), diagnostic.range.start);
@@ -308,7 +308,7 @@ fn with_meaning(
     let at = TextDocumentPositionParams::new(params.text_document.clone(), params.range.start);
     let asked = asked(state, &at, cancel)?;
     if finding.rule.name == "shadowed-builtin" {
-        return Ok(ide::other_name(&asked.cx(), finding.span.range));
+        return Ok(ide::other_name(&asked.cx(), &asked.names(state), finding.span.range));
     }
     let given = finding.related.iter().find(|related| related.span.file == finding.span.file);
     Ok(given.and_then(|given| ide::before_use(&asked.cx(), finding.span.range, given.span.range)))
@@ -320,7 +320,7 @@ fn ignored_in_project(state: &State, path: &Path, rule: &str) -> Option<Action> 
     let config = find_config(vfs, path.parent()?)?;
     let (range, content) = ide::ignored_in_config(&vfs.text(&config).ok()?.text, rule)?;
     let edits = vec![Edit { span: Span { file: vfs.file_id(&config), range }, content }];
-    Some(Action { title: format!("switch `{rule}` off in the project"), kind: ActionKind::Fix, edits })
+    Some(Action { title: format!("disable `{rule}` for this project"), kind: ActionKind::Fix, edits })
 }
 
 /// Known files that define a macro, as an include in the file at `path` names them.
@@ -369,7 +369,7 @@ fn fix_all(
         span: Span { file: source.id, range: *range },
         content: content.clone(),
     };
-    let title = "fix all that can be fixed safely".to_owned();
+    let title = "apply all safe fixes".to_owned();
     let action = Action { title, kind: ActionKind::Fix, edits: edits.iter().map(edit).collect() };
     Ok(code_action(state, action, None).map(|made| CodeAction { kind: Some(FIX_ALL), ..made }))
 }
@@ -381,12 +381,18 @@ pub(crate) fn code_action(
     diagnostic: Option<&Diagnostic>,
 ) -> Option<CodeAction> {
     Some(CodeAction {
-        title: action.title,
+        title: sentence_case(&action.title),
         kind: Some(kind(action.kind)),
         diagnostics: diagnostic.map(|diagnostic| vec![diagnostic.clone()]),
         edit: Some(edits_of(state, &action.edits)?),
         ..CodeAction::default()
     })
+}
+
+/// A title as editors show them: messages begin with a small letter, titles do not.
+pub(crate) fn sentence_case(title: &str) -> String {
+    let mut chars = title.chars();
+    chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
 }
 
 fn edits_of(state: &State, edits: &[Edit]) -> Option<WorkspaceEdit> {

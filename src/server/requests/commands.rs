@@ -68,7 +68,7 @@ pub fn command(
             state.schedule();
             Ok(None)
         }
-        other => Err(Failure::Invalid(format!("there is no command `{other}`"))),
+        other => Err(Failure::Invalid(format!("unknown command `{other}`"))),
     }
 }
 

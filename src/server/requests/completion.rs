@@ -11,6 +11,7 @@ use lsp_types::{
 };
 use serde::{Deserialize, Serialize};
 
+use super::formatting::indent;
 use crate::convert;
 use crate::failure::Failure;
 use crate::state::State;
@@ -112,7 +113,7 @@ fn completion_item(
         label_details: details.filter(|_| state.client.label_details),
         kind: Some(kind(item.kind)),
         detail: detail.or_else(|| note.filter(|_| !state.client.label_details)),
-        sort_text: Some(format!("{}{place:04}", item.rank)),
+        sort_text: Some(format!("{place:04}")),
         insert_text_format: snippet.map(|_| InsertTextFormat::SNIPPET),
         text_edit: Some(edit),
         data: topic.and_then(|origin| serde_json::to_value(origin).ok()),
@@ -178,14 +179,12 @@ pub fn on_type(
     let (_, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
     let Some(character) = params.ch.chars().next() else { return Ok(None) };
-    let unit = match params.options.insert_spaces {
-        true => " ".repeat(params.options.tab_size.min(16) as usize),
-        false => "\t".to_owned(),
-    };
-    let edit = ide::on_type(&source.document, offset, character, &unit);
-    Ok(edit.map(|edit| {
-        vec![TextEdit::new(convert::range(&source.document, edit.range, state.encoding), edit.text)]
-    }))
+    let unit = indent(&params.options, &source.document).unit;
+    let edits = ide::on_type(&source.document, offset, character, &unit).into_iter();
+    let edits: Vec<TextEdit> = edits
+        .map(|edit| TextEdit::new(convert::range(&source.document, edit.range, state.encoding), edit.text))
+        .collect();
+    Ok((!edits.is_empty()).then_some(edits))
 }
 
 fn kind(kind: ItemKind) -> CompletionItemKind {

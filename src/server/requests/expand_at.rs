@@ -80,8 +80,8 @@ pub fn set_instance(
         Some(index) => {
             let pin = ide::pin(&asked.cx(), asked.offset, index).map_err(|count| {
                 Failure::Invalid(match count {
-                    0 => "no macro that is called stands here".to_owned(),
-                    _ => format!("there is no instance {index}: the macro is called {count} times"),
+                    0 => "no called macro here".to_owned(),
+                    _ => format!("unknown call {index}: the macro is called {count} times"),
                 })
             })?;
             state.pins.insert(root, pin);

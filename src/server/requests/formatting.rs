@@ -18,7 +18,11 @@ pub fn format(
     _: &CancelFlag,
 ) -> Result<Option<Vec<TextEdit>>, Failure> {
     let (path, source) = state.source(&params.text_document.uri)?;
-    let edits = ide::format(&source.document, &indent(&params.options), &format_options(state, &path));
+    let edits = ide::format(
+        &source.document,
+        &indent(&params.options, &source.document),
+        &format_options(state, &path),
+    );
     Ok(Some(text_edits(state, &source.document, edits)))
 }
 
@@ -30,7 +34,8 @@ pub fn format_range(
     let (path, source) = state.source(&params.text_document.uri)?;
     let document = &source.document;
     let range = convert::text_range(document, params.range, state.encoding);
-    let edits = ide::format_range(document, range, &indent(&params.options), &format_options(state, &path));
+    let edits =
+        ide::format_range(document, range, &indent(&params.options, document), &format_options(state, &path));
     Ok(Some(text_edits(state, document, edits)))
 }
 
@@ -43,8 +48,13 @@ fn text_edits(state: &State, document: &Document, edits: Vec<(TextRange, String)
     edits.into_iter().map(edit).collect()
 }
 
-/// The steps of indentation that an editor asks for.
-fn indent(options: &FormattingOptions) -> Indent {
+/// The steps of indentation that an editor asks for. Tabs are what some editors ask for when nobody has told them
+/// anything: a file that uses blanks keeps them.
+pub(super) fn indent(options: &FormattingOptions, document: &Document) -> Indent {
     let columns = options.tab_size.min(16) as usize;
-    if options.insert_spaces { Indent::blanks(columns) } else { Indent::tabs(columns) }
+    if options.insert_spaces {
+        return Indent::blanks(columns);
+    }
+    let own = ide::own_indentation(document).filter(|own| own.unit != "\t");
+    own.unwrap_or_else(|| Indent::tabs(columns))
 }

@@ -8,6 +8,7 @@ use crate::convert;
 use crate::failure::Failure;
 use crate::state::State;
 use base::CancelFlag;
+use expand::SymbolKind;
 use ide::{self, Cx, Hover};
 use vfs::SourceFile;
 
@@ -53,5 +54,36 @@ fn hover_answer(state: &State, source: &SourceFile, hover: Hover) -> lsp_types::
 pub fn hover_at(state: &State, asked: &Asked, offset: u32) -> Option<Hover> {
     let session = state.world.session();
     let settings = session.settings(&asked.source.path);
-    ide::hover(&asked.cx(), session.surroundings(&settings.config), offset)
+    let hover = ide::hover(&asked.cx(), session.surroundings(&settings.config), offset)?;
+    Some(with_launch_values(state, asked, offset, hover))
+}
+
+/// Lines about launch files in one hover.
+const MOST_VALUES: usize = 5;
+/// Lines of one hover.
+const MOST_LINES: usize = 25;
+
+/// A hover on an argument, with the values that launch files give to it.
+fn with_launch_values(state: &State, asked: &Asked, offset: u32, mut hover: Hover) -> Hover {
+    let cx = asked.cx();
+    let argument = cx
+        .symbol_at(offset)
+        .and_then(|(id, _)| cx.expansion.symbols.get(id))
+        .filter(|definition| definition.kind == SymbolKind::Argument);
+    let (Some(argument), Some(root)) = (argument, cx.expansion.files.first()) else { return hover };
+    let values = state.world.session().launch_values(&root.source.path, &argument.name);
+    let left = MOST_LINES.saturating_sub(hover.markdown.lines().count() + 2).min(MOST_VALUES);
+    if values.is_empty() || left == 0 {
+        return hover;
+    }
+    hover.markdown.push_str("\n\nin launch files:");
+    let more = values.len().saturating_sub(left.saturating_sub(1));
+    let shown = if values.len() > left { values.len() - more } else { values.len() };
+    for (value, files) in values.iter().take(shown) {
+        hover.markdown.push_str(&format!("\n* `{}`: {files}", value.replace('`', "'")));
+    }
+    if values.len() > shown {
+        hover.markdown.push_str(&format!("\n* {} more values", values.len() - shown));
+    }
+    hover
 }

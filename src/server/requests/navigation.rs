@@ -14,7 +14,7 @@ use crate::state::State;
 use analysis::{Analyzed, RootChoice};
 use base::{CancelFlag, Span, TextRange};
 use expand::FrameId;
-use ide::{self, Cx, FilePlace, Target};
+use ide::{self, Cx, FilePlace, Target, TextNames};
 use vfs::SourceFile;
 
 /// A place in a file under its active root.
@@ -23,6 +23,8 @@ pub(crate) struct Asked {
     pub analyzed: Arc<Analyzed>,
     /// Bytes from the start of the file.
     pub offset: u32,
+    /// The active root of the file, whether its expansion came by the file or not.
+    pub around: Arc<Analyzed>,
     /// The call that the user picked under this root.
     pub pinned: Option<FrameId>,
 }
@@ -38,6 +40,15 @@ impl Asked {
             pinned: self.pinned,
         }
     }
+
+    /// What names mean by the texts of the robot.
+    pub fn names(&self, state: &State) -> TextNames {
+        let session = state.world.session();
+        let settings = session.settings(&self.source.path);
+        let names = |expansion| TextNames::of(expansion, session.surroundings(&settings.config));
+        let around = names(&self.around.expansion);
+        if around.knows(self.source.id) { around } else { names(&self.analyzed.expansion) }
+    }
 }
 
 /// A position of a request, under the active root of its file; a file that no root reaches is expanded by
@@ -51,13 +62,14 @@ pub fn asked(
     let offset = convert::offset(&source.document, at.position, state.encoding);
     let root = state.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path));
     let mut analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+    let around = analyzed.clone();
     if !analyzed.includes(&path) {
         // the root reaches the file on paper only: a condition keeps it out
         analyzed = state.world.analyzed(&RootChoice::plain(&path), cancel).ok_or(Failure::Cancelled)?;
     }
     let pin = state.pins.get(&analyzed.root.file);
     let pinned = pin.and_then(|pin| ide::pinned(&analyzed.expansion, pin));
-    Ok(Asked { source, analyzed, offset, pinned })
+    Ok(Asked { source, analyzed, around, offset, pinned })
 }
 
 pub fn definition(
@@ -67,12 +79,17 @@ pub fn definition(
 ) -> Result<Option<GotoDefinitionResponse>, Failure> {
     let asked = asked(state, &params.text_document_position_params, cancel)?;
     // a name of xacro comes first, then a file, then the link or joint that the whole text names
-    let is_symbol = asked.cx().symbol_at(asked.offset).is_some();
-    let file = if is_symbol { None } else { about_files(state, &asked, ide::file_definition) };
+    let by_text = || ide::definitions_by_text(&asked.cx(), &asked.names(state), asked.offset);
+    let symbol = match asked.cx().symbol_at(asked.offset) {
+        Some(_) => ide::definitions(&asked.cx(), asked.offset),
+        None => by_text(),
+    };
+    let file = if symbol.is_some() { None } else { about_files(state, &asked, ide::file_definition) };
     if let Some((origin, place)) = file {
         return Ok(file_target(state, &asked, origin, &place, state.client.links.definition));
     }
-    let Some((origin, targets)) = ide::definitions(&asked.cx(), asked.offset) else { return Ok(None) };
+    let found = symbol.or_else(|| ide::definitions(&asked.cx(), asked.offset));
+    let Some((origin, targets)) = found else { return Ok(None) };
     let origin = convert::range(&asked.source.document, origin, state.encoding);
     Ok(places_of(state, origin, &targets, state.client.links.definition))
 }
@@ -83,7 +100,8 @@ pub fn declaration(
     cancel: &CancelFlag,
 ) -> Result<Option<GotoDefinitionResponse>, Failure> {
     let asked = asked(state, &params.text_document_position_params, cancel)?;
-    let Some((origin, target)) = ide::declaration(&asked.cx(), asked.offset) else { return Ok(None) };
+    let found = ide::declaration(&asked.cx(), asked.offset);
+    let Some((origin, target)) = found else { return Ok(None) };
     let origin = convert::range(&asked.source.document, origin, state.encoding);
     Ok(places_of(state, origin, &[target], state.client.links.declaration))
 }
@@ -210,7 +228,7 @@ pub fn highlights(
         let tags = tags.into_iter().map(|tag| highlight(tag, DocumentHighlightKind::TEXT));
         return Ok(Some(tags.collect()));
     }
-    let uses = ide::occurrences(&asked.cx(), asked.offset).into_iter();
+    let uses = ide::occurrences(&asked.cx(), &asked.names(state), asked.offset).into_iter();
     let own = uses.filter(|used| used.span.file == asked.source.id).map(|used| {
         let kind = match used.is_definition {
             true => DocumentHighlightKind::WRITE,

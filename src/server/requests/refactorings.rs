@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 
 use super::actions::code_action;
 use super::actions::kind;
+use super::actions::sentence_case;
 use super::navigation::Asked;
 use crate::convert;
 use crate::failure::Failure;
@@ -115,8 +116,11 @@ fn inlined_macro(
     if stays_the_same(state, asked, &action, cancel)? {
         return Ok(code_action(state, action, None));
     }
-    let reason = "the robot would not stay the same: what the call passes means something else there";
-    Ok(state.client.disabled_actions.then(|| disabled(action.title, action.kind, reason.to_owned())))
+    let reason = "this would change the robot: the arguments of the call have another meaning there";
+    Ok(state
+        .client
+        .disabled_actions
+        .then(|| disabled(sentence_case(&action.title), action.kind, reason.to_owned())))
 }
 
 /// The same action with its edits.
@@ -162,7 +166,7 @@ fn refused(state: &State, asked: &Asked, selection: TextRange) -> Option<CodeAct
     let settings = session.settings(&asked.source.path);
     let world = session.surroundings(&settings.config);
     let ide::Refused { title, reason } = ide::of_mesh(&asked.cx(), world, selection.start).err()?;
-    Some(disabled(title, ActionKind::Rewrite, reason))
+    Some(disabled(sentence_case(&title), ActionKind::Rewrite, reason))
 }
 
 fn refactorings(

@@ -13,7 +13,7 @@ use analysis::Analyzed;
 use base::limits::RENAME_ROBOTS;
 use base::{CancelFlag, Span, TextRange};
 use expand::Read;
-use ide::{self, Cx, NameUse, RobotThing};
+use ide::{self, Cx, NameUse, RobotThing, TextNames};
 use vfs::SourceFile;
 use yaml::{Kind, Node};
 
@@ -22,10 +22,11 @@ pub fn references(
     params: ReferenceParams,
     cancel: &CancelFlag,
 ) -> Result<Option<Vec<Location>>, Failure> {
+    whole_workspace(state, cancel)?;
     let asked = asked(state, &params.text_document_position, cancel)?;
     let with_definition = params.context.include_declaration;
-    let mut uses = ide::occurrences(&asked.cx(), asked.offset);
-    let is_symbol = asked.cx().symbol_at(asked.offset).is_some();
+    let mut uses = ide::occurrences(&asked.cx(), &asked.names(state), asked.offset);
+    let is_symbol = ide::kind_at(&asked.cx(), &asked.names(state), asked.offset).is_some();
     let thing = ide::robot_name_at(&asked.cx(), asked.offset).filter(|_| !is_symbol);
     let mut robots = vec![asked.analyzed.clone()];
     robots.extend(sharing(state, &asked, &mut uses, thing.as_ref(), cancel)?);
@@ -40,6 +41,14 @@ pub fn references(
     }
     let mut places = places(state);
     Ok(Some(spans.into_iter().filter_map(|span| places.location(span)).collect()))
+}
+
+/// Look at all files of the workspace: a robot that nobody has seen yet may use a name too.
+pub fn whole_workspace(state: &mut State, cancel: &CancelFlag) -> Result<(), Failure> {
+    match state.world.scan(|| cancel.is_cancelled()) {
+        Some(_) => Err(Failure::Cancelled),
+        None => Ok(()),
+    }
 }
 
 /// The other robots that read the text which gives a name; their uses are added.
@@ -63,7 +72,7 @@ fn sharing(
     let mut robots = Vec::new();
     for root in roots.into_iter().take(RENAME_ROBOTS) {
         let analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
-        let found = in_robot(&analyzed, &given, thing);
+        let found = in_robot(state, &analyzed, &given, thing);
         if !found.is_empty() {
             robots.push(analyzed);
         }
@@ -98,19 +107,22 @@ fn in_yaml(state: &State, robot: &Analyzed, thing: &RobotThing) -> Vec<Span> {
 }
 
 /// The uses of a name in another robot, when the text that gives it gives it there too.
-fn in_robot(robot: &Analyzed, given: &[Span], thing: Option<&RobotThing>) -> Vec<NameUse> {
-    let expansion = &robot.expansion;
+fn in_robot(state: &State, analyzed: &Analyzed, given: &[Span], thing: Option<&RobotThing>) -> Vec<NameUse> {
+    let expansion = &analyzed.expansion;
+    let session = state.world.session();
+    let settings = session.settings(&analyzed.root.file);
+    let names = TextNames::of(expansion, session.surroundings(&settings.config));
     let source = |span: &Span| -> Option<&SourceFile> {
         let file = expansion.files.iter().find(|file| file.source.id == span.file)?;
         Some(&file.source)
     };
     for span in given {
         let Some(source) = source(span) else { continue };
-        let (kinematics, robot) = (robot.kinematics.as_ref(), robot.robot.as_ref());
+        let (kinematics, robot) = (analyzed.kinematics.as_ref(), analyzed.robot.as_ref());
         let cx = Cx { source, expansion, robot, kinematics, pinned: None };
         let found = match thing {
             Some(thing) => ide::uses_of(&cx, thing),
-            None => ide::occurrences(&cx, span.range.start),
+            None => ide::occurrences(&cx, &names, span.range.start),
         };
         if found.iter().any(|used| used.is_definition && used.span == *span) {
             return found;

@@ -12,13 +12,15 @@ use lsp_types::{
 };
 
 use super::navigation::Asked;
+use super::references::whole_workspace;
 use crate::convert;
 use crate::failure::Failure;
 use crate::state::State;
+use analysis::{Obstacle, RootChoice};
 use base::limits::{QUICK_PROOF_EXPANSIONS, RENAME_ROBOTS};
 use base::{CancelFlag, Span, TextRange};
 use expand::SymbolKind;
-use ide::{self, Cx};
+use ide::{self, Cx, TextNames};
 use workspace::config::{argument_places, files_named};
 use workspace::is_built;
 
@@ -28,7 +30,7 @@ pub fn prepare_rename(
     cancel: &CancelFlag,
 ) -> Result<Option<PrepareRenameResponse>, Failure> {
     let asked = asked(state, &params, cancel)?;
-    let found = ide::renameable(&asked.cx(), asked.offset);
+    let found = ide::renameable(&asked.cx(), &asked.names(state), asked.offset);
     Ok(found.map(|(range, placeholder)| {
         let range = convert::range(&asked.source.document, range, state.encoding);
         PrepareRenameResponse::RangeWithPlaceholder { range, placeholder }
@@ -40,19 +42,22 @@ pub fn rename(
     params: RenameParams,
     cancel: &CancelFlag,
 ) -> Result<Option<WorkspaceEdit>, Failure> {
+    whole_workspace(state, cancel)?;
     let asked = asked(state, &params.text_document_position, cancel)?;
     let new = params.new_name.as_str();
-    let mut spans = ide::rename(&asked.cx(), asked.offset, new).map_err(Failure::Refused)?;
-    match asked.cx().symbol_at(asked.offset) {
+    let names = asked.names(state);
+    let mut spans = ide::rename(&asked.cx(), &names, asked.offset, new).map_err(Failure::Refused)?;
+    let kind = ide::kind_at(&asked.cx(), &names, asked.offset);
+    match kind {
         Some(_) => {
-            spans.extend(in_other_robots(state, &asked, cancel)?);
+            in_other_robots(state, &asked, &mut spans, cancel)?;
+            admit_new_name(state, &asked, kind, new, &spans, cancel)?;
             spans.extend(in_presets(state, &asked));
         }
         None => in_further_robots(state, &asked, new, &mut spans, cancel)?,
     }
     spans.sort_by_key(|span| (span.file, span.range.start));
     spans.dedup();
-    admit_new_name(state, &asked, new, &spans, cancel)?;
     let mut edits: BTreeMap<Url, Vec<TextEdit>> = BTreeMap::new();
     for span in spans {
         let path = state.world.session().vfs.path(span.file);
@@ -64,23 +69,23 @@ pub fn rename(
     Ok(Some(annotated(state, edits)))
 }
 
-/// Whether robots stay what they are when a name of xacro is another one. Names of links and joints are meant to
-/// change them; an argument is renamed in presets as well, which no expansion reads.
+/// Whether robots stay what they are when a name of xacro is another one; names of links and joints are meant to change
+/// them.
 fn admit_new_name(
     state: &mut State,
     asked: &Asked,
+    kind: Option<SymbolKind>,
     new: &str,
     spans: &[Span],
     cancel: &CancelFlag,
 ) -> Result<(), Failure> {
-    let cx = asked.cx();
-    let definition = cx.symbol_at(asked.offset).and_then(|(id, _)| cx.expansion.symbols.get(id));
-    if spans.is_empty() || definition.is_none_or(|it| it.kind == SymbolKind::Argument) {
-        return Ok(());
-    }
+    let Some(first) = spans.first() else { return Ok(()) };
+    let vfs = state.world.session().vfs.clone();
+    let document = vfs.document(&vfs.path(first.file)).map_err(|_| Failure::Cancelled)?;
+    let old = document.document.slice(first.range);
     let mut replaced: BTreeMap<PathBuf, Vec<(TextRange, String)>> = BTreeMap::new();
     for span in spans {
-        let path = state.world.session().vfs.path(span.file).to_path_buf();
+        let path = vfs.path(span.file).to_path_buf();
         replaced.entry(path).or_default().push((span.range, new.to_owned()));
     }
     let mut roots = vec![asked.analyzed.root.clone()];
@@ -89,15 +94,23 @@ fn admit_new_name(
         roots.extend(further.filter(|root| !roots.contains(root)).collect::<Vec<_>>());
     }
     roots.truncate(QUICK_PROOF_EXPANSIONS);
-    let changed = state.world.session().changed_robot(replaced.into_iter().collect(), &roots, cancel);
+    let argument = (kind == Some(SymbolKind::Argument)).then_some((old.as_str(), new));
+    let replaced = replaced.into_iter().collect();
+    let changed = state.world.session().changed_robot(replaced, &roots, argument, cancel);
     if cancel.is_cancelled() {
         return Err(Failure::Cancelled);
     }
-    let Some(robot) = changed.and_then(|path| path.file_name().map(|name| name.to_os_string())) else {
-        return Ok(());
-    };
-    let robot = robot.to_string_lossy();
-    Err(Failure::Refused(format!("with `{new}` here, `{robot}` would be another robot")))
+    let Some(Obstacle { robot, condition }) = changed else { return Ok(()) };
+    let shown = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let condition = condition.map(|(file, line, taken)| {
+        format!(
+            ", {} at {}:{line}",
+            if taken { "with the condition taken" } else { "without the condition" },
+            shown(&file)
+        )
+    });
+    let (robot, condition) = (shown(&robot), condition.unwrap_or_default());
+    Err(Failure::Refused(format!("the name `{new}` would change the robot `{robot}`{condition}")))
 }
 
 /// Whether a file may be changed with the user's consent, which for files outside of the workspace the client has
@@ -108,11 +121,11 @@ fn admit_edit(state: &State, path: &Path) -> Result<(), Failure> {
     }
     let shown = path.display();
     if state.world.session().is_installed(path) || path.iter().any(is_built) {
-        return Err(Failure::Refused(format!("`{shown}` lies in an install folder and is not changed")));
+        return Err(Failure::Refused(format!("`{shown}` is in an install folder and is not changed")));
     }
     match state.client.change_annotations {
         true => Ok(()),
-        false => Err(Failure::Refused(format!("`{shown}` is not part of the workspace and is not changed"))),
+        false => Err(Failure::Refused(format!("`{shown}` is not in the workspace and is not changed"))),
     }
 }
 
@@ -139,12 +152,15 @@ fn in_further_robots(
     for root in roots.into_iter().take(RENAME_ROBOTS) {
         let analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
         let (expansion, robot) = (&analyzed.expansion, analyzed.robot.as_ref());
+        let session = state.world.session();
+        let settings = session.settings(&root.file);
+        let names = TextNames::of(expansion, session.surroundings(&settings.config));
         for span in &first {
             let file = expansion.files.iter().find(|file| file.source.id == span.file);
             let Some(source) = file.map(|file| &*file.source) else { continue };
             let cx = Cx { source, expansion, robot, kinematics: analyzed.kinematics.as_ref(), pinned: None };
-            if ide::renameable(&cx, span.range.start).is_some_and(|(range, _)| range == span.range) {
-                spans.extend(ide::rename(&cx, span.range.start, new).map_err(Failure::Refused)?);
+            if ide::renameable(&cx, &names, span.range.start).is_some_and(|(range, _)| range == span.range) {
+                spans.extend(ide::rename(&cx, &names, span.range.start, new).map_err(Failure::Refused)?);
             }
         }
     }
@@ -184,21 +200,44 @@ fn in_presets(state: &mut State, asked: &Asked) -> Vec<Span> {
     found
 }
 
-/// Uses in the other robots that reach the definition.
-fn in_other_robots(state: &mut State, asked: &Asked, cancel: &CancelFlag) -> Result<Vec<Span>, Failure> {
-    let Some((id, _)) = asked.cx().symbol_at(asked.offset) else { return Ok(Vec::new()) };
-    let Some(target) = ide::definition_of(&asked.cx(), id) else { return Ok(Vec::new()) };
-    let path = state.world.session().vfs.path(target.name.file);
-    let candidates = state.world.context(&path).candidates;
-    let mut found = Vec::new();
-    for (root, _) in candidates.into_iter().take(RENAME_ROBOTS) {
-        let analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
-        let cx = Cx { expansion: &analyzed.expansion, ..asked.cx() };
-        if let Some(id) = ide::definition_at(&cx, target.name) {
-            found.extend(ide::places(&cx, id));
+/// The same name in the other robots that read the files to be changed.
+fn in_other_robots(
+    state: &mut State,
+    asked: &Asked,
+    spans: &mut Vec<Span>,
+    cancel: &CancelFlag,
+) -> Result<(), Failure> {
+    let vfs = state.world.session().vfs.clone();
+    let Some(first) = spans.first().copied() else { return Ok(()) };
+    let document = vfs.document(&vfs.path(first.file)).map_err(|_| Failure::Cancelled)?;
+    let name = document.document.slice(first.range);
+    // what one robot adds may concern those that were looked at before
+    loop {
+        let before = spans.len();
+        let mut seen = vec![asked.analyzed.root.clone()];
+        while let Some(root) = unseen_root(state, spans, &seen).filter(|_| seen.len() < RENAME_ROBOTS) {
+            let analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+            let session = state.world.session();
+            let settings = session.settings(&root.file);
+            let names = TextNames::of(&analyzed.expansion, session.surroundings(&settings.config));
+            let cx = Cx { expansion: &analyzed.expansion, ..asked.cx() };
+            *spans = ide::places(&cx, &names, spans, &name);
+            seen.push(root);
+        }
+        if spans.len() == before {
+            return Ok(());
         }
     }
-    Ok(found)
+}
+
+/// A robot that reads one of the files and was not looked at.
+fn unseen_root(state: &mut State, spans: &[Span], seen: &[RootChoice]) -> Option<RootChoice> {
+    let files: BTreeSet<_> = spans.iter().map(|span| span.file).collect();
+    files.into_iter().find_map(|file| {
+        let path = state.world.session().vfs.path(file);
+        let mut roots = state.world.context(&path).candidates.into_iter().map(|(root, _)| root);
+        roots.find(|root| !seen.contains(root))
+    })
 }
 
 /// Files that may be changed: open ones, and those of the workspace that no tool has built.
@@ -222,7 +261,7 @@ fn annotated(state: &State, edits: BTreeMap<Url, Vec<TextEdit>>) -> WorkspaceEdi
         }
         let outside = !is_ours(state, &path);
         let (id, label) = match outside {
-            true => ("outside", "in files outside of the workspace"),
+            true => ("outside", "in files outside the workspace"),
             false => ("closed", "in files that are not open"),
         };
         let (annotation_id, label) = (id.to_owned(), label.to_owned());

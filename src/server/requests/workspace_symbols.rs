@@ -2,6 +2,7 @@
 
 use lsp_types::{Location, SymbolInformation, SymbolKind, WorkspaceSymbolParams};
 
+use super::references::whole_workspace;
 use crate::convert;
 use crate::failure::Failure;
 use crate::state::State;
@@ -16,7 +17,7 @@ pub fn workspace_symbols(
     cancel: &CancelFlag,
 ) -> Result<Option<Vec<SymbolInformation>>, Failure> {
     // what was not looked at yet belongs to the answer too
-    state.world.scan(|| cancel.is_cancelled());
+    whole_workspace(state, cancel)?;
     let mut found: Vec<(u32, SymbolInformation)> = Vec::new();
     for path in state.world.known_files() {
         if cancel.is_cancelled() {

@@ -3,33 +3,75 @@
 //!
 //! Read as text, never executed: which values a launch file computes is not known then, only that it gives them.
 
+mod called;
 mod config;
 mod read;
+
+pub use called::RobotCall;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::launch;
 use super::memo::Memo;
 use super::root::is_built;
 use super::{Packages, packages::without_parents};
-use base::FastSet;
 use base::limits::{CALLER_BYTES, CALLER_DEPTH, CALLER_FILES, CALLER_FOLDERS};
+use base::{FastMap, FastSet};
 use vfs::Vfs;
 
 /// A file that names descriptions.
 #[derive(Clone, Debug)]
 pub struct Caller {
     path: PathBuf,
-    /// The names of the description files, without folders.
-    descriptions: FastSet<String>,
+    /// The names of the description files, each with the folders that are written in front of it.
+    descriptions: FastMap<String, Vec<Written>>,
     /// What further names end with, whose beginnings are computed.
     endings: Vec<String>,
     /// Whether whoever calls it names the description.
     is_open: bool,
+    /// The xacro that it is for.
+    era: Era,
+    /// Whether it starts a simulator, a planner or controllers.
+    simulates: bool,
+    /// Whether it loads files into Bullet.
+    is_bullet: bool,
+    /// Whether it starts RViz.
+    shows: bool,
     /// The arguments it gives, in order.
     pub args: Vec<GivenArg>,
     /// The package whose configuration it completes.
     based_on: Option<String>,
+}
+
+/// The xacro that a launch file is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Era {
+    /// It runs `xacro.py`, which there is no more since ROS Noetic: tags without their prefix were taken.
+    Old,
+    /// It says `--inorder`, as nobody has to since ROS Melodic, where xacro took such tags and warned of them.
+    Melodic,
+    /// Nothing says that it is old.
+    Any,
+}
+
+/// What is written in front of the name of a description.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Written {
+    /// The package, where the text says it.
+    package: Option<String>,
+    folders: PathBuf,
+}
+
+impl Written {
+    /// How well a file fits: its package first, then its folders.
+    fn fit(&self, file: &Path, packages: &Packages) -> (bool, usize) {
+        let folder = file.parent().unwrap_or(file);
+        let pairs = folder.iter().rev().zip(self.folders.iter().rev());
+        let own = || packages.containing(file).map(|package| package.name);
+        let is_in_package = self.package.is_some() && own() == self.package;
+        (is_in_package, pairs.take_while(|(a, b)| a == b).count())
+    }
 }
 
 /// An argument that a caller gives.
@@ -44,24 +86,62 @@ pub struct GivenArg {
 /// The callers below some folders, found when somebody asks for them.
 #[derive(Default)]
 pub struct Callers {
-    below: Memo<PathBuf, Arc<Vec<Caller>>>,
+    below: Memo<PathBuf, Arc<Uses>>,
+    called: Memo<PathBuf, Arc<Vec<RobotCall>>>,
+}
+
+/// Who calls descriptions below a folder, and the descriptions there, by name.
+#[derive(Default)]
+struct Uses {
+    callers: Vec<Caller>,
+    /// The files that may hold calls of xacro: read as such when somebody asks for all calls.
+    scripts: Vec<PathBuf>,
+    files: FastMap<String, Vec<PathBuf>>,
+}
+
+impl Uses {
+    /// Whether a caller names `file`. Of several files of that name (`is_near`: that it may mean), it means those that lie
+    /// in the package and folders that it writes.
+    fn names(&self, caller: &Caller, file: &Path, packages: &Packages, is_near: bool) -> bool {
+        let name = name_of(file);
+        let Some(written) = caller.descriptions.get(name) else { return false };
+        let namesakes = self.files.get(name).into_iter().flatten();
+        let may_mean = |other: &&PathBuf| !is_near || packages.may_mean(&caller.path, other);
+        let others: Vec<&PathBuf> = namesakes.filter(|other| *other != file).filter(may_mean).collect();
+        written.iter().any(|written| {
+            let fit = written.fit(file, packages);
+            others.iter().all(|other| written.fit(other, packages) <= fit)
+        })
+    }
+
+    /// Whether a caller names a description that is there, other than `file`.
+    fn has_another(&self, caller: &Caller, file: &Path, packages: &Packages) -> bool {
+        let mut others = caller.descriptions.keys().filter_map(|name| self.files.get(name)).flatten();
+        others.any(|other| other != file && self.names(caller, other, packages, false))
+    }
 }
 
 impl Callers {
     /// The files that call the description `file`: first those that name it, then those that may, since they compute the
     /// name; each in the order of their paths.
     pub fn of(&self, file: &Path, packages: &Packages) -> Vec<Caller> {
-        let Some(name) = file.file_name().and_then(|name| name.to_str()) else { return Vec::new() };
-        let Some(top) = packages.sources_around(file) else { return Vec::new() };
-        let all = self.below.get(top.clone(), || Arc::new(search(&packages.vfs, &top)));
-        let named = all.iter().filter(|caller| caller.descriptions.contains(name));
+        let name = name_of(file);
+        let Some(all) = self.around(file, packages).filter(|_| !name.is_empty()) else { return Vec::new() };
+        let is_named = |caller: &&Caller| all.names(caller, file, packages, true);
+        let named = all.callers.iter().filter(is_named);
         let may_name = |caller: &&Caller| {
-            !caller.descriptions.contains(name)
+            !caller.descriptions.contains_key(name)
                 && caller.endings.iter().any(|ending| name.ends_with(ending.as_str()))
         };
-        let computed = all.iter().filter(may_name);
+        let computed = all.callers.iter().filter(may_name);
         let may_mean = |caller: &&Caller| caller.computes_the_file() || packages.may_mean(&caller.path, file);
         named.chain(computed).filter(may_mean).cloned().collect()
+    }
+
+    /// What is known of the sources around a file.
+    fn around(&self, file: &Path, packages: &Packages) -> Option<Arc<Uses>> {
+        let top = packages.sources_around(file)?;
+        Some(self.below.get(top.clone(), || Arc::new(search(&packages.vfs, &top))))
     }
 
     /// Whether a file that names the description `file` also says `word`.
@@ -74,13 +154,46 @@ impl Callers {
 
     /// Whether a file names the description `file`.
     pub fn name(&self, file: &Path, packages: &Packages) -> bool {
-        let name = file.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-        self.of(file, packages).iter().any(|caller| caller.descriptions.contains(name))
+        self.of(file, packages).iter().any(|caller| caller.descriptions.contains_key(name_of(file)))
     }
 
     /// Whether something that runs names the description `file`, in part at least; a page does not run.
     pub fn load(&self, file: &Path, packages: &Packages) -> bool {
         self.of(file, packages).iter().any(|caller| !caller.is_page() && caller.says(file))
+    }
+
+    /// Whether launch files load the description `file` to show it in RViz and for nothing else, while others simulate or plan
+    /// with another description that is there.
+    pub fn only_show(&self, file: &Path, packages: &Packages) -> bool {
+        let launches: Vec<Caller> = self
+            .of(file, packages)
+            .into_iter()
+            .filter(|caller| caller.is_launch() && caller.says(file))
+            .collect();
+        let simulates_another = |all: Arc<Uses>| {
+            let mut others = all.callers.iter().filter(|caller| caller.is_launch() && caller.simulates);
+            others.any(|caller| all.has_another(caller, file, packages))
+        };
+        !launches.is_empty()
+            && launches.iter().all(|caller| caller.shows && !caller.simulates)
+            && self.around(file, packages).is_some_and(simulates_another)
+    }
+
+    /// The xacro that the launch files are for that load the description `file`: the latest of them.
+    pub fn era(&self, file: &Path, packages: &Packages) -> Era {
+        let all = self.of(file, packages);
+        let launches = all.iter().filter(|caller| caller.is_launch() && caller.says(file));
+        launches.map(|caller| caller.era).max().unwrap_or(Era::Any)
+    }
+
+    /// Whether programs load the description `file` into Bullet, and no launch file does.
+    pub fn load_in_bullet(&self, file: &Path, packages: &Packages) -> bool {
+        let all = self.of(file, packages);
+        let mut loaders = all
+            .iter()
+            .filter(|caller| caller.says(file) && (caller.is_launch() || caller.is_program()))
+            .peekable();
+        loaders.peek().is_some() && loaders.all(|caller| caller.is_bullet && !caller.is_launch())
     }
 
     /// Whether a launch file may mean the description `file`.
@@ -91,34 +204,67 @@ impl Callers {
     /// The names of the descriptions in the package of `file` that launch files load instead: none where the file itself
     /// is named somewhere, or the launch files take the name of any.
     pub fn launched_instead(&self, file: &Path, packages: &Packages) -> FastSet<String> {
-        let top = packages.containing(file).and_then(|_| packages.sources_around(file));
         let may_mean = |caller: &Caller| caller.says(file) || caller.is_open && caller.is_launch();
         let is_free = || !self.of(file, packages).iter().any(may_mean);
-        let Some(top) = top.filter(|_| is_free()) else { return FastSet::default() };
-        let all = self.below.get(top.clone(), || Arc::new(search(&packages.vfs, &top)));
-        let launches =
-            all.iter().filter(|caller| caller.is_launch() && packages.may_mean(&caller.path, file));
-        launches.flat_map(|caller| caller.descriptions.iter().cloned()).collect()
+        let all = packages.containing(file).and_then(|_| self.around(file, packages));
+        let Some(all) = all.filter(|_| is_free()) else { return FastSet::default() };
+        let is_launch = |caller: &&Caller| caller.is_launch() && packages.may_mean(&caller.path, file);
+        let launches = all.callers.iter().filter(is_launch);
+        launches.flat_map(|caller| caller.descriptions.keys().cloned()).collect()
+    }
+
+    /// Whether `file` lies in no package and no text of the workspace may mean it, while launch files load other
+    /// descriptions that are there: a copy of something, or what another program has left.
+    pub fn pass_over(&self, file: &Path, packages: &Packages) -> bool {
+        let all = self.around(file, packages).filter(|_| packages.containing(file).is_none());
+        let Some(all) = all else { return false };
+        let may_mean = |caller: &Caller| {
+            all.names(caller, file, packages, false)
+                || caller.ends(file)
+                || caller.is_open && packages.may_mean(&caller.path, file)
+        };
+        let loads_another = |caller: &&Caller| all.has_another(caller, file, packages);
+        let has = |is_loader: fn(&Caller) -> bool| {
+            all.callers.iter().filter(|caller| is_loader(caller)).any(|caller| loads_another(&caller))
+        };
+        // without launch files, programs load robots
+        !all.callers.iter().any(may_mean)
+            && (has(Caller::is_launch)
+                || !all.callers.iter().any(Caller::is_launch) && has(Caller::is_program))
     }
 
     /// Forget what was found: files have come, gone or changed.
     pub fn forget(&self) {
         self.below.clear();
+        self.called.clear();
     }
 }
 
 impl Caller {
     /// Whether the text names a description, or the end of its name.
     fn says(&self, file: &Path) -> bool {
-        let name = file.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-        let is_end = |ending: &String| !ending.is_empty() && name.ends_with(ending.as_str());
-        self.descriptions.contains(name) || self.endings.iter().any(is_end)
+        self.descriptions.contains_key(name_of(file)) || self.ends(file)
+    }
+
+    /// Whether the text names the end of the name of a description.
+    fn ends(&self, file: &Path) -> bool {
+        let is_end = |ending: &String| !ending.is_empty() && name_of(file).ends_with(ending.as_str());
+        self.endings.iter().any(is_end)
     }
 
     /// Whether this is a file to be read, not run.
     fn is_page(&self) -> bool {
         let ending = self.path.extension().and_then(|ending| ending.to_str()).unwrap_or("");
         ["md", "rst", "txt", "ipynb"].contains(&ending) && !self.path.ends_with("CMakeLists.txt")
+    }
+
+    /// Whether this is a program, and no test of one.
+    fn is_program(&self) -> bool {
+        let ending = self.path.extension().and_then(|ending| ending.to_str()).unwrap_or("");
+        let folder = self.path.parent().and_then(Path::file_name);
+        let mut names = self.path.file_name().into_iter().chain(folder);
+        let is_test = names.any(|name| name.to_string_lossy().to_lowercase().starts_with("test"));
+        ["py", "cpp", "sh"].contains(&ending) && !is_test
     }
 
     /// Whether this is a launch file, by its name or folder.
@@ -158,11 +304,15 @@ impl Packages {
     }
 }
 
-/// All callers below a folder.
-fn search(vfs: &Vfs, top: &Path) -> Vec<Caller> {
+fn name_of(file: &Path) -> &str {
+    file.file_name().and_then(|name| name.to_str()).unwrap_or_default()
+}
+
+/// All callers and descriptions below a folder.
+fn search(vfs: &Vfs, top: &Path) -> Uses {
     let mut seen: FastSet<u128> = FastSet::default();
     let mut open = vec![(top.to_owned(), 0)];
-    let (mut files, mut found) = (0, Vec::new());
+    let (mut files, mut uses) = (0, Uses::default());
     while let Some((folder, depth)) = open.pop() {
         if seen.len() > CALLER_FOLDERS || !vfs.identity(&folder).is_some_and(|identity| seen.insert(identity))
         {
@@ -184,15 +334,24 @@ fn search(vfs: &Vfs, top: &Path) -> Vec<Caller> {
                     files += 1;
                     let is_small = vfs.size(&path).is_some_and(|size| size <= CALLER_BYTES);
                     let text = is_small.then(|| vfs.text(&path).ok()).flatten();
-                    found.extend(text.and_then(|file| read::caller(&path, &file.text)));
+                    if let Some(file) = text {
+                        uses.callers.extend(read::caller(&path, &file.text));
+                        if launch::may_call(&file.text) {
+                            uses.scripts.push(path);
+                        }
+                    }
+                }
+                false if read::is_description(&entry.name) => {
+                    uses.files.entry(entry.name.clone()).or_default().push(path);
                 }
                 false => {}
             }
         }
     }
-    found.sort_by(|a: &Caller, b| a.path.cmp(&b.path));
-    config::inherit(&mut found);
-    found
+    uses.callers.sort_by(|a: &Caller, b| a.path.cmp(&b.path));
+    uses.scripts.sort();
+    config::inherit(&mut uses.callers);
+    uses
 }
 
 #[cfg(test)]

@@ -1,11 +1,24 @@
 //! Reading a launch file, script or page for the descriptions it names and the arguments it gives.
 
 use std::borrow::Cow;
-use std::cell::LazyCell;
 use std::path::Path;
 
-use super::{Caller, GivenArg, config};
-use base::{FastMap, FastSet};
+use super::{Caller, Era, GivenArg, Written, config};
+use crate::launch;
+use base::FastMap;
+
+/// The xacro that a text is for.
+fn era(text: &str) -> Era {
+    match (text.contains("xacro.py "), text.contains("--inorder")) {
+        (true, _) => Era::Old,
+        (false, true) => Era::Melodic,
+        (false, false) => Era::Any,
+    }
+}
+
+/// Words in launch files that run something that needs masses and collisions.
+const SIMULATES: [&str; 9] =
+    ["gazebo", "ros_gz", "ros_ign", "mujoco", "pybullet", "isaac", "webots", "controller_manager", "moveit"];
 
 /// Whether a file of that name may call a robot.
 pub(super) fn may_call(name: &str) -> bool {
@@ -20,39 +33,47 @@ pub(super) fn may_call(name: &str) -> bool {
     ENDINGS.contains(&ending) && !tells_nothing && !is_description(name)
 }
 
-fn is_description(name: &str) -> bool {
+pub(super) fn is_description(name: &str) -> bool {
     let name = name.to_lowercase();
     let name = name.strip_suffix(".xml").unwrap_or(&name);
     name.ends_with(".xacro") || name.ends_with(".urdf")
 }
 
-/// What a file calls; none when it names no description.
+/// What a file calls; none when it names no description. Only then it is read as a launch file.
 pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
+    let whole = text;
     let name = path.file_name()?.to_str()?;
     let text = &*without_comments(name, text);
     let descriptions = descriptions(name, text);
-    let endings = computed(text);
+    let mut endings = computed(text);
+    if ["py", "sh", "cpp"].iter().any(|ending| name.ends_with(ending)) {
+        endings.extend(searched(text));
+    }
     let is_yaml = name.ends_with(".yaml") || name.ends_with(".yml");
     let based_on = is_yaml.then(|| config::based_on(text)).flatten();
     if descriptions.is_empty() && endings.is_empty() && based_on.is_none() {
         return None;
     }
-    let declared = LazyCell::new(|| declared(text));
-    let mut args = Vec::new();
-    for (at, _) in text.match_indices(":=") {
-        let (before, after) = text.split_at(at);
-        let own = last_word(before);
-        if !own.is_empty() && !own.starts_with(|c: char| c == '_' || c.is_ascii_digit()) {
-            let value = given(after.get(2..).unwrap_or("")).and_then(|given| given.resolved(text, &declared));
-            args.push(GivenArg { name: own.to_owned(), value });
-        }
-    }
-    args.extend(mappings(text));
+    let calls = launch::read(path, whole).as_ref().map(launch::calls).unwrap_or_default();
+    let given = calls.iter().flat_map(|call| &call.args);
+    let given = given.map(|arg| GivenArg { name: arg.name.clone(), value: arg.value.literal() });
+    // of a text that no reader understands, only what it spells out
+    let mut args: Vec<GivenArg> = if calls.is_empty() { spelled(text) } else { given.collect() };
     if is_yaml {
         args.extend(config::urdf_params(text));
     }
-    let is_open = takes_any(text);
-    Some(Caller { path: path.to_owned(), descriptions, endings, is_open, args, based_on })
+    Some(Caller {
+        path: path.to_owned(),
+        descriptions,
+        endings,
+        is_open: takes_any(text),
+        era: era(text),
+        is_bullet: text.contains("loadURDF("),
+        simulates: SIMULATES.iter().any(|word| text.contains(word)),
+        shows: text.contains("rviz"),
+        args,
+        based_on,
+    })
 }
 
 /// A text without its comments: what they name is not called.
@@ -90,9 +111,10 @@ fn without_line_comment(line: &str) -> &str {
     line
 }
 
-/// The names of descriptions in a text, without folders. What is only installed or included is not called.
-fn descriptions(name: &str, text: &str) -> FastSet<String> {
-    let mut found = FastSet::default();
+/// The names of descriptions in a text, each with the folders that are written in front of it. What is only installed or
+/// included is not called.
+fn descriptions(name: &str, text: &str) -> FastMap<String, Vec<Written>> {
+    let mut found: FastMap<String, Vec<Written>> = FastMap::default();
     for ending in [".xacro", ".urdf", ".URDF"] {
         for (at, _) in text.match_indices(ending) {
             let (before, after) = text.split_at(at + ending.len());
@@ -111,11 +133,54 @@ fn descriptions(name: &str, text: &str) -> FastSet<String> {
                 && !is_included(lead)
                 && !is_listed(lead)
             {
-                found.insert(word.to_owned());
+                found.entry(word.to_owned()).or_default().push(folders_before(lead));
             }
         }
     }
     found
+}
+
+/// The folders that are written in front of a name, as far as they are: `urdf/old` of `$(find arm)/urdf/old/arm.urdf` and
+/// of `join(share, 'urdf', 'old', 'arm.urdf')`; and the package in front of them.
+fn folders_before(lead: &str) -> Written {
+    let mut names = Vec::new();
+    let mut rest = lead;
+    while let Some(before) = rest.strip_suffix('/').or_else(|| before_joined(rest)) {
+        let name = last_name(before);
+        if ["", ".", ".."].contains(&name) {
+            break;
+        }
+        names.push(name);
+        rest = before.strip_suffix(name).unwrap_or("");
+    }
+    Written { package: package_before(rest).map(str::to_owned), folders: names.into_iter().rev().collect() }
+}
+
+/// The package that a text ends with: `arm` of `$(find arm)/`, `package://arm/` and `FindPackageShare('arm'), `.
+fn package_before(lead: &str) -> Option<&str> {
+    let call = lead.trim_end_matches(['"', '\'', ' ', ',', '/', '\n', '\t']).strip_suffix(')')?;
+    let name = last_name(call.trim_end_matches(['"', '\'']));
+    let before = call.trim_end_matches(['"', '\'']).strip_suffix(name)?;
+    let finds = ["$(find ", "FindPackageShare(", "get_package_share_directory(", "get_package_share_path("];
+    finds.iter().any(|find| before.trim_end_matches(['"', '\'']).ends_with(find)).then_some(name)
+}
+
+/// The name at the end of a text.
+fn last_name(text: &str) -> &str {
+    let start = text.rfind(|c: char| !is_name(c));
+    let start = start.map_or(0, |at| at + text.get(at..).map_or(1, first_len));
+    text.get(start..).unwrap_or("")
+}
+
+/// The text before the end of a quoted one, when what follows is joined to it as the next step of a path.
+fn before_joined(lead: &str) -> Option<&str> {
+    const QUOTES: [char; 2] = ['"', '\''];
+    let lead = lead.strip_suffix(QUOTES)?.trim_end();
+    lead.strip_suffix([',', '/'])?.trim_end().strip_suffix(QUOTES)
+}
+
+fn first_len(text: &str) -> usize {
+    text.chars().next().map_or(1, char::len_utf8)
 }
 
 /// Whether a text holds a name by itself, not as a part of another.
@@ -141,6 +206,15 @@ fn computed(text: &str) -> Vec<String> {
         found.push(String::new());
     }
     found
+}
+
+/// The endings of the files that a program takes, whatever their names are.
+fn searched(text: &str) -> impl Iterator<Item = String> {
+    let takes = move |ending: &&&str| {
+        let ways = ["*", "endswith('", "endswith(\"", "suffix == '", "suffix == \""];
+        ways.iter().any(|way| text.contains(&format!("{way}{ending}")))
+    };
+    [".urdf", ".xacro"].iter().filter(takes).map(|ending| (*ending).to_owned())
 }
 
 /// Whether the name of the description is an argument of the call.
@@ -182,42 +256,31 @@ fn last_word(text: &str) -> &str {
     text.get(start..).unwrap_or("")
 }
 
-/// What stands behind `:=`.
-enum Given<'t> {
-    /// The value itself.
-    Literal(&'t str),
-    /// The argument of the launch file that has the value.
-    LaunchArgument(&'t str),
-    /// The variable of a script that has it.
-    Variable(&'t str),
+/// The arguments behind whose `:=` a text stands, in a file of any kind.
+fn spelled(text: &str) -> Vec<GivenArg> {
+    let mut args = Vec::new();
+    for (at, _) in text.match_indices(":=") {
+        let (before, after) = text.split_at(at);
+        let own = last_word(before);
+        if !own.is_empty() && !own.starts_with(|c: char| c == '_' || c.is_ascii_digit()) {
+            args.push(GivenArg { name: own.to_owned(), value: given(after.get(2..).unwrap_or("")) });
+        }
+    }
+    args
 }
 
-/// What is given behind `:=`: bare text, a substitution of a launch file, or the next element of a list of Python.
-fn given(after: &str) -> Option<Given<'_>> {
-    if let Some(rest) = after.strip_prefix("$(") {
-        let (kind, name) = rest.split(')').next()?.split_once(' ')?;
-        return ["arg", "var"].contains(&kind).then(|| Given::LaunchArgument(name.trim()));
-    }
+/// What is given behind `:=`: bare text, or the next element of a list of Python.
+fn given(after: &str) -> Option<String> {
     let ends = |c: char| c.is_whitespace() || matches!(c, '"' | '\'' | ',' | '<' | '`' | ']' | ';');
     let bare = after.split(ends).next()?;
     if !bare.is_empty() {
         let bare = bare.trim_end_matches(')');
-        return (!bare.contains(['$', '{', '%', '\\', '('])).then_some(Given::Literal(bare));
+        return (!bare.contains(['$', '{', '%', '\\', '('])).then(|| bare.to_owned());
     }
     let next = after.get(1..).filter(|_| after.starts_with(['"', '\'']))?;
     let next = next.trim_start().strip_prefix([',', '+'])?.trim_start();
-    if let Some(name) = next.strip_prefix("LaunchConfiguration(") {
-        return Some(Given::LaunchArgument(quoted(name)?));
-    }
-    match quoted(next) {
-        Some(literal) => (!literal.is_empty() && !literal.contains(['{', '$', ' ', '\n']))
-            .then_some(Given::Literal(literal)),
-        None => {
-            let name = next.split(|c: char| !(c.is_alphanumeric() || c == '_')).next()?;
-            (!name.is_empty() && !next.starts_with(|c: char| c.is_ascii_digit()))
-                .then_some(Given::Variable(name))
-        }
-    }
+    let literal = quoted(next)?;
+    (!literal.is_empty() && !literal.contains(['{', '$', ' ', '\n'])).then(|| literal.to_owned())
 }
 
 /// The text in quotes at the start of another.
@@ -227,76 +290,23 @@ fn quoted(text: &str) -> Option<&str> {
     text.get(1..)?.split_once(quote).map(|(inner, _)| inner)
 }
 
-impl Given<'_> {
-    /// The value, where the text of the file says it.
-    fn resolved(&self, text: &str, declared: &FastMap<String, String>) -> Option<String> {
-        match self {
-            Given::Literal(value) => Some((*value).to_owned()),
-            Given::LaunchArgument(name) => declared.get(*name).cloned().map(unquoted),
-            Given::Variable(name) => {
-                let assigned = format!("{name} = LaunchConfiguration(");
-                let (_, after) = text.split_once(&assigned)?;
-                declared.get(quoted(after)?).cloned().map(unquoted)
-            }
-        }
-    }
-}
-
-/// A value as a shell hands it on: quotes around it are not part of it.
-fn unquoted(value: String) -> String {
-    let inner = ['"', '\''].into_iter().find_map(|quote| value.strip_prefix(quote)?.strip_suffix(quote));
-    inner.map(str::to_owned).unwrap_or(value)
-}
-
-/// The arguments that a launch file declares with a plain default, in XML or Python.
-fn declared(text: &str) -> FastMap<String, String> {
-    let behind = |tag: &str, name: &str| quoted(tag.split_once(&format!("{name}="))?.1).map(str::to_owned);
-    let tags = text.split("<arg").skip(1).filter_map(|rest| rest.split_once('>'));
-    let of_xml = tags.filter_map(|(tag, _)| {
-        let default = behind(tag, "default").or_else(|| behind(tag, "value"))?;
-        Some((behind(tag, "name")?, default))
-    });
-    let of_python = text.split("DeclareLaunchArgument(").skip(1).filter_map(|rest| {
-        let name = quoted(rest).map(str::to_owned).or_else(|| behind(rest, "name"))?;
-        // what lies behind the next call belongs to something else
-        let own = rest.split(" Node(").next()?;
-        Some((name, behind(own, "default_value")?))
-    });
-    of_xml.chain(of_python).filter(|(_, default)| !default.contains("$(")).collect()
-}
-
-/// The arguments in `mappings={'name': 'value'}` of Python.
-fn mappings(text: &str) -> Vec<GivenArg> {
-    let mut given = Vec::new();
-    for (at, word) in text.match_indices("mappings") {
-        let after = text.get(at + word.len()..).unwrap_or("").trim_start().trim_start_matches(['"', '\'']);
-        let Some(dict) =
-            after.trim_start().strip_prefix(['=', ':']).and_then(|rest| rest.trim_start().strip_prefix('{'))
-        else {
-            continue;
-        };
-        let dict = dict.split('}').next().unwrap_or("");
-        for pair in dict.split(',') {
-            let Some((name, value)) = pair.split_once(':') else { continue };
-            let literal = |text: &str| quoted(text).map(str::to_owned);
-            given.extend(literal(name).map(|name| GivenArg { name, value: literal(value) }));
-        }
-    }
-    given
-}
-
 #[cfg(test)]
 mod tests {
     use std::path::Path;
 
+    use super::super::Caller;
     use super::{caller, may_call};
 
     /// The descriptions that a file calls, and the arguments with their values.
     type Called<'a> = (&'a [&'a str], &'a [(&'a str, Option<&'a str>)]);
 
+    fn called(name: &str, text: &str) -> Option<Caller> {
+        caller(Path::new(name), text)
+    }
+
     fn check_caller(name: &str, text: &str, expected: Option<Called<'_>>) {
-        let found = caller(Path::new(name), text).map(|caller| {
-            let mut names: Vec<String> = caller.descriptions.into_iter().collect();
+        let found = called(name, text).map(|caller| {
+            let mut names: Vec<String> = caller.descriptions.into_keys().collect();
             names.sort_unstable();
             (names, caller.args.into_iter().map(|arg| (arg.name, arg.value)).collect::<Vec<_>>())
         });
@@ -322,14 +332,8 @@ mod tests {
             " ", "name:=", "arm", " ", "kind:=", kind, " sim:=true"])"#;
         let args = [("name", Some("arm")), ("kind", None), ("sim", Some("true"))];
         check_caller("a.launch.py", text, Some((&["arm.urdf.xacro"], &args)));
-        let text = r#"DeclareLaunchArgument('prefix', default_value='""'), Command('arm.xacro prefix:=', LaunchConfiguration('prefix'))"#;
-        check_caller("p.launch.py", text, Some((&["arm.xacro"], &[("prefix", Some(""))])));
-        let text = r#"DeclareLaunchArgument('kind', default_value='big'), which = LaunchConfiguration("kind")
-            Command(['xacro ', 'arm.xacro', ' a:=', LaunchConfiguration('kind'), ' b:=', which, ' c:=', other])"#;
-        let args = [("a", Some("big")), ("b", Some("big")), ("c", None)];
-        check_caller("b.launch.py", text, Some((&["arm.xacro"], &args)));
         let text = "<arg name='model' default='$(find a)/urdf/$(arg kind)_base.xacro'/> command='$(find xacro)/xacro $(arg model) x:=1'";
-        let found = caller(Path::new("a.launch"), text).unwrap();
+        let found = called("a.launch", text).unwrap();
         assert_eq!(found.endings, ["_base.xacro", ""]);
         let text = "doc = xacro.parse(open(path))\nxacro.process_doc(doc, mappings={'side': side})";
         check_caller("b.launch.py", text, Some((&[], &[("side", None)])));
@@ -349,6 +353,26 @@ mod tests {
         check_caller("a.py", "'.xacro' x:=1", None);
         check_caller("a.py", "arm.urdf_old", None);
         check_caller("ä.md", "ä:=ö ä.urdf", Some((&["ä.urdf"], &[("ä", Some("ö"))])));
+    }
+
+    #[test]
+    fn folders_in_front_of_names() {
+        for (text, folders, package) in [
+            ("arm.urdf", "", None),
+            ("'$(find arm)/urdf/old/arm.urdf'", "urdf/old", Some("arm")),
+            ("join(share, 'urdf', \"old\", 'arm.urdf')", "urdf/old", None),
+            ("share / 'urdf' / 'arm.urdf'", "urdf", None),
+            ("['xacro ', 'arm.urdf']", "", None),
+            ("../urdf/arm.urdf", "urdf", None),
+            ("[FindPackageShare('arm'), 'urdf', 'arm.urdf']", "urdf", Some("arm")),
+            ("join(get_package_share_directory(\"arm\"),\n 'arm.urdf')", "", Some("arm")),
+            ("join(get('arm'), 'arm.urdf')", "", None),
+        ] {
+            let found = called("a.launch.py", text).unwrap();
+            let written = &found.descriptions["arm.urdf"][0];
+            let package = package.map(str::to_owned);
+            assert_eq!((&*written.folders, &written.package), (Path::new(folders), &package), "{text}");
+        }
     }
 
     #[test]

@@ -338,7 +338,7 @@ impl Applier {
         let found = names.iter().position(|name| name == text).and_then(|at| values.get(at).copied());
         if found.is_none() {
             let all: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-            let message = format!("`{text}` is no value of `{key}`: {}", all.join(", "));
+            let message = format!("invalid value `{text}` for `{key}`; use {}", all.join(", "));
             self.warn(value.range, message, nearest(text, names.iter().copied()));
         }
         found

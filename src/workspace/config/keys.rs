@@ -50,52 +50,64 @@ pub(super) const LAYOUTS: &[&str] = &["keep", "auto"];
 
 /// Keys of `[format]`.
 pub(super) const FORMAT: &[Key] = &[
-    key("line-width", Type::Count(10_000), "Characters per line that wrapping aims at; default 120."),
-    key("attributes", Type::Choice(LAYOUTS), "Whether line breaks between attributes stay or are set anew."),
-    key("self-close", Type::Bool, "Whether `<a></a>` becomes `<a/>`; default false."),
+    key("line-width", Type::Count(10_000), "Maximum line length for wrapping; default 120."),
+    key(
+        "attributes",
+        Type::Choice(LAYOUTS),
+        "Keep (`keep`) or re-wrap (`auto`) line breaks between attributes.",
+    ),
+    key("self-close", Type::Bool, "Write `<a></a>` as `<a/>`; default false."),
 ];
 
 /// Keys of `[limits]`.
 pub(super) const LIMITS: &[Key] = &[
-    key("eval-steps", Type::Count(u64::MAX), "Steps of evaluating one expression; default 1000000."),
-    key("expand-nodes", Type::Count(u64::MAX), "Nodes of an expanded document; default 500000."),
-    key("expand-ms", Type::Count(u64::MAX), "Milliseconds for one expansion; default 5000."),
-    key("file-mb", Type::Count(FILE_MB_MOST), "Megabytes of a file that is read; default 20."),
-    key("macro-depth", Type::Count(10_000), "Macro calls inside each other; default 1000."),
-    key("include-depth", Type::Count(10_000), "Files included from each other; default 500."),
+    key(
+        "eval-steps",
+        Type::Count(u64::MAX),
+        "Maximum number of steps to evaluate one expression; default 1000000.",
+    ),
+    key(
+        "expand-nodes",
+        Type::Count(u64::MAX),
+        "Maximum number of nodes of the expanded robot; default 500000.",
+    ),
+    key("expand-ms", Type::Count(u64::MAX), "Maximum time for one expansion in milliseconds; default 5000."),
+    key("file-mb", Type::Count(FILE_MB_MOST), "Maximum file size in megabytes; default 20."),
+    key("macro-depth", Type::Count(10_000), "Maximum nesting depth of macro calls; default 1000."),
+    key("include-depth", Type::Count(10_000), "Maximum nesting depth of includes; default 500."),
 ];
 
 const ARGS: Type = Type::Map(&Type::Argument);
 
 /// Keys of `[[roots]]`.
 pub(super) const ROOTS: &[Key] = &[
-    key("file", Type::Text, "Path or glob of entry files, from the folder of this file."),
-    key("args", ARGS, "Arguments of every run, by name."),
-    key("presets", Type::Map(&ARGS), "Named sets of arguments; each is a run of its own."),
+    key("file", Type::Text, "Path or glob of root files, relative to this file."),
+    key("args", ARGS, "Arguments by name, passed in every check."),
+    key("presets", Type::Map(&ARGS), "Named sets of arguments; each set is checked separately."),
 ];
 
 /// All keys.
 pub(super) const KEYS: &[Key] = &[
-    key("extend", Type::Text, "Another configuration file, merged below this one."),
+    key("extend", Type::Text, "Configuration file to extend; settings in this file take precedence."),
     key("target", Type::Choice(TARGETS), "Dialect of xacro and package conventions; default `ros2`."),
-    key("urdf-version", Type::Texts, "Admitted values of the version of a robot; default `1.0`."),
-    key("profile", Type::Choices(PROFILES), "Profiles whose rules are switched on."),
-    key("select", Type::Texts, "Codes, prefixes or names of the only rules to run."),
-    key("extend-select", Type::Texts, "Codes, prefixes or names of rules to run in addition."),
-    key("ignore", Type::Texts, "Codes, prefixes or names of rules not to run."),
-    key("severity", Type::Map(&Type::Choice(LEVELS)), "Severity by rule."),
-    key("per-file-ignores", Type::Map(&Type::Texts), "Rules not to run, by glob of the files."),
-    key("exclude", Type::Texts, "Globs of files and folders that are never checked."),
-    key("package-path", Type::Texts, "Folders searched for packages before everything else."),
+    key("urdf-version", Type::Texts, "Supported URDF versions; default `1.0`."),
+    key("profile", Type::Choices(PROFILES), "Profiles whose rules are enabled."),
+    key("select", Type::Texts, "Run only these rules (codes, code prefixes or names)."),
+    key("extend-select", Type::Texts, "Run these rules in addition (codes, code prefixes or names)."),
+    key("ignore", Type::Texts, "Do not run these rules (codes, code prefixes or names)."),
+    key("severity", Type::Map(&Type::Choice(LEVELS)), "Severity per rule."),
+    key("per-file-ignores", Type::Map(&Type::Texts), "Rules not to run, per file glob."),
+    key("exclude", Type::Texts, "Globs of files and folders to exclude from checks."),
+    key("package-path", Type::Texts, "Folders to search for packages first."),
     key(
         "use-environment",
         Type::Bool,
-        "Whether AMENT_PREFIX_PATH, COLCON_PREFIX_PATH and ROS_PACKAGE_PATH are read; default true.",
+        "Use AMENT_PREFIX_PATH, COLCON_PREFIX_PATH and ROS_PACKAGE_PATH; default true.",
     ),
-    key("thresholds", Type::Map(&Type::Number), "Numbers of rules; the unit is in the name."),
-    key("allow-elements", Type::Texts, "Elements that are part of the vocabulary in addition."),
-    key("allow-attributes", Type::Texts, "Attributes that are part of the vocabulary in addition."),
-    key("roots", Type::Tables(ROOTS), "Entry files and the arguments they are run with."),
-    key("format", Type::Keys(FORMAT), "How files are formatted."),
-    key("limits", Type::Keys(LIMITS), "Budgets of one expansion."),
+    key("thresholds", Type::Map(&Type::Number), "Thresholds of rules; the unit is in the name."),
+    key("allow-elements", Type::Texts, "Additional known elements."),
+    key("allow-attributes", Type::Texts, "Additional known attributes."),
+    key("roots", Type::Tables(ROOTS), "Root files and their arguments."),
+    key("format", Type::Keys(FORMAT), "Formatting."),
+    key("limits", Type::Keys(LIMITS), "Limits for one expansion."),
 ];

@@ -159,11 +159,11 @@ fn load_over(
         let Some(base) = applier.text(entry) else { continue };
         let base = folder.join(base);
         if chain.contains(&vfs.canonical(&base)) {
-            applier.warn(entry.value.range, "`extend` leads back to this file".to_owned(), None);
+            applier.warn(entry.value.range, "circular `extend`".to_owned(), None);
         } else if chain.len() >= CONFIG_CHAIN {
             applier.warn(
                 entry.value.range,
-                format!("more than {CONFIG_CHAIN} files extend each other"),
+                format!("more than {CONFIG_CHAIN} configuration files extend each other"),
                 None,
             );
         } else if let Err(error) = load_over(vfs, &base, home, chain, loaded) {
@@ -178,8 +178,8 @@ fn load_over(
     if !is_configuration(&vfs.canonical(path), home) {
         for warning in &mut applier.warnings {
             warning.message =
-                "this has no effect; it is not quoted, because the file lies in another folder and is not \
-                               named as a configuration is"
+                "invalid setting; it is not shown, because the file is in another folder and does not \
+                               have the name of a configuration file"
                     .to_owned();
             warning.nearest = None;
         }

@@ -1,5 +1,6 @@
 //! Globs of files, relative to the folder of a configuration file.
 
+use std::borrow::Cow;
 use std::path::{Component, Path, PathBuf};
 
 use super::super::root::is_built;
@@ -19,6 +20,19 @@ pub struct Pattern {
 enum Segment {
     AnyDepth,
     Name(Wildcard),
+}
+
+impl Segment {
+    fn is_any_depth(&self) -> bool {
+        matches!(self, Segment::AnyDepth)
+    }
+
+    fn takes(&self, name: &str) -> bool {
+        match self {
+            Segment::AnyDepth => true,
+            Segment::Name(wildcard) => wildcard.matches(name),
+        }
+    }
 }
 
 impl Pattern {
@@ -55,7 +69,7 @@ impl Pattern {
     /// Whether `path` (absolute), or a folder it lies in, matches.
     pub fn matches(&self, path: &Path) -> bool {
         let names = self.names(path);
-        (1..=names.len()).any(|count| names.get(..count).is_some_and(|names| self.covers(names)))
+        self.alternatives.iter().any(|segments| covers_folder(segments, &names))
     }
 
     /// The longest path that everything that matches begins with, and whether it is the only one that does.
@@ -72,7 +86,7 @@ impl Pattern {
     }
 
     /// The files below the folder that match, sorted. Hidden folders and those of build tools are left out.
-    pub(super) fn files(&self, vfs: &Vfs) -> Vec<PathBuf> {
+    pub fn files(&self, vfs: &Vfs) -> Vec<PathBuf> {
         let (mut found, mut folders, mut seen) = (Vec::new(), vec![self.folder.clone()], 0);
         while let Some(folder) = folders.pop() {
             seen += 1;
@@ -94,24 +108,33 @@ impl Pattern {
     }
 
     /// The names on the way from the folder to `path`; none when it lies elsewhere.
-    fn names(&self, path: &Path) -> Vec<String> {
+    fn names<'p>(&self, path: &'p Path) -> Vec<Cow<'p, str>> {
         let Ok(relative) = path.strip_prefix(&self.folder) else { return Vec::new() };
         let names = relative.components().filter_map(|component| match component {
-            Component::Normal(name) => Some(name.to_string_lossy().into_owned()),
+            Component::Normal(name) => Some(name.to_string_lossy()),
             _ => None,
         });
         names.collect()
     }
 
-    fn covers(&self, names: &[String]) -> bool {
-        let is_any_depth = |segment: &Segment| matches!(segment, Segment::AnyDepth);
-        let takes = |segment: &Segment, name: &String| match segment {
-            Segment::AnyDepth => true,
-            Segment::Name(wildcard) => wildcard.matches(name),
-        };
-        !names.is_empty()
-            && self.alternatives.iter().any(|segments| covers(segments, names, is_any_depth, takes))
+    fn covers(&self, names: &[Cow<'_, str>]) -> bool {
+        self.alternatives.iter().any(|segments| covers_all(segments, names))
     }
+}
+
+/// Whether segments cover the names of a path, none left.
+fn covers_all(segments: &[Segment], names: &[Cow<'_, str>]) -> bool {
+    !names.is_empty() && covers(segments, names, Segment::is_any_depth, |segment, name| segment.takes(name))
+}
+
+/// Whether segments cover the names of a path, or those of a folder it lies in.
+fn covers_folder(segments: &[Segment], names: &[Cow<'_, str>]) -> bool {
+    if segments.iter().any(Segment::is_any_depth) {
+        return (1..=names.len())
+            .any(|count| names.get(..count).is_some_and(|names| covers_all(segments, names)));
+    }
+    // as many names as segments, so there is nothing to try
+    names.get(..segments.len()).is_some_and(|names| covers_all(segments, names))
 }
 
 /// Whether a folder is reached through a link: its content has another home.

@@ -148,18 +148,21 @@ fn what_does_not_fit_is_a_warning_and_the_rest_holds() {
         ("taget = 'ros1'", "1:1: unknown key `taget`; did you mean `target`?"),
         ("\n\n  whatever = 1", "3:3: unknown key `whatever`"),
         ("target = 1", "1:10: `target` must be a string, not an integer"),
-        ("target = 'ros3'", "1:10: `ros3` is no value of `target`: `ros2`, `ros1`; did you mean `ros2`?"),
+        (
+            "target = 'ros3'",
+            "1:10: invalid value `ros3` for `target`; use `ros2`, `ros1`; did you mean `ros2`?",
+        ),
         ("profile = 'mobile'", "1:11: `profile` must be a list, not a string"),
         (
             "profile = ['moblie']",
-            "1:12: `moblie` is no value of `profile`: `ros-industrial`, `mobile`, `gazebo`, `pedantic`; did you mean `mobile`?",
+            "1:12: invalid value `moblie` for `profile`; use `ros-industrial`, `mobile`, `gazebo`, `pedantic`; did you mean `mobile`?",
         ),
         ("select = [1]", "1:11: `select` must be a list of strings, not an integer"),
         ("urdf-version = [1.0]", "1:17: `urdf-version` must be a list of strings, not a number"),
         ("severity = []", "1:12: `severity` must be a table, not a list"),
         (
             "severity.X = 'fatal'",
-            "1:14: `fatal` is no value of `X`: `error`, `warning`, `info`, `hint`, `off`",
+            "1:14: invalid value `fatal` for `X`; use `error`, `warning`, `info`, `hint`, `off`",
         ),
         ("use-environment = 'yes'", "1:19: `use-environment` must be a boolean, not a string"),
         ("thresholds.x = nan", "1:16: `x` must be a number, not a number"),
@@ -178,7 +181,7 @@ fn what_does_not_fit_is_a_warning_and_the_rest_holds() {
         ("[[roots]]\nfile = 'a'\npresets = 1", "3:11: `presets` must be a table, not an integer"),
         ("roots = ['a']", "1:10: `roots` must be a list of tables, not a string"),
         ("extend = 'gone.toml'", "1:10: cannot read `gone.toml`: No such file or directory"),
-        ("extend = 'xacro-lint.toml'", "1:10: `extend` leads back to this file"),
+        ("extend = 'xacro-lint.toml'", "1:10: circular `extend`"),
     ];
     for (text, expected) in table {
         let (_tree, config, warnings) = load(&format!("{text}\n[per-file-ignores]\na = ['X']\n"));

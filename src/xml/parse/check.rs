@@ -71,9 +71,9 @@ impl<'t> Parser<'t> {
             range,
             related: before.map(|attr| {
                 let range = base::TextRange::new(attr.name, attr.name + attr.name_len);
-                (range, "first given here")
+                (range, "first one here")
             }),
-            message: format!("attribute `{name}` is given twice: remove one"),
+            message: format!("duplicate attribute `{name}`\nremove one of them"),
             expat: expat::DUPLICATE,
             expat_offset: attr.name,
         };
@@ -166,7 +166,7 @@ impl<'t> Parser<'t> {
             range: base::TextRange::new(attr.name, attr.name + attr.name_len),
             related: None,
             message: format!(
-                "`{0}:{local}` and `{1}:{local}` are the same attribute: both prefixes mean one namespace",
+                "duplicate attribute: `{0}:{local}` and `{1}:{local}` have the same namespace\nremove one of them",
                 prefixes.0, prefixes.1
             ),
             expat: expat::DUPLICATE,
@@ -188,12 +188,23 @@ impl<'t> Parser<'t> {
 fn declaration_fault(prefix: &str, uri: &str) -> Option<(&'static str, String)> {
     Some(match (prefix, uri) {
         ("", "") => return None,
-        (_, "") => (expat::UNDECLARED, format!("the namespace of `{prefix}` may not be empty")),
-        ("xmlns", _) => (expat::RESERVED_XMLNS, "the prefix `xmlns` may not be declared".to_owned()),
-        _ if uri.contains(' ') => (expat::SYNTAX, "a namespace may not hold white space".to_owned()),
+        (_, "") => (
+            expat::UNDECLARED,
+            format!("empty namespace for prefix `{prefix}`\nwrite xmlns:{prefix}=\"...\" with a URI"),
+        ),
+        ("xmlns", _) => {
+            (expat::RESERVED_XMLNS, "prefix `xmlns` must not be declared\nremove the declaration".to_owned())
+        }
+        _ if uri.contains(' ') => {
+            (expat::SYNTAX, "namespace contains whitespace\nremove the whitespace".to_owned())
+        }
         ("xml", XML_URI) => return None,
-        ("xml", _) => (expat::RESERVED_XML, format!("the prefix `xml` always means `{XML_URI}`")),
-        (_, XML_URI | XMLNS_URI) => (expat::RESERVED_URI, format!("`{uri}` is reserved")),
+        ("xml", _) => {
+            (expat::RESERVED_XML, format!("prefix `xml` is reserved for `{XML_URI}`\nremove the declaration"))
+        }
+        (_, XML_URI | XMLNS_URI) => {
+            (expat::RESERVED_URI, format!("namespace `{uri}` is reserved\nuse another namespace"))
+        }
         _ => return None,
     })
 }

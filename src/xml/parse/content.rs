@@ -57,12 +57,13 @@ impl Parser<'_> {
         self.pos += 1;
         if self.peek().is_none() {
             self.push_node(NodeKind::Junk, start, 0);
-            let message = "an element name is missing behind `<`";
+            let message =
+                "missing element name after `<`\nwrite an element name, or `&lt;` for a literal `<`";
             self.error(Kind::StrayLt, (start, self.pos), (expat::UNCLOSED_TOKEN, start), message);
             return;
         }
         self.push_node(NodeKind::Junk, start, 0);
-        let message = "`<` begins no tag: write `&lt;` for a plain one";
+        let message = "unexpected `<`\nwrite `&lt;` for a literal `<`";
         self.error(Kind::StrayLt, (start, self.pos), (expat::INVALID, self.pos), message);
     }
 
@@ -74,7 +75,7 @@ impl Parser<'_> {
         self.hit_end |= self.pos == self.bytes.len();
         self.push_node(NodeKind::Junk, start, 0);
         let message =
-            "a merge conflict was left unresolved: keep one of the two versions and remove the markers";
+            "unresolved merge conflict\nkeep one of the two versions and remove the conflict markers";
         self.error(Kind::MergeConflict, (start, self.pos), (expat::INVALID, start + 1), message);
     }
 }

@@ -29,7 +29,8 @@ impl<'t> Parser<'t> {
                 let closed = self.skip_doctype();
                 self.push_node(NodeKind::Doctype, start, if closed { CLOSED } else { 0 });
                 if self.errors.len() == first_error {
-                    let message = "this DOCTYPE is not well-formed; a robot description needs none";
+                    let message =
+                        "malformed DOCTYPE\nremove the DOCTYPE; a robot description does not need one";
                     self.error(Kind::BadDoctype, (start, start + 9), verdict, message);
                 }
                 self.mark_divergence();

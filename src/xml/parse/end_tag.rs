@@ -51,7 +51,7 @@ impl Parser<'_> {
             return self.open.is_empty().then_some(Stop::Element);
         }
         self.push_node(NodeKind::Junk, start, 0);
-        let message = format!("`</{name}>` closes no open element: remove it or open one");
+        let message = format!("unmatched end tag `</{name}>`\nremove it, or add the start tag `<{name}>`");
         self.error(Kind::MismatchedEndTag, (start, self.pos), mismatch, message);
         None
     }
@@ -66,7 +66,9 @@ impl Parser<'_> {
             kind: Kind::MismatchedEndTag,
             range: self.range(start + 2, name_end),
             related: Some((self.range(open, open_end), "opened here")),
-            message: format!("`</{name}>` does not match `<{own}>`: rename one of them"),
+            message: format!(
+                "end tag `</{name}>` does not match start tag `<{own}>`\nwrite `</{own}>`, or rename the start tag"
+            ),
             expat: verdict.0,
             expat_offset: self.rel(verdict.1),
         };
@@ -110,7 +112,7 @@ impl Parser<'_> {
 
     pub(super) fn report_end_tag(&mut self, start: usize, verdict: Option<Verdict>) {
         if let Some(verdict) = verdict {
-            let message = format!("the end tag `{}` needs a `>`", self.slice(start, self.pos));
+            let message = format!("end tag `{}` has no `>`\nadd `>`", self.slice(start, self.pos));
             self.error(Kind::UnclosedTag, (start, self.pos), verdict, message);
         }
     }
@@ -135,14 +137,14 @@ impl Parser<'_> {
         let name = self.slice(start + 1, end);
         let message = match end_tag {
             Some((from, _)) => {
-                format!("`<{name}>` is not closed before `{}`: add `</{name}>`", self.tag_name_text(from))
+                format!("unclosed element `<{name}>` before `{}`\nadd `</{name}>`", self.tag_name_text(from))
             }
-            None => format!("`<{name}>` is never closed: add `</{name}>`"),
+            None => format!("unclosed element `<{name}>`\nadd `</{name}>`"),
         };
         let error = SyntaxError {
             kind: Kind::UnclosedElement,
             range: self.range(start, end),
-            related: end_tag.map(|(from, to)| (self.range(from, to), "this end tag comes first")),
+            related: end_tag.map(|(from, to)| (self.range(from, to), "expected the end tag before this")),
             message,
             expat: verdict.0,
             expat_offset: self.rel(verdict.1),

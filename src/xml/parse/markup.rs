@@ -81,7 +81,12 @@ impl Parser<'_> {
                 searched = dashes;
             }
             if self.errors.len() == first_error {
-                let message = "`--` may not stand in a comment: write `- -`";
+                let message = match opens {
+                    true => {
+                        "`<!--` is not allowed in a comment\nremove the inner `<!--` and its `-->`; comments cannot be nested"
+                    }
+                    false => "`--` is not allowed in a comment\nwrite `- -`",
+                };
                 self.error(Kind::BadComment, (dashes, dashes + 2), (expat::INVALID, dashes + 2), message);
             }
             from = dashes + 1;
@@ -144,7 +149,12 @@ impl Parser<'_> {
     }
 
     fn report_unclosed_markup(&mut self, shape: &Shape, start: usize, verdict: Verdict) {
-        let message = format!("this {} needs its `{}`", shape.what, shape.close);
+        let (what, close) = (shape.what, shape.close);
+        let line = self.slice(start + shape.open, self.pos).split('\n').next().unwrap_or_default();
+        let message = match shape.kind == NodeKind::Comment && line.contains("->") {
+            true => format!("unclosed {what}: `{close}` is missing\nwrite `{close}` instead of `->`"),
+            false => format!("unclosed {what}: `{close}` is missing\nadd `{close}`"),
+        };
         let end = (start + shape.open).min(self.pos);
         self.error(Kind::UnclosedMarkup, (start, end), verdict, message);
     }
@@ -159,19 +169,23 @@ impl Parser<'_> {
         let next = self.bytes.get(name_end).copied();
         let fault = match next {
             None => None,
-            Some(_) if target.is_empty() => {
-                Some((name_end, "an instruction needs a name directly behind `<?`"))
-            }
+            Some(_) if target.is_empty() => Some((
+                name_end,
+                "missing name after `<?`\nwrite the name of the processing instruction directly after `<?`",
+            )),
             Some(b)
                 if (is_space(b) || b == b'?') && target != "xml" && target.eq_ignore_ascii_case("xml") =>
             {
-                Some((name_end, "`xml` in any case is reserved"))
+                Some((name_end, "`xml` is reserved in upper and lower case\nuse another name"))
             }
-            Some(b'?') if self.bytes.get(name_end + 1).is_some_and(|&b| b != b'>') => {
-                Some((name_end + 1, "a blank is missing behind the name of the instruction"))
-            }
+            Some(b'?') if self.bytes.get(name_end + 1).is_some_and(|&b| b != b'>') => Some((
+                name_end + 1,
+                "missing space after the name of the processing instruction\nadd a space",
+            )),
             Some(b) if is_space(b) || b == b'?' => None,
-            Some(_) => Some((name_end, "a blank is missing behind the name of the instruction")),
+            Some(_) => {
+                Some((name_end, "missing space after the name of the processing instruction\nadd a space"))
+            }
         };
         if let Some((at, message)) = fault {
             self.error(Kind::BadName, (start, name_end), (expat::INVALID, at), message);
@@ -188,7 +202,7 @@ impl Parser<'_> {
             node.name_len = (name_end - start - 2) as u32;
         }
         if target == "xml" && self.starts_declaration(start) {
-            let message = "the XML declaration must be the very first thing in the file";
+            let message = "XML declaration is not at the start of the file\nmove it to the start of the file";
             self.error(
                 Kind::BadDeclaration,
                 (start, self.pos),
@@ -240,7 +254,7 @@ impl Parser<'_> {
                 (expat::UNCLOSED_TOKEN, start)
             }
         };
-        let message = "this is neither a comment nor a CDATA section";
+        let message = "invalid markup after `<!`\nwrite a comment: <!-- ... -->";
         self.error(Kind::UnclosedMarkup, (start, self.pos), verdict, message);
     }
 }

@@ -67,7 +67,7 @@ impl<'t> Parser<'t> {
         if root == RootState::Missing {
             let at = self.pos;
             let start = self.base + self.text.trim_end().len();
-            let message = "there is no element: a description begins with `<robot name=\"...\">`";
+            let message = "no root element\nadd <robot name=\"...\">";
             self.error(Kind::NoRoot, (start.min(at), at), (expat::NO_ELEMENT, at), message);
         }
         entities.resolve();
@@ -110,7 +110,7 @@ impl<'t> Parser<'t> {
         if let Err(at) = standalone
             && self.errors.is_empty()
         {
-            let message = "the XML declaration should read `<?xml version=\"1.0\"?>`";
+            let message = "malformed XML declaration\nwrite <?xml version=\"1.0\"?>";
             self.error(Kind::BadDeclaration, (start, self.pos), (expat::BAD_DECLARATION, at), message);
         }
         standalone == Ok(true)
@@ -158,7 +158,12 @@ impl<'t> Parser<'t> {
         self.pos = memchr::memchr(b'<', rest).map_or(self.bytes.len(), |n| start + 1 + n);
         let end = start + self.slice(start, self.pos).trim_end().len();
         self.push_node(NodeKind::Junk, start, 0);
-        let message = "only comments and instructions may stand outside the root element";
+        let text = self.slice(start, end);
+        let message = match text.starts_with("</") && text.ends_with('>') {
+            true => format!("extra end tag `{text}`\nremove `{text}`"),
+            false => "text outside the root element\nremove the text, or put it in a comment <!-- ... -->"
+                .to_owned(),
+        };
         self.error(Kind::OutsideRoot, (start, end), verdict, message);
         self.mark_divergence();
     }
@@ -200,7 +205,7 @@ impl<'t> Parser<'t> {
             self.epilog();
         } else {
             let (at, root) = (self.pos, self.root_name);
-            let message = format!("the root element is never closed: add `</{root}>`");
+            let message = format!("unclosed root element `<{root}>`\nadd `</{root}>`");
             self.error(Kind::UnclosedElement, (at, at), (expat::NO_ELEMENT, at), message);
         }
         self.hit_end = true;
@@ -224,7 +229,9 @@ impl<'t> Parser<'t> {
             let start = self.pos;
             let name = self.qname(start + 1);
             let text = self.slice(start + 1, name.end);
-            let message = format!("`<{text}>` stands behind the end of the root element");
+            let message = format!(
+                "`<{text}>` is after the end of the root element\nmove it before the end tag of the root element"
+            );
             let verdict = self.verdict_outside(start, expat::JUNK);
             self.error(Kind::OutsideRoot, (start, name.end), verdict, message);
             if self.start_tag().is_none() {

@@ -45,9 +45,11 @@ impl Parser<'_> {
         }
         let name = self.slice(range.0, range.1);
         let message = if name.ends_with(':') {
-            format!("a name is missing behind `{name}`")
+            format!("missing name after `{name}`\nwrite a name")
         } else {
-            format!("`{name}` is not a valid name")
+            format!(
+                "invalid name `{name}`\nuse letters, digits, `_`, `-` and `.`; start with a letter or `_`"
+            )
         };
         self.error(Kind::BadName, range, (expat::INVALID, at), message);
     }
@@ -73,7 +75,7 @@ impl Parser<'_> {
                 Some(b'/') => {
                     self.pos += 1;
                     if self.peek().is_some() {
-                        let message = "`/` must stand directly before `>`";
+                        let message = "`/` is not followed by `>`\nwrite `/>`";
                         self.error(Kind::BadAttribute, (at, at + 1), (expat::INVALID, at + 1), message);
                     }
                     bad = true;
@@ -82,7 +84,14 @@ impl Parser<'_> {
                 }
                 Some(_) => {
                     if gap == at && !bad {
-                        let message = "a blank is missing between attributes";
+                        let written = self.slice(start, at);
+                        let is_inside = written.rfind("${") > written.rfind('}');
+                        let message = match is_inside {
+                            true => {
+                                "missing space between attributes\nuse single quotes inside of the value: `'`; `\"` ends it"
+                            }
+                            false => "missing space between attributes\nadd a space",
+                        };
                         let end = self.char_end(at);
                         self.error(Kind::BadAttribute, (at, end), (expat::INVALID, at), message);
                     }
@@ -98,7 +107,10 @@ impl Parser<'_> {
         self.look(next + 1);
         self.pos = gap;
         let name = self.qname(start + 1);
-        let message = format!("the tag `<{}` needs a `>` or `/>`", self.slice(start + 1, name.end));
+        let message = format!(
+            "unclosed tag `<{}`: `>` or `/>` is missing\nadd `>` or `/>`",
+            self.slice(start + 1, name.end)
+        );
         self.error(Kind::UnclosedTag, (start, name.end), verdict, message);
         // Whatever follows the root is meant to be in it.
         if self.in_header || self.keeps_content(start, name.end, next) { 0 } else { NO_CONTENT }
@@ -121,7 +133,7 @@ impl Parser<'_> {
             let at = std::mem::replace(&mut self.pos, name.end);
             if name.bad.is_none() && at < self.bytes.len() {
                 let message =
-                    format!("attribute `{0}` needs a value: `{0}=\"...\"`", self.slice(start, name.end));
+                    format!("attribute `{0}` has no value\nwrite {0}=\"...\"", self.slice(start, name.end));
                 self.error(Kind::BadAttribute, (start, name.end), (expat::INVALID, at), message);
             }
             self.push_attr(start, name.end, (name.end, name.end), flags);
@@ -145,7 +157,7 @@ impl Parser<'_> {
         while self.bytes.get(self.pos).is_some_and(|&b| !is_space(b) && !b"/><".contains(&b)) {
             self.pos = self.char_end(self.pos);
         }
-        let message = format!("`{}` is no attribute", self.slice(start, self.pos));
+        let message = format!("unexpected `{}` in a tag\nremove it", self.slice(start, self.pos));
         self.error(Kind::BadAttribute, (start, self.pos), (expat::INVALID, start), message);
         false
     }

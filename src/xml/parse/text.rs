@@ -47,7 +47,7 @@ impl<'t> Parser<'t> {
         self.check_characters(start, self.pos);
         for at in memchr::memmem::find_iter(text.as_bytes(), b"]]>") {
             let at = start + at;
-            let message = "`]]>` may not stand in text: write `]]&gt;`";
+            let message = "`]]>` is not allowed in text\nwrite `]]&gt;`";
             // expat notices at the `>`.
             self.error(Kind::CDataEndInText, (at, at + 3), (expat::INVALID, at + 2), message);
         }
@@ -62,7 +62,7 @@ impl<'t> Parser<'t> {
         while let Some(at) = first_illegal(self.slice(from, end)).map(|at| from + at) {
             let next = self.char_end(at);
             let code = self.slice(at, next).chars().next().map_or(0, u32::from);
-            let message = format!("the character U+{code:04X} may not stand in XML: remove it");
+            let message = format!("character U+{code:04X} is not allowed in XML\nremove it");
             self.error(Kind::IllegalCharacter, (at, next), (expat::INVALID, at), message);
             from = next;
         }
@@ -97,14 +97,18 @@ impl<'t> Parser<'t> {
             (expat::INVALID, stop)
         };
         let message = match self.slice(at + 1, stop) {
-            "" => "a plain `&` must be written `&amp;`".to_owned(),
-            name => format!("`&{name}` needs a `;`, or write `&amp;` for a plain `&`"),
+            "" if self.bytes.get(at + 1) == Some(&b'&') => {
+                "unescaped `&`\nwrite `and` instead of `&&` in expressions".to_owned()
+            }
+            "" => "unescaped `&`\nwrite `&amp;`".to_owned(),
+            name => format!("`&{name}` is not followed by `;`\nwrite `&amp;` for a literal `&`, or add `;`"),
         };
         self.error(Kind::BadReference, (at, stop.max(at + 1)), verdict, message);
     }
 
     pub(super) fn bad_character_reference(&mut self, at: usize, end: usize, stop: usize) {
-        let message = format!("`{}` refers to a character that XML does not allow", self.slice(at, end));
+        let message =
+            format!("`{}` is a character that is not allowed in XML\nremove it", self.slice(at, end));
         self.error(Kind::BadCharacterReference, (at, end), (expat::BAD_CHAR_REF, stop), message);
     }
 

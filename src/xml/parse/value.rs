@@ -123,7 +123,7 @@ impl Parser<'_> {
         (stop, end): (usize, usize),
         mut flags: u8,
     ) -> bool {
-        let message = "`<` may not stand in an attribute value: write `&lt;`";
+        let message = "`<` is not allowed in an attribute value\nwrite `&lt;`";
         self.error(Kind::LtInValue, (stop, stop + 1), (expat::INVALID, stop), message);
         flags |= self.raw_flags(stop, end);
         self.pos = end + 1;
@@ -147,7 +147,8 @@ impl Parser<'_> {
         self.errors.retain(|e| e.error.range.start < behind);
         self.pos = value.1;
         self.look(verdict.1 + 1);
-        let message = format!("the value of `{}` needs a closing quote", self.slice(name.0, name.1));
+        let message =
+            format!("value of `{}` has no closing quote\nadd the closing quote", self.slice(name.0, name.1));
         self.error(Kind::UnclosedValue, (value.0 - 1, value.1), verdict, message);
         self.mark_divergence();
         let flags = flags & !(HAS_DOLLAR | NEEDS_DECODING) | self.raw_flags(value.0, value.1);
@@ -165,19 +166,14 @@ impl Parser<'_> {
         }
         if start < self.bytes.len() {
             let name_text = self.slice(name.0, name.1);
-            let message = match self
-                .slice(start, self.pos)
-                .chars()
-                .next()
-                .filter(|c| "“”„‟‘’‚″′«»".contains(*c))
-            {
-                Some(quote) => {
-                    format!(
-                        "the value of `{name_text}` stands in `{quote}`, which is no quote of XML: write `\"`"
-                    )
-                }
-                None => format!("the value of `{name_text}` must stand in quotes"),
-            };
+            let message =
+                match self.slice(start, self.pos).chars().next().filter(|c| "“”„‟‘’‚″′«»".contains(*c))
+                {
+                    Some(quote) => {
+                        format!("value of `{name_text}` is in `{quote}` instead of quotes\nwrite `\"`")
+                    }
+                    None => format!("value of `{name_text}` must be quoted\nwrite {name_text}=\"...\""),
+                };
             self.error(Kind::BadAttribute, (name.0, self.pos), (expat::INVALID, start), message);
         }
         if self.pos == start {

@@ -5,12 +5,14 @@
 
 mod data;
 mod expressions;
+mod launch_files;
 mod messages;
 mod robots;
 mod texts;
 
 pub use data::{configuration, mesh, yaml};
 pub use expressions::{expression, outcome};
+pub use launch_files::launch;
 pub use messages::messages;
 pub use robots::{expander, fixes};
 pub use texts::{edits, formatter, xml};
@@ -38,6 +40,7 @@ pub const TARGETS: &[Target] = &[
     Target { name: "fixes", run: fixes, seeds: &["xacro", "urdf"], has_choice: true },
     Target { name: "mesh", run: mesh, seeds: &["stl", "meshes"], has_choice: true },
     Target { name: "configuration", run: configuration, seeds: &["toml"], has_choice: false },
+    Target { name: "launch", run: launch, seeds: &["launch"], has_choice: true },
     Target { name: "messages", run: messages, seeds: &["messages"], has_choice: false },
 ];
 

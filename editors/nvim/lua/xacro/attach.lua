@@ -17,7 +17,7 @@ local function attached(client, bufnr)
     require('xacro.lens').enable(bufnr)
   end
   if wanted.close_tags then
-    require('xacro.on_type').enable(client, bufnr)
+    require('xacro.on_type').enable(bufnr)
   end
   if wanted.linked_editing then
     require('xacro.linked').enable(client, bufnr)
@@ -28,6 +28,7 @@ local function attached(client, bufnr)
   if wanted.gx then
     require('xacro.links').enable(bufnr)
   end
+  require('xacro.companions').attached()
   require('xacro.status').ask(bufnr)
 end
 

@@ -28,7 +28,7 @@ M.defaults = {
   code_lens = false,
   completion = false,
   close_tags = true,
-  linked_editing = true,
+  linked_editing = false,
   colors = true,
   gx = true,
   expand = { split = 'botright vertical', delay = 100, follow = true },

@@ -26,13 +26,13 @@ local function texts_of(bufnr, revision)
   local folder = vim.fs.dirname(vim.api.nvim_buf_get_name(bufnr))
   local top = git(folder, 'rev-parse', '--show-toplevel')
   if not top then
-    return nil, 'this file is in no git repository'
+    return nil, 'this file is not in a git repository'
   end
   top = vim.trim(top)
   -- what begins with a dash would be an option
   local commit = git(top, 'rev-parse', '--verify', '--quiet', '--end-of-options', revision .. '^{commit}')
   if not commit then
-    return nil, ('git knows no revision `%s`'):format(revision)
+    return nil, ('unknown git revision `%s`'):format(revision)
   end
   commit = vim.trim(commit)
   local names = {}
@@ -88,7 +88,7 @@ function M.open(revision)
     talk.ask(source, 'xacro/expand', params, function(before)
       if not before.ok or not now.ok then
         talk.say(
-          ('%s has errors: the robot is compared as far as it goes'):format(
+          ('%s has errors: only a part of the robot is compared'):format(
             now.ok and 'the earlier version' or 'the robot'
           ),
           vim.log.levels.WARN

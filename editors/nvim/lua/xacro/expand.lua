@@ -58,7 +58,7 @@ local function banner(width)
     local more = #view.errors > 1 and (' (and %d more)'):format(#view.errors - 1) or ''
     why = ('%s:%d: %s%s'):format(base(first.location.uri), line, first.message, more)
   end
-  local what = view.shown and 'last good text' or 'as far as it goes'
+  local what = view.shown and 'last valid text' or 'incomplete'
   return ('%%#XacroBanner# %s '):format(cut(what .. ': ' .. why, width - 2))
 end
 
@@ -251,7 +251,7 @@ function M.jump(role)
     return
   end
   if not view.fresh then
-    talk.say('the text is not that of the sources now; mend the error first', vim.log.levels.WARN)
+    talk.say('the text is out of date; fix the error first', vim.log.levels.WARN)
     return
   end
   places_of_cursor(function(places, client)
@@ -261,7 +261,7 @@ function M.jump(role)
         return
       end
     end
-    talk.say(role == 'call' and 'no macro call made this' or 'no source is known for this')
+    talk.say(role == 'call' and 'no macro call for this text' or 'no source for this text')
   end)
 end
 
@@ -288,7 +288,7 @@ local function prepare()
   end, 'go to the source')
   map('gC', function()
     M.jump('call')
-  end, 'go to the call that made this')
+  end, 'go to the macro call')
   map('q', M.close, 'close')
   local group = vim.api.nvim_create_augroup('xacro_expand', {})
   local follow = config.get().expand.follow

@@ -21,7 +21,7 @@ local function check_server()
   local path = vim.fn.exepath(command[1])
   if path == '' then
     return vim.health.error(('`%s` is not in PATH'):format(command[1]), {
-      'install it with: cargo install --path . (in a checkout of xacro-lsp)',
+      'install it with: cargo install --locked --path . (in a checkout of xacro-lsp)',
       "or name it: vim.g.xacro = { cmd = { '/path/to/xacro-lsp' } }",
     })
   end
@@ -50,7 +50,7 @@ local function check_clients()
     for bufnr in pairs(client.attached_buffers) do
       local name = vim.fn.fnamemodify(vim.api.nvim_buf_get_name(bufnr), ':~:.')
       local text = require('xacro.status').text(bufnr)
-      vim.health.info(('%s is shown under: %s'):format(name, text ~= '' and text or '(not known yet)'))
+      vim.health.info(('%s is shown under: %s'):format(name, text ~= '' and text or '(unknown yet)'))
     end
   end
   local others = {}
@@ -61,7 +61,7 @@ local function check_clients()
     end
   end
   if #others > 0 then
-    vim.health.warn('other servers for xacro too: ' .. table.concat(others, ', '), { 'findings may come twice' })
+    vim.health.warn('other servers for xacro: ' .. table.concat(others, ', '), { 'findings may be shown twice' })
   end
 end
 
@@ -71,10 +71,10 @@ local function check_files()
   if found == 'xacro' then
     vim.health.ok('*.xacro is of filetype xacro')
   else
-    vim.health.error(('*.xacro is of filetype %s'):format(found), { 'another plugin or vim.filetype.add took it' })
+    vim.health.error(('*.xacro is of filetype %s'):format(found), { 'another plugin or vim.filetype.add changed it' })
   end
   if pcall(vim.treesitter.language.inspect, 'xml') then
-    vim.health.ok('the tree-sitter parser for XML is there')
+    vim.health.ok('tree-sitter parser for XML found')
   else
     vim.health.info('no tree-sitter parser for XML; the syntax file is used')
   end
@@ -86,14 +86,14 @@ local function check_world()
   if sourced then
     vim.health.ok('a ROS environment is sourced: ' .. sourced)
   else
-    vim.health.info('no ROS environment is sourced: packages come from the folders around a file and from /opt/ros')
+    vim.health.info('no ROS environment is sourced: packages are searched in the folders around a file and in /opt/ros')
   end
   for _, opener in ipairs({ 'xdg-open', 'open', 'wslview', 'explorer.exe' }) do
     if vim.fn.executable(opener) == 1 then
       return vim.health.ok(('the preview is opened by `%s`'):format(opener))
     end
   end
-  vim.health.info('nothing here opens a browser; :XacroPreview shows the address')
+  vim.health.info('no program found to open a browser; :XacroPreview prints the URL')
 end
 
 function M.check()

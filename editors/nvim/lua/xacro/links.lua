@@ -67,7 +67,7 @@ end
 
 ---@param bufnr integer
 function M.enable(bufnr)
-  vim.keymap.set('n', 'gx', M.open, { buffer = bufnr, desc = 'Open the file or address under the cursor' })
+  vim.keymap.set('n', 'gx', M.open, { buffer = bufnr, desc = 'Open the file or URL under the cursor' })
 end
 
 return M

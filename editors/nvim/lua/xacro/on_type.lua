@@ -1,4 +1,5 @@
---- `>` adds the end tag and `</` completes it, on versions without vim.lsp.on_type_formatting.
+--- `>` adds the end tag, `</` completes it, and Enter between tags indents. vim.lsp.on_type_formatting of newer versions
+--- does the same, but leaves the cursor in front of the indentation.
 local talk = require('xacro.client')
 
 local M = {}
@@ -24,18 +25,17 @@ local function ask(bufnr, typed)
     if typed == '>' then
       -- the end tag comes behind the cursor
       vim.api.nvim_win_set_cursor(0, cursor)
-    else
+    elseif typed == '/' then
       vim.api.nvim_win_set_cursor(0, { cursor[1], cursor[2] + #edits[1].newText })
+    else
+      local line = vim.api.nvim_buf_get_lines(bufnr, cursor[1] - 1, cursor[1], false)[1] or ''
+      vim.api.nvim_win_set_cursor(0, { cursor[1], #line:match('^[ \t]*') })
     end
   end, true)
 end
 
----@param client vim.lsp.Client
 ---@param bufnr integer
-function M.enable(client, bufnr)
-  if vim.lsp.on_type_formatting then
-    return vim.lsp.on_type_formatting.enable(true, { client_id = client.id })
-  end
+function M.enable(bufnr)
   vim.api.nvim_create_autocmd('InsertCharPre', {
     group = vim.api.nvim_create_augroup('xacro_on_type_' .. bufnr, {}),
     buffer = bufnr,
@@ -46,6 +46,22 @@ function M.enable(client, bufnr)
           ask(bufnr, typed)
         end)
       end
+    end,
+  })
+  -- Enter is no character that is inserted
+  vim.on_key(function(_, typed)
+    local mode = vim.api.nvim_get_mode()
+    if typed == '\r' and mode.mode == 'i' and vim.api.nvim_get_current_buf() == bufnr then
+      vim.schedule(function()
+        ask(bufnr, '\n')
+      end)
+    end
+  end, vim.api.nvim_create_namespace('xacro_on_type_' .. bufnr))
+  vim.api.nvim_create_autocmd('BufUnload', {
+    group = vim.api.nvim_create_augroup('xacro_on_key_' .. bufnr, {}),
+    buffer = bufnr,
+    callback = function()
+      vim.on_key(nil, vim.api.nvim_create_namespace('xacro_on_type_' .. bufnr))
     end,
   })
 end

@@ -10,7 +10,7 @@ function M.open(only_say)
   talk.command(bufnr, 'xacro.preview', { textDocument = talk.document(bufnr) }, function(answer)
     local url = type(answer) == 'table' and answer.url
     if type(url) ~= 'string' then
-      return talk.say('the server gave no address for the preview', vim.log.levels.ERROR)
+      return talk.say('the server returned no URL for the preview', vim.log.levels.ERROR)
     end
     vim.g.xacro_preview_url = url
     local opened = not only_say and vim.ui.open(url)

@@ -16,7 +16,7 @@ local function set(bufnr, root)
   local params = { root = root or vim.NIL, textDocument = talk.document(bufnr) }
   talk.ask(bufnr, 'xacro/setRoot', params, function()
     status.ask(bufnr, function(text)
-      talk.say('shown under ' .. text)
+      talk.say('root: ' .. text)
     end)
   end)
 end
@@ -52,7 +52,7 @@ function M.root(path, automatic)
     end
     local items = vim.list_extend({ { automatic = true } }, roots.candidates)
     vim.ui.select(items, {
-      prompt = 'Robot that this file is shown under',
+      prompt = 'Robot for this file',
       format_item = function(item)
         if item.automatic then
           return 'automatic'
@@ -151,10 +151,10 @@ function M.instance(all)
       end
     end
     if #items == 1 then
-      return talk.say('no call of a macro made what is under the cursor', vim.log.levels.WARN)
+      return talk.say('no macro call at the cursor', vim.log.levels.WARN)
     end
     vim.ui.select(items, {
-      prompt = 'Call that the macro is looked at as',
+      prompt = 'Macro call for values',
       format_item = function(item)
         return item.label
       end,

@@ -1,11 +1,13 @@
 //! Short texts between the text: values of expressions, names of blocks, what a far end tag ends.
 
+mod values;
+
 use super::context::Cx;
-use super::expressions::{ExprText, parsed};
-use super::values::{cut, distinct, instances, short};
+use super::expressions::ExprText;
+use super::values::cut;
 use base::{Encoding, FastMap, TextRange};
 use expand::{DefinitionId, SourceRange, SymbolKind, UseKind};
-use expr::{self, Code, Subst, Token, Value, parse_substitution};
+use values::Values;
 use xml::{Document, Node, NodeKind};
 
 /// Which hints are shown, and how long they may be.
@@ -54,6 +56,7 @@ pub fn hints(cx: &Cx<'_>, range: TextRange, settings: HintSettings) -> Vec<Hint>
     let document = &cx.source.document;
     let calls = if settings.blocks { calls(cx) } else { FastMap::default() };
     let mut found = Vec::new();
+    let mut values = Values::new(cx, settings.most);
     for (base, item) in document.parts().filter(|(base, item)| overlaps(range, *base, item.len())) {
         for node in item.all_nodes() {
             let whole = node.range().shift(base);
@@ -62,12 +65,12 @@ pub fn hints(cx: &Cx<'_>, range: TextRange, settings: HintSettings) -> Vec<Hint>
             }
             match node.kind() {
                 NodeKind::Text if settings.values && node.has_dollar() => {
-                    values(cx, &ExprText::of_text(document, base, node), settings.most, &mut found);
+                    values.of_text(&ExprText::of_text(document, base, node));
                 }
                 NodeKind::Element => {
                     let texts = node.attrs().filter(|attr| attr.has_dollar() && attr.name() != "params");
                     for attr in texts.filter(|_| settings.values) {
-                        values(cx, &ExprText::of_attr(document, base, attr), settings.most, &mut found);
+                        values.of_attribute(&ExprText::of_attr(document, base, attr), node, attr);
                     }
                     if let Some(macro_id) = calls.get(&node.name_range().shift(base).end) {
                         blocks(cx, base, node, *macro_id, &mut found);
@@ -78,6 +81,7 @@ pub fn hints(cx: &Cx<'_>, range: TextRange, settings: HintSettings) -> Vec<Hint>
             }
         }
     }
+    found.extend(values.finish());
     found.retain(|hint| range.touches(hint.offset));
     found.sort_by_key(|hint| hint.offset);
     found
@@ -85,64 +89,6 @@ pub fn hints(cx: &Cx<'_>, range: TextRange, settings: HintSettings) -> Vec<Hint>
 
 fn overlaps(range: TextRange, start: u32, length: u32) -> bool {
     start <= range.end && range.start <= start + length
-}
-
-fn values(cx: &Cx<'_>, text: &ExprText<'_>, most: usize, found: &mut Vec<Hint>) {
-    for token in &text.template.tokens {
-        let arrow = match token {
-            Token::Expr { code: Code::Static(_), .. } => {
-                let has_names = parsed(token).is_some_and(|(expr, _)| !expr::names(expr).is_empty());
-                if !has_names {
-                    continue;
-                }
-                "= "
-            }
-            Token::Expr { .. } => "= ",
-            Token::Subst { inner, nested: None, .. } => {
-                match parse_substitution(inner.slice(&text.text)) {
-                    Subst::Arg(_) | Subst::Env(_) | Subst::OptEnv { .. } => "→ ",
-                    Subst::Eval { .. } => "= ",
-                    // packages are links: their paths are long
-                    _ => continue,
-                }
-            }
-            _ => continue,
-        };
-        let range = text.range(token.range());
-        if let Some(shown) = listed(cx, range, most) {
-            let (offset, about) = (range.end, range.start);
-            found.push(Hint { offset, label: format!("{arrow}{shown}"), kind: HintKind::Value, about });
-        }
-    }
-}
-
-/// The values of an expression: up to three, of more the first two.
-fn listed(cx: &Cx<'_>, range: TextRange, most: usize) -> Option<String> {
-    const MOST_VALUES: usize = 3;
-    let values = instances(cx, range);
-    let values = distinct(values.iter().map(|instance| &instance.value));
-    // a part that is not known makes the rest a guess
-    if values.is_empty() || !values.iter().all(|value| is_evident(value)) {
-        return None;
-    }
-    let count = if values.len() > MOST_VALUES { 2 } else { values.len() };
-    let mut shown: Vec<String> = values.iter().take(count).map(|value| short(value, most)).collect();
-    if values.len() > count {
-        shown.push("…".to_owned());
-    }
-    Some(cut(&shown.join(", "), most)).filter(|shown| !shown.is_empty())
-}
-
-/// Whether a value says something in a few characters.
-fn is_evident(value: &Value) -> bool {
-    match value {
-        Value::Bool(_) | Value::Int(_) | Value::Big(_) | Value::Float(_) | Value::Str(_) | Value::None => {
-            true
-        }
-        Value::List(list) => list.len() <= 6,
-        Value::Tuple(tuple) => tuple.items().len() <= 6,
-        _ => false,
-    }
 }
 
 /// The macro that each tag of the file calls, by the end of the tag's name.

@@ -1,0 +1,36 @@
+//! A fix that causes new errors is taken back.
+
+use super::report::Report;
+use base::FastSet;
+use rules::{Category, Finding, Severity};
+
+/// Findings after whose fix more of a robot is there, which may hold errors of its own: texts that could not be parsed,
+/// tags and files that were missing or meant nothing.
+const REVEAL: [&str; 12] = [
+    "XML001", "XML002", "XML004", "XML006", "XAC002", "XAC008", "XAC009", "XAC017", "XAC020", "XAC021",
+    "XAC032", "PKG001",
+];
+
+/// Whether fixes of findings in the report before led to errors in what was expanded before.
+pub(super) fn harms(before: &Report, after: &Report, made: &[usize]) -> bool {
+    let errors = |report: &Report| -> Vec<(&'static str, String)> {
+        let errors = report.findings.iter().filter(|finding| finding.severity == Severity::Error);
+        errors.map(|finding| (finding.rule.code, finding.message.clone())).collect()
+    };
+    let (old, new) = (errors(before), errors(after));
+    let known: FastSet<&(&str, String)> = old.iter().collect();
+    if new.iter().all(|error| known.contains(error)) {
+        return false;
+    }
+    let fixed = || made.iter().filter_map(|&number| before.findings.get(number));
+    if fixed().any(|finding| REVEAL.contains(&finding.rule.code)) {
+        return false;
+    }
+    // a value that is known now may be wrong; one error for another is no loss
+    !fixed().any(is_value) || new.len() > old.len()
+}
+
+/// Whether what was wrong gave no value.
+fn is_value(finding: &Finding) -> bool {
+    finding.severity == Severity::Error && matches!(finding.rule.category, Category::Xacro | Category::Xml)
+}

@@ -1,0 +1,307 @@
+//! What launch files say of robots that is not so: arguments that no robot knows, descriptions that are not there.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use ecow::EcoString;
+
+use super::check::CheckOptions;
+use super::config_findings::arguments;
+use super::includes::reach;
+use super::session::Session;
+use base::{FastMap, FastSet, Span, TextRange};
+use rules::{Finding, launched_file_not_found, unknown_launch_argument};
+use workspace::launch::{Argument, Call};
+use workspace::{RobotCall, nearest};
+
+/// Descriptions that are read for the arguments of one robot.
+const MOST_FILES: usize = 500;
+
+/// The arguments that a description knows.
+#[derive(Default)]
+struct Known {
+    names: FastSet<EcoString>,
+    /// Whether all that may be included was read, and each name is written out.
+    complete: bool,
+}
+
+impl Session {
+    /// What is wrong in the calls of the launch files below the folders that are checked.
+    pub(super) fn launch_findings(&self, options: &CheckOptions) -> Vec<Finding> {
+        let mut known: FastMap<PathBuf, Arc<Known>> = FastMap::default();
+        let mut found = Vec::new();
+        // an editor asks about the files that it shows
+        if !options.entries.is_empty() {
+            return found;
+        }
+        let folders = options.paths.iter().map(|path| self.vfs.absolute(path));
+        for folder in folders.filter(|path| self.vfs.is_dir(path)) {
+            let calls = self.robot_calls(&folder);
+            for group in calls.chunk_by(|a, b| same_place(&a.call, &b.call)) {
+                if options.cancel.is_cancelled() {
+                    return found;
+                }
+                let is_checked =
+                    |call: &RobotCall| !self.settings(&call.call.caller).excludes(&call.call.caller);
+                if group.first().is_some_and(is_checked) {
+                    self.findings_of(group, &mut known, &mut found);
+                }
+            }
+        }
+        found
+    }
+
+    /// The values that launch files give to an argument of a robot, each with the names of the files.
+    pub fn launch_values(&self, robot: &Path, name: &str) -> Vec<(String, String)> {
+        let mut values: Vec<(String, Vec<String>)> = Vec::new();
+        for call in self.robot_calls(robot).iter().filter(|call| call.target.as_deref() == Some(robot)) {
+            let caller = call.call.through.first().unwrap_or(&call.call.caller);
+            let caller = caller.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            for argument in call.call.args.iter().filter(|argument| argument.name == name) {
+                let value = argument.value.shown();
+                match values.iter_mut().find(|(known, _)| *known == value) {
+                    Some((_, files)) if files.contains(&caller) => {}
+                    Some((_, files)) => files.push(caller.clone()),
+                    None => values.push((value, vec![caller.clone()])),
+                }
+            }
+        }
+        values.into_iter().map(|(value, files)| (value, in_short(&files))).collect()
+    }
+
+    /// Of arguments that robots are given, those that none of them knows, each with a similar name. Where something of a
+    /// robot could not be read, it may know them all.
+    pub fn undeclared_arguments(
+        &self,
+        robots: &[PathBuf],
+        args: &[(String, String)],
+    ) -> Vec<(String, Option<String>)> {
+        if args.is_empty() {
+            return Vec::new();
+        }
+        let known: Vec<Known> = robots.iter().map(|robot| self.known(robot)).collect();
+        if !known.iter().all(|known| known.complete) {
+            return Vec::new();
+        }
+        let names: FastSet<&str> =
+            known.iter().flat_map(|known| &known.names).map(EcoString::as_str).collect();
+        let unknown = args.iter().map(|(name, _)| name).filter(|name| !names.contains(name.as_str()));
+        let mut seen = FastSet::default();
+        let unknown = unknown.filter(|name| seen.insert(*name));
+        let near = |name: &String| nearest(name, names.iter().copied()).map(str::to_owned);
+        unknown.map(|name| (name.clone(), near(name))).collect()
+    }
+
+    /// What is wrong in one call, with all the arguments that its launch file is included with.
+    fn findings_of(
+        &self,
+        group: &[RobotCall],
+        known: &mut FastMap<PathBuf, Arc<Known>>,
+        found: &mut Vec<Finding>,
+    ) {
+        let targets: Vec<&PathBuf> = group.iter().filter_map(|call| call.target.as_ref()).collect();
+        let is_there = |path: &&&PathBuf| self.vfs.is_file(path);
+        if let Some(missing) = group.iter().find(|call| self.is_missing(call))
+            && !targets.iter().any(|path| self.vfs.is_file(path))
+        {
+            let place = missing.call.file.place().unwrap_or(missing.call.range);
+            let span = Span { file: self.vfs.file_id(&missing.call.caller), range: place };
+            found.push(launched_file_not_found(span, &missing.call.file.shown()));
+        }
+        let robots: Vec<(&PathBuf, Arc<Known>)> = targets
+            .iter()
+            .filter(is_there)
+            .map(|path| {
+                let known = known.entry((*path).clone()).or_insert_with(|| Arc::new(self.known(path)));
+                (*path, known.clone())
+            })
+            .collect();
+        let Some((robot, _)) = robots.first() else { return };
+        let mut seen: FastSet<&str> = FastSet::default();
+        for argument in group.iter().flat_map(|call| &call.call.args) {
+            let name = argument.name.as_str();
+            let has = |known: &Known| known.names.contains(name);
+            if robots.iter().any(|(_, known)| has(known)) || !seen.insert(name) {
+                continue;
+            }
+            let is_certain = robots.len() == group.len() && robots.iter().all(|(_, known)| known.complete);
+            let names = robots.iter().flat_map(|(_, known)| &known.names).map(EcoString::as_str);
+            let Some(call) = group.first() else { continue };
+            let span = self.place_of(&call.call, argument);
+            found.push(unknown_launch_argument(span, name, robot, nearest(name, names), is_certain));
+        }
+    }
+
+    /// Whether a call names a file in the tree that is not there.
+    fn is_missing(&self, call: &RobotCall) -> bool {
+        let Some(path) = call.target.as_ref().filter(|path| !self.vfs.exists(path)) else { return false };
+        // of a path by itself, where it starts is not known
+        let is_in_package = call.call.file.in_package().is_some();
+        is_in_package && self.packages.containing(path).is_some()
+    }
+
+    /// The arguments that a description and everything that it may include declare or read, in any branch.
+    fn known(&self, robot: &Path) -> Known {
+        let mut known = Known { complete: true, ..Known::default() };
+        let mut seen: FastSet<PathBuf> = FastSet::default();
+        let mut open = vec![robot.to_owned()];
+        while let Some(path) = open.pop() {
+            if !seen.insert(path.clone()) {
+                continue;
+            }
+            let Ok(source) = self.vfs.document(&path) else {
+                known.complete = false;
+                continue;
+            };
+            if seen.len() > MOST_FILES || !source.document.errors().is_empty() {
+                known.complete = false;
+            }
+            if seen.len() > MOST_FILES {
+                break;
+            }
+            known.names.extend(arguments(&source));
+            let reach = reach(&source, &self.packages);
+            known.complete &= !reach.anything;
+            for files in reach.files(&self.vfs) {
+                known.complete &= !files.is_empty();
+                open.extend(files);
+            }
+        }
+        known.complete &= !known.names.iter().any(|name| name.contains('$'));
+        known
+    }
+
+    /// Where a call writes the name of an argument.
+    fn place_of(&self, call: &Call, argument: &Argument) -> Span {
+        let file = self.vfs.file_id(&call.caller);
+        let text = self.vfs.text(&call.caller);
+        let text = text.as_ref().map_or("", |file| &*file.text);
+        let name = &argument.name;
+        let forms = [format!("{name}:="), format!("'{name}'"), format!("\"{name}\""), format!("{name}=")];
+        let within = |range: TextRange| {
+            let code = range.slice(text);
+            let (at, form) = forms.iter().find_map(|form| Some((whole(code, form)?, form)))?;
+            let lead = u32::from(form.starts_with(['"', '\'']));
+            let start = range.start + at as u32 + lead;
+            Some(TextRange::new(start, start + name.len() as u32))
+        };
+        let range = argument.range.and_then(within).or_else(|| within(call.range));
+        Span { file, range: range.unwrap_or(call.range) }
+    }
+}
+
+/// The first names of a list, and how many there are besides.
+fn in_short(names: &[String]) -> String {
+    const MOST: usize = 3;
+    let first = names.iter().take(MOST).cloned().collect::<Vec<_>>().join(", ");
+    if names.len() > MOST { format!("{first} and {} more", names.len() - MOST) } else { first }
+}
+
+/// Where a text holds another that is not the end of a longer name.
+fn whole(text: &str, form: &str) -> Option<usize> {
+    let is_part = |c: char| c.is_alphanumeric() || c == '_';
+    let mut places = text.match_indices(form).map(|(at, _)| at);
+    places.find(|at| !text.get(..*at).is_some_and(|before| before.ends_with(is_part)))
+}
+
+fn same_place(a: &Call, b: &Call) -> bool {
+    (&a.caller, a.range) == (&b.caller, b.range)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{CheckOptions, Session, Setup};
+    use vfs::testing::Tree;
+
+    const ROBOT: &str = "<robot name='r' xmlns:xacro='x'><xacro:arg name='use_sim' default='false'/>\
+                         <xacro:if value='$(arg use_sim)'><xacro:include filename='part.xacro'/></xacro:if><link name='a'/></robot>";
+
+    /// Check the calls of a launch file: severity and message of what the rules of launch files say.
+    fn check_launch(launch: &str, files: &[(&str, &str)], expected: &[&str]) {
+        let tree = Tree::new();
+        tree.write("arm/package.xml", "<package format='3'><name>arm</name></package>");
+        tree.write("arm/urdf/arm.urdf.xacro", ROBOT);
+        tree.write(
+            "arm/urdf/part.xacro",
+            "<robot xmlns:xacro='x'><xacro:arg name='inner' default=''/></robot>",
+        );
+        tree.write("bringup/package.xml", "<package format='3'><name>bringup</name></package>");
+        tree.write("bringup/launch/arm.launch.py", launch);
+        for (name, text) in files {
+            tree.write(name, text);
+        }
+        let (about, folders) = (tree.root().to_owned(), vec![tree.root().to_owned()]);
+        let setup = Setup { about, folders, ..Setup::default() };
+        let session = Session::new(&tree.environment(&[]), setup).unwrap();
+        let options = CheckOptions { paths: vec![tree.root().to_owned()], ..CheckOptions::default() };
+        let report = session.check(&options);
+        let found = report.findings.iter().filter(|f| ["PKG009", "PKG010"].contains(&f.rule.code));
+        let found: Vec<String> = found
+            .map(|f| {
+                let text = session.vfs.text(&session.vfs.path(f.span.file)).unwrap();
+                let help = f.help.clone().unwrap_or_default();
+                let near = help.strip_prefix("did you mean ").unwrap_or("");
+                format!("{} {} @{} {near}", f.severity, f.message, f.span.range.slice(&text.text))
+            })
+            .collect();
+        let found: Vec<&str> = found.iter().map(|text| text.trim_end()).collect();
+        assert_eq!(found, expected, "{launch}");
+    }
+
+    fn command(rest: &str) -> String {
+        format!("Command(['xacro ', FindPackageShare('arm'), '/urdf/arm.urdf.xacro'{rest}])\n")
+    }
+
+    #[test]
+    fn arguments_that_no_robot_knows() {
+        check_launch(&command(", ' use_sim:=true', ' inner:=1'"), &[], &[]);
+        check_launch(
+            &command(", ' use_simm:=true', ' colour:=', colour"),
+            &[],
+            &[
+                "error unknown argument `use_simm` of `arm.urdf.xacro` @use_simm `use_sim`?",
+                "error unknown argument `colour` of `arm.urdf.xacro` @colour",
+            ],
+        );
+        let process = "xacro.process_file(get_package_share_directory('arm') + '/urdf/arm.urdf.xacro', mappings={'colour': 'x'})";
+        check_launch(process, &[], &["error unknown argument `colour` of `arm.urdf.xacro` @colour"]);
+    }
+
+    #[test]
+    fn what_was_not_read_may_know_them() {
+        for part in
+            ["<xacro:include filename='$(find gone)/a.xacro'/>", "<xacro:include filename='gone.xacro'/>"]
+        {
+            let part = format!("<robot xmlns:xacro='x'>{part}</robot>");
+            check_launch(
+                &command(", ' colour:=x'"),
+                &[("arm/urdf/part.xacro", &part)],
+                &["info unknown argument `colour` of `arm.urdf.xacro` @colour"],
+            );
+        }
+    }
+
+    #[test]
+    fn launch_files_that_take_any_robot() {
+        let launch = "DeclareLaunchArgument('kind', default_value='arm')\n\
+                      Command(['xacro ', FindPackageShare('arm'), '/urdf/', LaunchConfiguration('kind'), '.urdf.xacro', ' hand:=1'])\n";
+        let hand = "<robot name='h' xmlns:xacro='x'><xacro:arg name='hand' default=''/><link name='$(arg hand)a'/></robot>";
+        let include = "IncludeLaunchDescription(PythonLaunchDescriptionSource([FindPackageShare('bringup'), \
+                       '/launch/arm.launch.py']), launch_arguments={'kind': 'hand'}.items())\n";
+        let files = [("arm/urdf/hand.urdf.xacro", hand), ("bringup/launch/hand.launch.py", include)];
+        check_launch(launch, &files, &[]);
+        check_launch(launch, &files[..1], &["error unknown argument `hand` of `arm.urdf.xacro` @hand"]);
+    }
+
+    #[test]
+    fn descriptions_that_are_not_there() {
+        let gone = command("").replace("arm.urdf", "gone.urdf");
+        check_launch(
+            &gone,
+            &[],
+            &["warning file `$(find arm)/urdf/gone.urdf.xacro` does not exist @'/urdf/gone.urdf.xacro'"],
+        );
+        check_launch(&gone.replace("'arm'", "'elsewhere'"), &[], &[]);
+        check_launch(&gone, &[("arm/urdf/gone.urdf.xacro.in", "<robot/>")], &[]);
+    }
+}

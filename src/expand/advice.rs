@@ -1,0 +1,147 @@
+//! What to do about a problem for which the place that found it has no better advice.
+
+use super::problem::Problem;
+use expr::{ErrorKind, EvalError};
+
+/// Python's words for a failed evaluation, where they say enough; what they leave out is added.
+pub(super) fn headline(error: &EvalError) -> String {
+    let message = error.message.as_str();
+    match error.kind {
+        ErrorKind::Key if !message.contains("()") => format!("unknown key {message}"),
+        ErrorKind::YamlKey => message.replacen("The ", "the ", 1),
+        ErrorKind::Io => message.split_once("] ").map_or(message, |(_, rest)| rest).to_owned(),
+        _ => translated(message).unwrap_or_else(|| message.to_owned()),
+    }
+}
+
+/// What Python says of types, in other words.
+fn translated(message: &str) -> Option<String> {
+    if let Some((operator, left, right)) = operands(message) {
+        let (left, right) = (named(left), named(right));
+        let both = match left.strip_prefix("a ").filter(|_| left == right) {
+            Some(kind) => format!("two {kind}s"),
+            None => format!("{left} and {right}"),
+        };
+        return Some(format!("`{operator}` cannot be applied to {both}"));
+    }
+    if let Some(rest) = message.strip_prefix("can only concatenate str (not \"") {
+        let kind = rest.split('"').next()?;
+        return Some(format!("`+` cannot be applied to a string and {}", named(kind)));
+    }
+    let text = message.strip_prefix("could not convert string to float: ")?;
+    Some(format!("{text} is not a number"))
+}
+
+/// The operator and the types of "unsupported operand type(s) for /: 'str' and 'float'".
+fn operands(message: &str) -> Option<(&str, &str, &str)> {
+    let (_, rest) = message.split_once("unsupported operand type(s) for ")?;
+    let (operator, kinds) = rest.split_once(": ")?;
+    let (left, right) = kinds.split_once(" and ")?;
+    let right = right.split_whitespace().next()?;
+    Some((operator, left.trim_matches('\''), right.trim_matches('\'')))
+}
+
+/// A type of Python for people.
+fn named(kind: &str) -> String {
+    match kind {
+        "str" => "a string".to_owned(),
+        "int" | "float" => "a number".to_owned(),
+        "bool" => "a boolean".to_owned(),
+        "list" | "tuple" => "a list".to_owned(),
+        "dict" => "a mapping".to_owned(),
+        "NoneType" => "nothing".to_owned(),
+        kind => format!("`{kind}`"),
+    }
+}
+
+/// The advice, in the imperative.
+pub(super) fn of(problem: &Problem) -> String {
+    let advice = match problem.code {
+        "XAC006" => "remove it, or add it to `params` of the macro",
+        "XAC007" => "remove the extra element from the call, or add a block parameter `*name` to the macro",
+        "XAC009" => "remove one of the includes, or put it in <xacro:if value=\"...\">",
+        "XAC018" => "rename the property; expressions can no longer use the built-in symbol",
+        "XAC022" => "use letters, digits and `_`; do not start with a digit or use a Python keyword",
+        "XAC024" => "write a Python expression such as `${2 * pi}`; quote strings as in `${'left' + side}`",
+        "XAC025" => return of_failure(problem),
+        "XAC026" => match problem.message.contains("${") {
+            true => "add `}`",
+            false => "add `)`",
+        },
+        "XAC030" => "write `xacro:` before the name in calls only, not in the definition",
+        "XAC031" => "remove the attribute",
+        "XAC033" => "remove the child elements, or move them out of the include",
+        "XAC034" => "simplify the robot description; the limit is fixed",
+        "XAC035" => "correct the pattern, or remove the include",
+        "XAC036" => "keep only one of the attributes",
+        "XAC040" => "remove `scope`, or use `value` instead of `default`",
+        "XAC041" => "use another name",
+        "XAC042" => "use the same URI in both places, or another prefix",
+        "XML001" => "write the text itself instead of the entity, and remove the DOCTYPE",
+        _ => return of_evaluation(&problem.message),
+    };
+    advice.to_owned()
+}
+
+/// The advice, and Python's own words where the headline translates them.
+fn of_failure(problem: &Problem) -> String {
+    let words = problem.reference.split(" \nwhen evaluating").next().unwrap_or_default().trim();
+    match translated(words) {
+        Some(_) => format!("{}; Python: {words}", of_evaluation(words)),
+        None => of_evaluation(&problem.message),
+    }
+}
+
+/// Python's words, translated for those who do not know Python.
+fn of_evaluation(message: &str) -> String {
+    let has = |text: &str| message.contains(text);
+    if let Some(advice) = of_operands(message) {
+        return advice;
+    }
+    let advice = if has("division by zero") || has("modulo") {
+        "check the divisor; it is 0"
+    } else if has("is a single string and outside") {
+        "move the file into the package, or write a mapping or a list"
+    } else if has("so its text is not shown") {
+        "move the file into the package to see the error"
+    } else if has("has no key") || has("unknown key") {
+        "use a key that exists in the mapping"
+    } else if has("index out of range") {
+        "use an index from 0 to the number of items minus 1"
+    } else if has("could not convert string to float") || has("invalid literal for int()") {
+        "use a value that is a number"
+    } else if has("is not set") {
+        "set the environment variable, or write $(optenv NAME DEFAULT)"
+    } else if has("math domain error") || has("math range error") {
+        "check the arguments of the function; the result is not a real number"
+    } else if has("has no attribute") {
+        "check the spelling; the value has no such attribute or key"
+    } else if has("No such file or directory") || has("Is a directory") {
+        "correct the path, or add the file"
+    } else if has("substitution args") || has("$(") {
+        "use $(find PACKAGE), $(arg NAME), $(env NAME), $(optenv NAME DEFAULT) or $(eval EXPRESSION)"
+    } else if has("argument") {
+        "check the number and the types of the arguments of the function"
+    } else if has("must be str") || has("only concatenate") {
+        "convert the number to a string with `str(...)`"
+    } else if has("the limit") {
+        "simplify the expression"
+    } else if has("xacro:element") || has("xacro:attribute") {
+        "write an expression whose value is a name"
+    } else {
+        "check the types of the values in the expression; xacro evaluates it as Python"
+    };
+    advice.to_owned()
+}
+
+/// "unsupported operand type(s) for /: 'str' and 'float'": which side is no number.
+fn of_operands(message: &str) -> Option<String> {
+    let (operator, left, right) = operands(message)?;
+    let side = match (left == "str", right == "str") {
+        (true, true) => "both values are strings",
+        (true, false) => "the value on the left is a string",
+        (false, true) => "the value on the right is a string",
+        _ => return Some(format!("use numbers with `{operator}`")),
+    };
+    Some(format!("convert the string with `float(...)`; `{operator}` needs numbers, but {side}"))
+}

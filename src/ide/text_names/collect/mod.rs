@@ -1,0 +1,284 @@
+//! Reading the definitions and uses of names off the texts of a robot, in the order of evaluation.
+
+mod record;
+
+use std::sync::Arc;
+
+use ecow::EcoString;
+
+use super::files::Files;
+use super::{Class, Given, Scope, ScopeId, TextNames};
+use base::{FastMap, FastSet, FileId, Span, TextRange};
+use expand::{Expansion, SymbolKind, UseKind, parse_params};
+use facts::{FactsOf, facts_of, is_keyword};
+use rules::Surroundings;
+use vfs::SourceFile;
+use xml::{Attr, Entities, Item, Node, NodeKind, source_offset};
+
+/// Includes inside of includes that are followed.
+const MOST_DEEP: u32 = 100;
+
+impl TextNames {
+    /// The names of the robot that was expanded, with those in its branches that were not.
+    pub fn of(expansion: &Expansion, world: Surroundings<'_>) -> Self {
+        let files = Files::new(expansion, world);
+        let mut names = Self { scopes: vec![Scope::Top], ..Self::default() };
+        if let Some(root) = files.root() {
+            let mut reader = Reader {
+                names: &mut names,
+                files: &files,
+                seen: FastSet::default(),
+                known: FastMap::default(),
+                order: 0,
+            };
+            reader.file(&root, ScopeId(0), true, 0);
+        }
+        for (id, given) in (0..).zip(&names.given) {
+            names.by_name.entry((Class::of(given.kind), given.name.clone())).or_default().push(id);
+        }
+        names.connect();
+        names
+    }
+
+    /// Work out what the bodies of macros and blocks see.
+    fn connect(&mut self) {
+        let calls = self.used.iter().filter(|used| used.class == Class::Macro && !used.is_end);
+        let mut entered: FastMap<Scope, Vec<ScopeId>> = FastMap::default();
+        for used in calls {
+            let name = if used.of.is_empty() {
+                used.name.clone()
+            } else {
+                ecow::eco_format!("{}.{}", used.of, used.name)
+            };
+            for of in self.macros(&name, &used.scopes) {
+                entered.entry(Scope::Callers(of)).or_default().extend(&used.scopes);
+                // a macro of a namespace sees that, and not who calls it
+                let own = self.given.get(of as usize).map_or(&[][..], |given| &given.scopes);
+                let seen = if used.of.is_empty() { &used.scopes[..] } else { own };
+                entered.entry(Scope::Body(of)).or_default().extend(seen);
+            }
+        }
+        self.set_entered(entered);
+        let mut entered: FastMap<Scope, Vec<ScopeId>> = FastMap::default();
+        for used in self.used.iter().filter(|used| used.kind == UseKind::Insert) {
+            for of in self.candidates(used, None) {
+                entered.entry(Scope::Body(of)).or_default().extend(&used.scopes);
+            }
+        }
+        self.set_entered(entered);
+    }
+
+    fn set_entered(&mut self, mut entered: FastMap<Scope, Vec<ScopeId>>) {
+        for (id, scope) in (0..).map(ScopeId).zip(&self.scopes) {
+            if let Some(mut from) = entered.remove(scope) {
+                from.sort_unstable();
+                from.dedup();
+                self.entered_from.insert(id, from);
+            }
+        }
+    }
+}
+
+struct Reader<'a> {
+    names: &'a mut TextNames,
+    files: &'a Files<'a>,
+    /// Files with the scopes that they were read in.
+    seen: FastSet<(FileId, ScopeId)>,
+    /// Definitions and uses by place.
+    known: FastMap<(Span, bool), u32>,
+    order: u32,
+}
+
+/// Where a node stands.
+#[derive(Clone, Copy)]
+struct At {
+    scope: ScopeId,
+    /// Whether it is evaluated whenever its scope is.
+    is_sure: bool,
+    is_in_body: bool,
+}
+
+/// An element around the current node: its end, and what holds inside.
+type Open = (u32, At);
+
+/// The part of a document that is read.
+struct Part<'a> {
+    source: &'a Arc<SourceFile>,
+    base: u32,
+    facts: &'a FactsOf<'a>,
+    depth: u32,
+}
+
+impl Part<'_> {
+    fn span(&self, range: TextRange) -> Span {
+        Span { file: self.source.id, range: range.shift(self.base) }
+    }
+}
+
+impl Reader<'_> {
+    fn file(&mut self, source: &Arc<SourceFile>, scope: ScopeId, is_sure: bool, depth: u32) {
+        if depth > MOST_DEEP || !self.seen.insert((source.id, scope)) {
+            return;
+        }
+        self.names.files.insert(source.id);
+        for (base, item) in source.document.parts() {
+            if item.text().contains("xacro:") || item.text().contains('$') {
+                let facts = facts_of(item);
+                let part = Part { source, base, facts: &facts, depth };
+                self.item(&part, item, At { scope, is_sure, is_in_body: false });
+            }
+        }
+    }
+
+    fn item(&mut self, part: &Part<'_>, item: &Item, outer: At) {
+        let mut sites = part.facts.sites().iter().peekable();
+        let mut open: Vec<Open> = Vec::new();
+        for node in item.all_nodes() {
+            let range = node.range();
+            while open.last().is_some_and(|(end, _)| *end <= range.start) {
+                open.pop();
+            }
+            let at = open.last().map_or(outer, |(_, at)| *at);
+            if node.kind() == NodeKind::Element {
+                let inside = self.element(part, node, at);
+                let end = node.start_tag_range().end;
+                while let Some(site) = sites.next_if(|site| site.range.start < end) {
+                    self.site(part, node, site, at, inside);
+                }
+                open.extend(inside.map(|inside| (range.end, inside)));
+            } else {
+                while let Some(site) = sites.next_if(|site| site.range.start < range.end) {
+                    self.mentions(part, site, at.scope, false);
+                }
+            }
+        }
+    }
+
+    /// Read an element; answers with what holds inside of it when that is something else.
+    fn element(&mut self, part: &Part<'_>, node: Node<'_>, at: At) -> Option<At> {
+        match node.name() {
+            "xacro:if" | "xacro:unless" => return Some(At { is_sure: false, ..at }),
+            "xacro:property" => return self.property(part, node, at),
+            "xacro:macro" => return self.macro_definition(part, node, at),
+            "xacro:arg" => {
+                self.give(
+                    part,
+                    node,
+                    SymbolKind::Argument,
+                    named(node, "name")?,
+                    At { scope: ScopeId(0), ..at },
+                );
+            }
+            "xacro:include" => self.include(part, node, at),
+            "xacro:insert_block" => {
+                let name = named(node, "name")?;
+                self.uses(part, UseKind::Insert, Class::Block, name, at.scope, "");
+            }
+            "xacro:call" => {
+                let (name, range) = named(node, "macro")?;
+                self.call(part, node, &name, range, at);
+            }
+            name => {
+                let called = name.strip_prefix("xacro:").filter(|called| !is_keyword(called))?;
+                let end = node.name_range().end;
+                let range = TextRange::new(end - called.len() as u32, end);
+                self.call(part, node, called, range, at);
+                if let Some(end) = node.end_name_range().filter(|end| end.len() == node.name_range().len()) {
+                    let first = self.names.used.len();
+                    self.tag(part, called, TextRange::new(end.end - called.len() as u32, end.end), at);
+                    self.names.used.iter_mut().skip(first).for_each(|used| used.is_end = true);
+                }
+            }
+        }
+        None
+    }
+
+    fn property(&mut self, part: &Part<'_>, node: Node<'_>, at: At) -> Option<At> {
+        let name = named(node, "name")?;
+        if node.attr("remove").is_some_and(|remove| matches!(remove.raw(), "true" | "True" | "1")) {
+            self.uses(part, UseKind::Read, Class::Value, name, at.scope, "");
+            return None;
+        }
+        let has_value = node.attr("value").is_some() || node.attr("default").is_some();
+        let kind = if has_value { SymbolKind::Property } else { SymbolKind::BlockProperty };
+        let is_sure = at.is_sure && node.attr("default").is_none();
+        let scope = node.attr("scope").map_or("", |scope| scope.raw());
+        let own = match scope {
+            "global" => At { scope: ScopeId(0), is_sure: is_sure && !at.is_in_body, ..at },
+            _ => At { is_sure, ..at },
+        };
+        let id = self.give(part, node, kind, name, own);
+        if let Some(given) = self.names.given.get_mut(id as usize) {
+            given.handed_out = scope == "parent";
+        }
+        let body = || At { scope: ScopeId(0), is_sure: true, is_in_body: true };
+        (!has_value).then(|| At { scope: self.scope(Scope::Body(id)), ..body() })
+    }
+
+    fn macro_definition(&mut self, part: &Part<'_>, node: Node<'_>, at: At) -> Option<At> {
+        let (name, range) = named(node, "name")?;
+        let bare: EcoString = name.trim_start_matches("xacro:").into();
+        let range = TextRange::new(range.end - bare.len() as u32, range.end);
+        let of = self.give(part, node, SymbolKind::Macro, (bare, range), at);
+        let (body, callers) = (self.scope(Scope::Body(of)), self.scope(Scope::Callers(of)));
+        let inside = At { scope: body, is_sure: true, is_in_body: true };
+        if let Some(attr) = node.attr("params") {
+            self.params(part, attr, of, inside, callers);
+        }
+        Some(inside)
+    }
+
+    fn params(&mut self, part: &Part<'_>, attr: Attr<'_>, of: u32, inside: At, callers: ScopeId) {
+        let entities = Entities::default();
+        let text = attr.value(&entities);
+        let at = |offset: u32| source_offset(attr.raw(), &entities, true, offset as usize) as u32;
+        for param in parse_params(&text).unwrap_or_default() {
+            let name: EcoString = param.name.trim_start_matches('*').into();
+            let start = at(param.range.end - name.len() as u32);
+            let range = TextRange::new(start, at(param.range.end)).shift(attr.value_range().start);
+            let kind = if param.is_block() { SymbolKind::BlockParameter } else { SymbolKind::Parameter };
+            let span = part.span(range);
+            let id = self.add(Given {
+                kind,
+                name: name.clone(),
+                span,
+                whole: span,
+                of: Some(of),
+                scopes: vec![inside.scope],
+                handed_out: false,
+                order: self.order,
+                is_sure: true,
+            });
+            debug_assert!((id as usize) < self.names.given.len());
+            if param.forward {
+                self.uses(part, UseKind::Read, Class::Value, (name, range), callers, "");
+            }
+        }
+    }
+
+    fn include(&mut self, part: &Part<'_>, node: Node<'_>, at: At) {
+        let Some(filename) = node.attr("filename") else { return };
+        let scope = match named(node, "ns") {
+            Some((name, range)) => {
+                self.give(part, node, SymbolKind::Namespace, (name.clone(), range), at);
+                let outer = self.names.namespace(at.scope);
+                let path = if outer.is_empty() { name } else { ecow::eco_format!("{outer}.{name}") };
+                self.scope(Scope::Namespace(path, at.scope))
+            }
+            None => at.scope,
+        };
+        let name = node.name_range();
+        let tag = part.span(TextRange::new(name.start - 1, name.end));
+        let filename = filename.value(&Entities::default()).into_owned();
+        for file in self.files.of(part.source, tag, &filename) {
+            self.file(&file, scope, at.is_sure, part.depth + 1);
+        }
+    }
+}
+
+/// The name that an attribute gives, where it is written out.
+fn named(node: Node<'_>, attr: &str) -> Option<(EcoString, TextRange)> {
+    let attr = node.attr(attr)?;
+    let plain = !attr.raw().is_empty() && !attr.raw().contains(['$', '&']);
+    plain.then(|| (attr.raw().into(), attr.value_range()))
+}

@@ -1,0 +1,161 @@
+//! Writing down definitions and uses, each once, with the scopes that they stand in.
+
+use ecow::EcoString;
+
+use super::super::{Class, Given, Scope, ScopeId, Used};
+use super::{At, Part, Reader};
+use base::TextRange;
+use expand::{SymbolKind, UseKind};
+use facts::{MentionKind, Site};
+use xml::Node;
+
+impl Reader<'_> {
+    /// A call: the names in its tag, and the parameters that it gives.
+    pub(super) fn call(&mut self, part: &Part<'_>, node: Node<'_>, called: &str, range: TextRange, at: At) {
+        self.tag(part, called, range, at);
+        let given = node.attrs().filter(|attr| {
+            !(attr.name().contains(':') || node.name() == "xacro:call" && attr.name() == "macro")
+        });
+        for attr in given {
+            let name = (attr.name().into(), attr.name_range());
+            self.uses(part, UseKind::Given, Class::Value, name, at.scope, called);
+        }
+    }
+
+    /// The name of a macro, with the namespaces in front of it.
+    pub(super) fn tag(&mut self, part: &Part<'_>, called: &str, range: TextRange, at: At) {
+        let (path, last) = called.rsplit_once('.').unwrap_or(("", called));
+        let own = TextRange::new(range.end - last.len() as u32, range.end);
+        self.uses(part, UseKind::Call, Class::Macro, (last.into(), own), at.scope, path);
+        let mut start = range.start;
+        let mut before = String::new();
+        for name in path.split('.').filter(|name| !name.is_empty()) {
+            let own = TextRange::new(start, start + name.len() as u32);
+            self.uses(part, UseKind::Read, Class::Value, (name.into(), own), at.scope, &before);
+            start = own.end + 1;
+            before = if before.is_empty() { name.to_owned() } else { format!("{before}.{name}") };
+        }
+    }
+
+    /// The names in an attribute of an element.
+    pub(super) fn site(&mut self, part: &Part<'_>, node: Node<'_>, site: &Site, at: At, inside: Option<At>) {
+        let is = |name: &str| node.attr(name).is_some_and(|attr| attr.value_range() == site.range);
+        match node.name() {
+            // neither is evaluated
+            "xacro:macro" | "xacro:insert_block" if is("name") => {}
+            "xacro:macro" if is("params") => {
+                let of = inside.and_then(|inside| match self.names.scopes.get(inside.scope.0 as usize) {
+                    Some(Scope::Body(of)) => Some(*of),
+                    _ => None,
+                });
+                let callers = of.map_or(at.scope, |of| self.scope(Scope::Callers(of)));
+                self.mentions(part, site, callers, false);
+            }
+            "xacro:property" => {
+                let at_once = node.attr("lazy_eval").is_some() || node.attr("scope").is_some();
+                self.mentions(part, site, at.scope, !at_once && !is("name"));
+            }
+            _ => self.mentions(part, site, at.scope, false),
+        }
+    }
+
+    pub(super) fn mentions(&mut self, part: &Part<'_>, site: &Site, scope: ScopeId, is_lazy: bool) {
+        let mut path = String::new();
+        let first = self.names.used.len();
+        for mention in &site.mentions {
+            let name = (mention.name.clone(), mention.range);
+            match mention.kind {
+                MentionKind::Package => {}
+                MentionKind::Argument => self.uses(part, UseKind::Read, Class::Argument, name, scope, ""),
+                MentionKind::Name => {
+                    path = mention.name.to_string();
+                    self.uses(part, UseKind::Read, Class::Value, name, scope, "");
+                }
+                MentionKind::Member => {
+                    self.uses(part, UseKind::Read, Class::Value, name, scope, &path);
+                    path = format!("{path}.{}", mention.name);
+                }
+            }
+        }
+        self.names.used.iter_mut().skip(first).for_each(|used| used.is_lazy = is_lazy);
+    }
+
+    pub(super) fn scope(&mut self, scope: Scope) -> ScopeId {
+        let known = self.names.scopes.iter().position(|known| *known == scope);
+        let id = known.unwrap_or_else(|| {
+            self.names.scopes.push(scope);
+            self.names.scopes.len() - 1
+        });
+        ScopeId(id as u32)
+    }
+
+    pub(super) fn give(
+        &mut self,
+        part: &Part<'_>,
+        node: Node<'_>,
+        kind: SymbolKind,
+        (name, range): (EcoString, TextRange),
+        at: At,
+    ) -> u32 {
+        self.add(Given {
+            kind,
+            name,
+            span: part.span(range),
+            whole: part.span(node.range()),
+            of: None,
+            scopes: vec![at.scope],
+            handed_out: false,
+            order: self.order,
+            is_sure: at.is_sure,
+        })
+    }
+
+    /// Add a definition, or the scopes of one that is known.
+    pub(super) fn add(&mut self, given: Given) -> u32 {
+        self.order += 1;
+        let next = self.names.given.len() as u32;
+        let id = *self.known.entry((given.span, true)).or_insert(next);
+        match self.names.given.get_mut(id as usize) {
+            Some(known) => add_scopes(&mut known.scopes, &given.scopes),
+            None => self.names.given.push(given),
+        }
+        id
+    }
+
+    pub(super) fn uses(
+        &mut self,
+        part: &Part<'_>,
+        kind: UseKind,
+        class: Class,
+        (name, range): (EcoString, TextRange),
+        scope: ScopeId,
+        of: &str,
+    ) {
+        self.order += 1;
+        let span = part.span(range);
+        let next = self.names.used.len() as u32;
+        let id = *self.known.entry((span, false)).or_insert(next);
+        match self.names.used.get_mut(id as usize) {
+            Some(known) => add_scopes(&mut known.scopes, &[scope]),
+            None => self.names.used.push(Used {
+                kind,
+                class,
+                name,
+                span,
+                scopes: vec![scope],
+                of: of.into(),
+                order: self.order,
+                is_lazy: false,
+                is_end: false,
+            }),
+        }
+    }
+}
+
+fn add_scopes(known: &mut Vec<ScopeId>, more: &[ScopeId]) {
+    for scope in more {
+        if !known.contains(scope) {
+            known.push(*scope);
+        }
+    }
+}

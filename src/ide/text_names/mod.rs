@@ -1,0 +1,177 @@
+//! Which definition a name means, told from the texts alone: for what no expansion evaluated.
+//!
+//! An expansion knows each name that it came by. It says nothing of branches that are not taken, of the other half of
+//! `a if c else b`, of macros that nobody calls and blocks that nobody inserts. Here all texts of a robot are read as if
+//! everything were evaluated: with the scopes of xacro (the whole document, namespaces of includes, macros, which see
+//! what their callers see), but without values. Where that leaves a choice, the answer is the choice.
+
+mod answers;
+mod collect;
+mod files;
+mod resolve;
+
+use ecow::EcoString;
+
+pub use answers::{definitions_by_text, occurrences};
+pub(super) use files::included;
+
+use base::{FastMap, FastSet, FileId, Span};
+use expand::{SymbolKind, UseKind};
+
+/// What the names of a robot's texts may mean.
+#[derive(Debug, Default)]
+pub struct TextNames {
+    given: Vec<Given>,
+    used: Vec<Used>,
+    scopes: Vec<Scope>,
+    /// The files that were read.
+    files: FastSet<FileId>,
+    /// The definitions of a name.
+    by_name: FastMap<(Class, EcoString), Vec<u32>>,
+    /// Where macros are called, and blocks inserted: the scopes that their content sees.
+    entered_from: FastMap<ScopeId, Vec<ScopeId>>,
+}
+
+/// A definition.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Given {
+    /// What it defines.
+    pub kind: SymbolKind,
+    /// Its name.
+    pub name: EcoString,
+    /// The text of the name.
+    pub span: Span,
+    /// All that belongs to it: its element, or the name of a parameter.
+    pub whole: Span,
+    /// Of a parameter: its macro.
+    of: Option<u32>,
+    /// The scopes that it stands in.
+    scopes: Vec<ScopeId>,
+    /// `scope="parent"`: it goes to whoever calls this macro.
+    handed_out: bool,
+    /// Its place in the order of evaluation.
+    order: u32,
+    /// Whether it is made whenever its scope is: no condition around it, no `default`.
+    is_sure: bool,
+}
+
+/// A text that uses a name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Used {
+    kind: UseKind,
+    class: Class,
+    name: EcoString,
+    span: Span,
+    /// The scopes that it stands in.
+    scopes: Vec<ScopeId>,
+    /// Of `ns.name`: `ns`. Of what a call gives: the macro.
+    of: EcoString,
+    order: u32,
+    /// Whether it is evaluated later than where it stands.
+    is_lazy: bool,
+    /// Whether it is the name in an end tag.
+    is_end: bool,
+}
+
+/// Names of different classes have nothing to do with each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Class {
+    Value,
+    Block,
+    Argument,
+    Macro,
+}
+
+impl Class {
+    fn of(kind: SymbolKind) -> Self {
+        match kind {
+            SymbolKind::Property | SymbolKind::Parameter | SymbolKind::Namespace => Class::Value,
+            SymbolKind::BlockProperty | SymbolKind::BlockParameter => Class::Block,
+            SymbolKind::Argument => Class::Argument,
+            SymbolKind::Macro => Class::Macro,
+        }
+    }
+}
+
+/// A scope: index of [`TextNames::scopes`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+struct ScopeId(u32);
+
+/// What holds names.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+enum Scope {
+    /// The document.
+    Top,
+    /// An include with `ns`: its name with those around it, and the scope that includes.
+    Namespace(EcoString, ScopeId),
+    /// The body of a macro, or the content of a block: index of its definition.
+    Body(u32),
+    /// Where a macro is called: nothing of its own, for the defaults of parameters.
+    Callers(u32),
+}
+
+/// What a name may mean.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Meaning<'a> {
+    /// This definition.
+    One(&'a Given),
+    /// One of these: callers, conditions or the order of evaluation decide.
+    OneOf(Vec<&'a Given>),
+    /// No definition, as far as the texts say: it is computed, stands in a file that is not known, or nowhere.
+    Unknown,
+}
+
+impl<'a> Meaning<'a> {
+    /// The definitions that it may be.
+    pub fn all(&self) -> &[&'a Given] {
+        match self {
+            Meaning::One(given) => std::slice::from_ref(given),
+            Meaning::OneOf(given) => given,
+            Meaning::Unknown => &[],
+        }
+    }
+}
+
+/// A text that gives or uses a name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NameText {
+    /// The text.
+    pub span: Span,
+    /// Whether the name is given there.
+    pub is_definition: bool,
+    /// Whether it is the name in an end tag.
+    pub is_end: bool,
+}
+
+impl TextNames {
+    /// Whether a file is among the texts.
+    pub fn knows(&self, file: FileId) -> bool {
+        self.files.contains(&file)
+    }
+
+    /// The name at an offset of a file, and what it means.
+    pub fn at(&self, file: FileId, offset: u32) -> Option<(Span, Meaning<'_>)> {
+        let here = |span: Span| span.file == file && span.range.touches(offset);
+        if let Some(given) = self.given.iter().find(|given| here(given.span)) {
+            return Some((given.span, Meaning::One(given)));
+        }
+        let used =
+            self.used.iter().filter(|used| here(used.span)).min_by_key(|used| used.span.range.len())?;
+        Some((used.span, self.meaning(used)))
+    }
+
+    /// The texts that use one of these definitions, or may do so.
+    pub fn uses_of(&self, definitions: &[Span]) -> Vec<Span> {
+        let names: Vec<_> = self.given.iter().filter(|given| definitions.contains(&given.span)).collect();
+        let named = |used: &&Used| names.iter().any(|given| given.name == used.name);
+        let is_it =
+            |used: &&Used| self.meaning(used).all().iter().any(|given| definitions.contains(&given.span));
+        self.used
+            .iter()
+            .filter(|used| !used.is_end)
+            .filter(named)
+            .filter(is_it)
+            .map(|used| used.span)
+            .collect()
+    }
+}

@@ -1,0 +1,279 @@
+//! From a use to the definitions that it may mean.
+
+use std::collections::BTreeSet;
+
+use ecow::EcoString;
+
+use super::{Class, Given, Meaning, NameText, Scope, ScopeId, TextNames, Used};
+use base::{FastMap, FastSet, Span};
+use expand::{SymbolKind, UseKind};
+
+impl TextNames {
+    /// What a use means.
+    pub(super) fn meaning(&self, used: &Used) -> Meaning<'_> {
+        let mut found = self.candidates(used, Some(used.order));
+        found = self.latest(used, found);
+        let mut given: Vec<&Given> = found.iter().filter_map(|&id| self.given.get(id as usize)).collect();
+        match (given.len(), given.pop()) {
+            (1, Some(one)) => Meaning::One(one),
+            (_, Some(last)) => Meaning::OneOf(given.into_iter().chain([last]).collect()),
+            (_, None) => Meaning::Unknown,
+        }
+    }
+
+    /// All definitions that a use may mean; with `order`, a definition in front of it in its own scope hides those of
+    /// outer ones.
+    pub(super) fn candidates(&self, used: &Used, order: Option<u32>) -> BTreeSet<u32> {
+        self.among(self.named(used.class, &used.name), used, order)
+    }
+
+    /// The ones of some definitions that a use would mean if it had their name.
+    fn among(&self, named: &[u32], used: &Used, order: Option<u32>) -> BTreeSet<u32> {
+        let given = |id: &u32| self.given.get(*id as usize);
+        if used.kind == UseKind::Given {
+            let macros = self.macros(&used.of, &used.scopes);
+            let is_it = |given: &Given| {
+                given.kind == SymbolKind::Parameter && given.of.is_some_and(|of| macros.contains(&of))
+            };
+            return named.iter().copied().filter(|id| given(id).is_some_and(is_it)).collect();
+        }
+        match used.class {
+            Class::Argument => named.iter().copied().collect(),
+            Class::Macro => self.called(named, &used.of, &used.scopes).into_iter().collect(),
+            _ if !used.of.is_empty() => self.members(named, used).into_iter().collect(),
+            _ => {
+                let (mut seen, mut found) = (FastSet::default(), BTreeSet::new());
+                let order = order.filter(|_| !used.is_lazy);
+                used.scopes
+                    .iter()
+                    .for_each(|&scope| self.visible(scope, named, order, &mut seen, &mut found));
+                found
+            }
+        }
+    }
+
+    fn named(&self, class: Class, name: &EcoString) -> &[u32] {
+        self.by_name.get(&(class, name.clone())).map_or(&[], Vec::as_slice)
+    }
+
+    /// The ones of these definitions that can be seen from a scope.
+    fn visible(
+        &self,
+        scope: ScopeId,
+        named: &[u32],
+        order: Option<u32>,
+        seen: &mut FastSet<ScopeId>,
+        found: &mut BTreeSet<u32>,
+    ) {
+        if named.is_empty() || !seen.insert(scope) {
+            return;
+        }
+        let mut is_hidden = false;
+        for &id in named {
+            let Some(given) = self.given.get(id as usize).filter(|given| self.reaches(given, scope)) else {
+                continue;
+            };
+            found.insert(id);
+            is_hidden |= given.is_sure && !given.handed_out && order.is_none_or(|order| given.order < order);
+        }
+        if !is_hidden {
+            self.around(scope).into_iter().for_each(|outer| self.visible(outer, named, None, seen, found));
+        }
+    }
+
+    /// Whether a definition belongs to a scope.
+    fn reaches(&self, given: &Given, scope: ScopeId) -> bool {
+        if !given.handed_out {
+            return given.scopes.contains(&scope);
+        }
+        given.scopes.iter().any(|&own| self.around(own).contains(&scope))
+    }
+
+    /// The scopes that a scope sees.
+    fn around(&self, scope: ScopeId) -> Vec<ScopeId> {
+        match self.scopes.get(scope.0 as usize) {
+            Some(Scope::Namespace(_, outer)) => vec![*outer],
+            Some(Scope::Body(of) | Scope::Callers(of)) => match self.entered_from.get(&scope) {
+                Some(from) => from.clone(),
+                // nobody comes by: where it is defined
+                None => self.given.get(*of as usize).map(|given| given.scopes.clone()).unwrap_or_default(),
+            },
+            Some(Scope::Top) | None => Vec::new(),
+        }
+    }
+
+    /// Of definitions in the scope of the use: the last one in front of it, and those behind that which a condition
+    /// may leave out.
+    fn latest(&self, used: &Used, found: BTreeSet<u32>) -> BTreeSet<u32> {
+        let given = |id: &u32| self.given.get(*id as usize);
+        if used.class == Class::Argument {
+            // the first one counts
+            let first = found.iter().copied().find(|id| given(id).is_some_and(|given| given.is_sure));
+            return first
+                .filter(|first| found.first() == Some(first))
+                .map_or(found, |first| BTreeSet::from([first]));
+        }
+        let own =
+            |given: &Given| !given.handed_out && given.scopes == used.scopes && given.order < used.order;
+        let is_own = |id: &u32| given(id).is_some_and(own);
+        if used.is_lazy || !found.iter().any(is_own) {
+            return found;
+        }
+        let before: BTreeSet<u32> = found.iter().copied().filter(is_own).collect();
+        let sure = before.iter().filter(|id| given(id).is_some_and(|given| given.is_sure));
+        let last = sure.max_by_key(|id| given(id).map(|given| given.order)).copied();
+        let since = last.and_then(|id| given(&id)).map_or(0, |given| given.order);
+        let later =
+            |id: &u32| given(id).is_some_and(|given| given.order >= since && given.order < used.order);
+        match last {
+            Some(_) => found.into_iter().filter(later).filter(is_own).collect(),
+            None => found
+                .into_iter()
+                .filter(|id| given(id).is_none_or(|given| given.scopes != used.scopes) || is_own(id))
+                .collect(),
+        }
+    }
+
+    /// The macros that `name`, with namespaces, calls in these scopes.
+    pub(super) fn macros(&self, name: &str, scopes: &[ScopeId]) -> Vec<u32> {
+        let (path, last) = name.rsplit_once('.').unwrap_or(("", name));
+        self.called(self.named(Class::Macro, &last.into()), path, scopes)
+    }
+
+    /// The ones of some macros that a call in these scopes reaches, with `path` in front of their name.
+    fn called(&self, named: &[u32], path: &str, scopes: &[ScopeId]) -> Vec<u32> {
+        let wanted: Vec<EcoString> =
+            scopes.iter().map(|&scope| joined(&self.namespace(scope), path)).collect();
+        let is_it = |id: &&u32| {
+            let given = self.given.get(**id as usize);
+            given.is_some_and(|given| given.scopes.iter().any(|&own| wanted.contains(&self.namespace(own))))
+        };
+        let found: Vec<u32> = named.iter().filter(is_it).copied().collect();
+        // a body may be called from a namespace that its text knows nothing of
+        if found.is_empty() && path.is_empty() { named.to_vec() } else { found }
+    }
+
+    /// The ones of some definitions that `ns.name` means: those of the include into `ns`.
+    fn members(&self, named: &[u32], used: &Used) -> Vec<u32> {
+        let inner = used.scopes.iter().map(|&scope| joined(&self.namespace(scope), &used.of));
+        let paths: Vec<EcoString> = inner.chain([used.of.clone()]).collect();
+        let in_it = |scope: &ScopeId| {
+            let scope = self.scopes.get(scope.0 as usize);
+            matches!(scope, Some(Scope::Namespace(path, _)) if paths.contains(path))
+        };
+        let is_it =
+            |id: &&u32| self.given.get(**id as usize).is_some_and(|given| given.scopes.iter().any(in_it));
+        named.iter().filter(is_it).copied().collect()
+    }
+
+    /// The namespaces around a scope, joined by dots; of a macro those that it is defined in.
+    pub(super) fn namespace(&self, scope: ScopeId) -> EcoString {
+        let mut scope = Some(scope);
+        for _ in 0..MOST_STEPS {
+            match scope.and_then(|scope| self.scopes.get(scope.0 as usize)) {
+                Some(Scope::Namespace(path, _)) => return path.clone(),
+                Some(Scope::Body(of) | Scope::Callers(of)) => {
+                    scope = self.given.get(*of as usize).and_then(|given| given.scopes.first().copied());
+                }
+                Some(Scope::Top) | None => break,
+            }
+        }
+        EcoString::new()
+    }
+
+    /// All texts of the names that belong together with those at some places: definitions that one use may mean, and
+    /// the uses that may mean them. Whoever renames one has to rename all.
+    pub fn together(&self, places: &[Span]) -> Vec<NameText> {
+        let names = self.names_at(places);
+        let mut groups = Groups::default();
+        for (id, given) in (0..).zip(&self.given) {
+            if names.contains(&given.name) {
+                groups.join(given.span, id);
+            }
+        }
+        for used in self.used.iter().filter(|used| names.contains(&used.name)) {
+            for id in self.candidates(used, None) {
+                groups.join(used.span, id);
+            }
+        }
+        let wanted: FastSet<u32> = places.iter().filter_map(|place| groups.of_place(*place)).collect();
+        let is_in = |span: Span| groups.of_place(span).is_some_and(|group| wanted.contains(&group));
+        let mut found = Vec::new();
+        for given in self.given.iter().filter(|given| names.contains(&given.name)) {
+            if is_in(given.span) {
+                found.push(NameText { span: given.span, is_definition: true, is_end: false });
+            }
+        }
+        for used in self.used.iter().filter(|used| names.contains(&used.name)) {
+            if is_in(used.span) && !found.iter().any(|known| known.span == used.span) {
+                found.push(NameText { span: used.span, is_definition: false, is_end: used.is_end });
+            }
+        }
+        found
+    }
+
+    /// Where a name would mean something else if those at some places were called `new`.
+    pub fn clash(&self, places: &[Span], new: &str) -> Option<Span> {
+        let new: EcoString = new.into();
+        let is_own = |span: &Span| places.contains(span);
+        let group: Vec<u32> =
+            (0..).zip(&self.given).filter(|(_, given)| is_own(&given.span)).map(|(id, _)| id).collect();
+        let class = Class::of(self.given.get(*group.first()? as usize)?.kind);
+        let others = self.named(class, &new);
+        let both: Vec<u32> = group.iter().chain(others).copied().collect();
+        let is_other = |used: &Used| {
+            let meant = self.among(&both, used, None);
+            match is_own(&used.span) {
+                true => meant.iter().any(|id| others.contains(id)),
+                false => meant.iter().any(|id| group.contains(id)),
+            }
+        };
+        let of_class = self.used.iter().filter(|used| used.class == class);
+        let mut asked = of_class.filter(|used| is_own(&used.span) || used.name == new);
+        asked.find(|used| is_other(used)).map(|used| used.span)
+    }
+
+    fn names_at(&self, places: &[Span]) -> FastSet<EcoString> {
+        let given =
+            self.given.iter().filter(|given| places.contains(&given.span)).map(|given| given.name.clone());
+        let used = self.used.iter().filter(|used| places.contains(&used.span)).map(|used| used.name.clone());
+        given.chain(used).collect()
+    }
+}
+
+const MOST_STEPS: usize = 32;
+
+fn joined(outer: &str, inner: &str) -> EcoString {
+    match (outer, inner) {
+        ("", path) | (path, "") => path.into(),
+        (outer, inner) => ecow::eco_format!("{outer}.{inner}"),
+    }
+}
+
+/// Definitions that belong together, joined by the places that mean them.
+#[derive(Default)]
+struct Groups {
+    parents: FastMap<u32, u32>,
+    places: FastMap<Span, u32>,
+}
+
+impl Groups {
+    fn root(&self, mut id: u32) -> u32 {
+        while let Some(&parent) = self.parents.get(&id) {
+            id = parent;
+        }
+        id
+    }
+
+    fn join(&mut self, place: Span, id: u32) {
+        let id = self.root(id);
+        let known = self.places.insert(place, id).map(|known| self.root(known));
+        if let Some(known) = known.filter(|known| *known != id) {
+            self.parents.insert(known, id);
+        }
+    }
+
+    fn of_place(&self, place: Span) -> Option<u32> {
+        self.places.get(&place).map(|&id| self.root(id))
+    }
+}

@@ -1,0 +1,69 @@
+//! A file that is given to a plugin and is not there.
+
+use std::path::Path;
+
+use super::super::context::DocumentCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::plugins::plugins;
+use expand::XId;
+use model::Text;
+use workspace::UriOutcome;
+
+pub(super) const RULE: Rule = Rule {
+    code: "CTL021",
+    name: "plugin-file-not-found",
+    category: Category::Control,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page("plugin-file-not-found"),
+    check: Check::Document(check),
+};
+
+/// Endings of files that plugins read; others may be written by them.
+const READ: [&str; 4] = [".yaml", ".yml", ".xml", ".srdf"];
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for element in parameters(cx) {
+        let Some(text) = Text::content(&cx.expansion.tree, element) else { continue };
+        let Some((package, path)) = missing(cx, &text) else { continue };
+        let message = format!("file `{}` of package `{package}` not found", path.trim_start_matches('/'));
+        out.report(text.origin, message).help("correct the path, or add the file").done();
+    }
+}
+
+/// The elements inside of plugins of Gazebo, and the parameters of hardware.
+fn parameters(cx: &DocumentCx<'_>) -> Vec<XId> {
+    let tree = &cx.expansion.tree;
+    let mut open = plugins(cx);
+    open.extend(cx.robot.into_iter().flat_map(|robot| &robot.controls).flat_map(|control| &control.hardware));
+    let mut found = Vec::new();
+    while let Some(element) = open.pop() {
+        let before = open.len();
+        open.extend(tree.elements(element));
+        if open.len() == before {
+            found.push(element);
+        }
+    }
+    found
+}
+
+/// The file that a text with `$(find package)` names, when the package is there and the file is not.
+fn missing(cx: &DocumentCx<'_>, text: &Text) -> Option<(String, String)> {
+    let value = text.name()?.as_str();
+    let is_meant = Path::new(value).is_absolute() && READ.iter().any(|ending| value.ends_with(ending));
+    let written = is_meant.then(|| cx.expansion.place(text.origin)).flatten()?;
+    let file = cx.expansion.files.get(written.file.0 as usize)?;
+    let source = file.source.document.slice(written.range);
+    let (_, rest) = source.split_once("$(find ")?;
+    let (package, path) = rest.split_once(')')?;
+    // what an argument or a property makes of the path may be another one
+    let path = path.split_whitespace().next().filter(|path| path.starts_with('/') && !path.contains('$'))?;
+    let from = cx.expansion.files.first()?.source.path.clone();
+    cx.world.packages.find(package.trim(), &from).ok()?;
+    let uri = format!("package://{}{path}", package.trim());
+    let is_there = matches!(cx.world.packages.resolve_uri(&uri, &from).outcome, UriOutcome::Found(_));
+    (!is_there).then(|| (package.trim().to_owned(), path.to_owned()))
+}

@@ -1,0 +1,70 @@
+//! Moments of inertia that belong to other axes.
+
+use super::super::context::DocumentCx;
+use super::super::geometry::is_scaled_wrong;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::joined::shape;
+use super::moments::{inertia_tag, inertials, short};
+use model::{Inertial, Link};
+
+pub(super) const RULE: Rule = Rule {
+    code: "INR013",
+    name: "inertia-axes-swapped",
+    category: Category::Inertia,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page("inertia-axes-swapped"),
+    check: Check::Document(check),
+};
+
+/// How far a moment may be from that of a box.
+const FIT: f64 = 0.05;
+/// From this ratio on, a moment is another one.
+const OTHER: f64 = 2.0;
+/// The entries, by axis.
+const NAMES: [&str; 3] = ["ixx", "iyy", "izz"];
+
+fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    for (link, inertial) in inertials(cx) {
+        let Some((found, expected)) = moments(cx, link, inertial) else { continue };
+        let Some((a, b)) = swapped(found, expected) else { continue };
+        if is_scaled_wrong(cx, link) {
+            continue;
+        }
+        let [first, second] = [a, b].map(|i| NAMES.get(i).copied().unwrap_or_default());
+        let message = format!("`{first}` and `{second}` of link `{}` seem to be swapped", link.shown());
+        let [one, other] = [a, b].map(|i| found.get(i).copied().map_or_else(String::new, short));
+        let help =
+            format!("write {first}=\"{other}\" and {second}=\"{one}\"; these fit the box around the link");
+        out.report(inertia_tag(cx.expansion, inertial), message).help(help).done();
+    }
+}
+
+/// The moments of a link, and those of the box around it with the same mass.
+fn moments(cx: &DocumentCx<'_>, link: &Link, inertial: &Inertial) -> Option<([f64; 3], [f64; 3])> {
+    let [xx, xy, xz, yy, yz, zz] = inertial.entries()?;
+    let is_turned = inertial.origin.as_ref().is_some_and(|origin| origin.angles() != Some([0.0; 3]));
+    if is_turned || [xy, xz, yz] != [0.0; 3] {
+        return None;
+    }
+    let mass = inertial.mass().filter(|&mass| mass > 0.0)?;
+    let [x, y, z] = shape(cx, link)?.size();
+    let moment = |a: f64, b: f64| mass * (a * a + b * b) / 12.0;
+    Some(([xx, yy, zz], [moment(y, z), moment(x, z), moment(x, y)]))
+}
+
+/// The two axes whose moments are right when they are exchanged, and wrong as they are.
+fn swapped(found: [f64; 3], expected: [f64; 3]) -> Option<(usize, usize)> {
+    let fits = |found: f64, expected: f64| (found - expected).abs() <= FIT * expected;
+    let is_other = |found: f64, expected: f64| found > OTHER * expected || found * OTHER < expected;
+    [(0, 1), (0, 2), (1, 2)].into_iter().find(|&(a, b)| {
+        let mut exchanged = found;
+        exchanged.swap(a, b);
+        let all_fit = exchanged.iter().zip(&expected).all(|(&found, &expected)| fits(found, expected));
+        let pair = [a, b].map(|i| found.get(i).zip(expected.get(i)));
+        all_fit && pair.into_iter().flatten().all(|(&found, &expected)| is_other(found, expected))
+    })
+}

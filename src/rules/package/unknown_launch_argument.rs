@@ -1,0 +1,43 @@
+//! An argument that a launch file passes and the robot does not know.
+
+use std::path::Path;
+
+use super::super::finding::Finding;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use base::Span;
+
+pub(super) const RULE: Rule = Rule {
+    code: "PKG009",
+    name: "unknown-launch-argument",
+    category: Category::Package,
+    severity: Severity::Error,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page("unknown-launch-argument"),
+    check: Check::Analysis,
+};
+
+/// The finding about an argument that a call passes and the description does not know; `certain` when all that may read
+/// the argument was seen.
+pub fn unknown_launch_argument(
+    span: Span,
+    name: &str,
+    file: &Path,
+    near: Option<&str>,
+    certain: bool,
+) -> Finding {
+    let file = file.file_name().unwrap_or_default().to_string_lossy();
+    let help = match near {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!(
+            "remove it, or declare it in `{file}` with <xacro:arg name=\"{name}\" default=\"\"/>; xacro ignores an unknown argument"
+        ),
+    };
+    let mut finding = Finding::new(&RULE, span, format!("unknown argument `{name}` of `{file}`"));
+    finding.help = Some(help);
+    if !certain {
+        finding.severity = Severity::Info;
+    }
+    finding
+}

@@ -1,0 +1,85 @@
+//! The calls of robots below a folder: those of each launch file by itself, and those under the arguments that other launch
+//! files include it with.
+
+use std::path::{Path, PathBuf};
+
+use base::FastMap;
+use base::limits::{CALLER_CALLS, LAUNCH_INCLUDES};
+
+use super::{Callers, Uses, search};
+use crate::Packages;
+use crate::launch::{self, Call, Context, LaunchFile, calls_in, included};
+use std::sync::Arc;
+
+/// A call, and the description that it names.
+#[derive(Clone, Debug)]
+pub struct RobotCall {
+    /// What the launch file says.
+    pub call: Call,
+    /// The description, whether or not it is there; none where the name or the package is not known.
+    pub target: Option<PathBuf>,
+}
+
+impl Callers {
+    /// All calls in the sources around a file, in the order of the paths of the files that call.
+    pub fn calls(&self, file: &Path, packages: &Packages) -> Arc<Vec<RobotCall>> {
+        let Some(top) = packages.sources_around(file) else { return Arc::default() };
+        self.calls_below(&top, packages)
+    }
+
+    /// All calls below a folder.
+    pub fn calls_below(&self, top: &Path, packages: &Packages) -> Arc<Vec<RobotCall>> {
+        let uses = self.below.get(top.to_owned(), || Arc::new(search(&packages.vfs, top)));
+        self.called.get(top.to_owned(), || Arc::new(all(&uses, packages)))
+    }
+}
+
+/// The calls of all launch files, and of those again that others include with further arguments.
+fn all(uses: &Uses, packages: &Packages) -> Vec<RobotCall> {
+    let read = |path: &PathBuf| launch::read(path, &packages.vfs.text(path).ok()?.text);
+    let files: Vec<LaunchFile> = uses.scripts.iter().filter_map(read).collect();
+    let by_path: FastMap<&Path, &LaunchFile> = files.iter().map(|file| (file.path.as_path(), file)).collect();
+    let mut found: Vec<Call> = Vec::new();
+    for file in &files {
+        found.extend(calls_in(file, &Context::default()));
+    }
+    for file in &files {
+        through(file, &Context::default(), &by_path, packages, &mut found);
+    }
+    found.truncate(CALLER_CALLS);
+    found.sort_by(|a, b| (&a.caller, a.range.start, &a.through).cmp(&(&b.caller, b.range.start, &b.through)));
+    found.into_iter().map(|call| RobotCall { target: target(&call, packages), call }).collect()
+}
+
+/// The calls of the files that a launch file includes.
+fn through(
+    file: &LaunchFile,
+    context: &Context,
+    by_path: &FastMap<&Path, &LaunchFile>,
+    packages: &Packages,
+    found: &mut Vec<Call>,
+) {
+    if context.through.len() >= LAUNCH_INCLUDES || found.len() > CALLER_CALLS {
+        return;
+    }
+    for (name, context) in included(file, context) {
+        let Some(path) = name.path(packages, &file.path) else { continue };
+        let path = packages.present(&path).into_owned();
+        let Some(inner) = by_path.get(path.as_path()).filter(|inner| !context.through.contains(&inner.path))
+        else {
+            continue;
+        };
+        for call in calls_in(inner, &context) {
+            if !found.iter().any(|known| known.caller == call.caller && known.is_same(&call)) {
+                found.push(call);
+            }
+        }
+        through(inner, &context, by_path, packages, found);
+    }
+}
+
+/// The description that a call names, as it is in the source tree.
+fn target(call: &Call, packages: &Packages) -> Option<PathBuf> {
+    let path = call.file.path(packages, &call.caller)?;
+    Some(packages.present(&path).into_owned())
+}

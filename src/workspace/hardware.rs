@@ -1,0 +1,90 @@
+//! What hardware plugins of the workspace export by themselves, as their sources in C++ say.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use super::Packages;
+use super::root::is_built;
+use base::FastSet;
+use base::limits::{CALLER_BYTES, CALLER_DEPTH, CALLER_FILES, CALLER_FOLDERS};
+use vfs::Vfs;
+
+/// The functions by which a plugin exports interfaces.
+const EXPORTS: [&str; 2] = ["::export_state_interfaces(", "::export_command_interfaces("];
+/// What a plugin reads when it exports what the description lists.
+const LISTED: [&str; 2] = [".state_interfaces", ".command_interfaces"];
+
+impl Packages {
+    /// Whether the sources around `from` have a hardware plugin of that name (`package/Class`, `package::Class`) that exports
+    /// interfaces without reading which ones the description lists.
+    pub fn exports_interfaces(&self, plugin: &str, from: &Path) -> bool {
+        let class = plugin.rsplit(['/', ':']).next().unwrap_or(plugin);
+        let Some(top) = self.sources_around(from) else { return false };
+        self.exporting.get(top.clone(), || Arc::new(search(&self.vfs, &top))).contains(class)
+    }
+}
+
+/// The classes below a folder that export interfaces of their own.
+fn search(vfs: &Vfs, top: &Path) -> FastSet<String> {
+    let mut seen: FastSet<u128> = FastSet::default();
+    let mut open = vec![(top.to_owned(), 0)];
+    let (mut files, mut found) = (0, FastSet::default());
+    while let Some((folder, depth)) = open.pop() {
+        let is_new = vfs.identity(&folder).is_some_and(|identity| seen.insert(identity));
+        if !is_new || seen.len() > CALLER_FOLDERS {
+            continue;
+        }
+        for entry in vfs.list_dir(&folder).iter() {
+            let path = folder.join(&entry.name);
+            match entry.is_dir {
+                true if entry.name.starts_with('.') || is_built(&entry.name) || depth >= CALLER_DEPTH => {}
+                true => open.push((path, depth + 1)),
+                false if files < CALLER_FILES && is_source(&entry.name) => {
+                    files += 1;
+                    let is_small = vfs.size(&path).is_some_and(|size| size <= CALLER_BYTES);
+                    let text = is_small.then(|| vfs.text(&path).ok()).flatten();
+                    found.extend(text.into_iter().flat_map(|file| exporting(&file.text)));
+                }
+                false => {}
+            }
+        }
+    }
+    found
+}
+
+fn is_source(name: &str) -> bool {
+    [".cpp", ".cc", ".cxx"].iter().any(|ending| name.ends_with(ending))
+}
+
+/// The classes that a source file defines the exports of.
+fn exporting(text: &str) -> Vec<String> {
+    if LISTED.iter().any(|list| text.contains(list)) {
+        return Vec::new();
+    }
+    let ends = EXPORTS.iter().flat_map(|function| text.match_indices(function));
+    let class = |at: usize| {
+        let before = text.get(..at).unwrap_or("");
+        before.rsplit(|c: char| !(c.is_alphanumeric() || c == '_')).next().map(str::to_owned)
+    };
+    ends.filter_map(|(at, _)| class(at)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{PackageOptions, Packages};
+    use vfs::testing::Tree;
+
+    #[test]
+    fn plugins_that_export_by_themselves() {
+        let tree = Tree::new();
+        tree.write("arm/package.xml", "<package><name>arm</name></package>");
+        let export = "std::vector<StateInterface> arm::Arm::export_state_interfaces() {}";
+        tree.write("arm/src/arm.cpp", export);
+        let listed = export.replace("Arm::", "Listed::").replace("{}", "{ joint.state_interfaces; }");
+        tree.write("arm/src/listed.cpp", &listed);
+        let packages = Packages::new(tree.vfs().clone(), &tree.environment(&[]), PackageOptions::default());
+        let exports = |plugin: &str| packages.exports_interfaces(plugin, &tree.path("arm/urdf/arm.urdf"));
+        let found = ["arm/Arm", "arm::Arm", "arm/Listed", "mock_components/GenericSystem"].map(exports);
+        assert_eq!(found, [true, true, false, false]);
+    }
+}

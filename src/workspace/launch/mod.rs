@@ -1,0 +1,145 @@
+//! How robots are really called: launch files, scripts and jobs of build servers, read as text and never executed.
+//!
+//! Each format has a reader that gives a [`LaunchFile`]: commands in pieces, arguments that the file declares, files that it
+//! includes. What a reader does not understand is opaque. [`calls`] resolves the pieces.
+
+mod command;
+mod element;
+mod python;
+mod resolve;
+mod shell;
+mod text;
+mod xml;
+
+#[cfg(test)]
+mod forms;
+
+use std::path::{Path, PathBuf};
+
+use base::TextRange;
+
+pub use resolve::{Argument, Call, Why, Word, calls};
+pub(crate) use resolve::{Context, calls_in, included};
+use text::Text;
+
+/// What a launch file says.
+#[derive(Clone, Debug, Default)]
+pub struct LaunchFile {
+    /// The file.
+    pub path: PathBuf,
+    /// Arguments that it declares, in order.
+    pub declared: Vec<Declared>,
+    /// Defaults that are written where arguments are read.
+    pub defaults: Vec<(String, Text)>,
+    /// Commands that may call xacro.
+    pub commands: Vec<Command>,
+    /// Launch files that it includes.
+    pub includes: Vec<Include>,
+    /// Arguments that it sets while it runs.
+    pub set: Vec<String>,
+    /// Whether the files it includes see its arguments, as in ROS 2.
+    pub shares: bool,
+}
+
+impl LaunchFile {
+    fn of(path: &Path) -> Self {
+        Self { path: path.to_owned(), shares: true, ..Self::default() }
+    }
+
+    fn is_declared(&self, name: &str) -> bool {
+        self.declared.iter().any(|declared| declared.name == name)
+    }
+}
+
+/// An argument of a launch file.
+#[derive(Clone, Debug)]
+pub struct Declared {
+    /// Its name.
+    pub name: String,
+    /// Its default; none when whoever starts the file has to give it.
+    pub default: Option<Text>,
+    /// The values it may have.
+    pub choices: Option<Vec<String>>,
+    /// Where it is declared.
+    pub range: TextRange,
+    /// Whether its value cannot be given from outside.
+    pub is_fixed: bool,
+}
+
+/// Something that may call xacro.
+#[derive(Clone, Debug)]
+pub struct Command {
+    /// Where it stands.
+    pub range: TextRange,
+    /// What is called.
+    pub what: What,
+    /// Arguments of the launch file that a condition around it reads: they need not have their defaults here.
+    pub assumed: Vec<String>,
+}
+
+/// A command in one of its forms.
+#[derive(Clone, Debug)]
+pub enum What {
+    /// One text, which is split as a shell does.
+    Line(Text),
+    /// Words.
+    Words(Vec<Text>),
+    /// A call of xacro from Python.
+    Process {
+        /// The description.
+        file: Text,
+        /// Its arguments.
+        mappings: Vec<Given>,
+        /// Whether there may be further ones.
+        open: bool,
+    },
+}
+
+/// An argument of a robot that a program gives.
+#[derive(Clone, Debug)]
+pub struct Given {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands.
+    pub range: Option<TextRange>,
+    /// Its value.
+    pub value: Text,
+}
+
+/// Another launch file that is included.
+#[derive(Clone, Debug)]
+pub struct Include {
+    /// The file.
+    pub file: Text,
+    /// The arguments it is given.
+    pub args: Vec<(String, Text)>,
+    /// Whether it may be given others.
+    pub open: bool,
+    /// Where the include stands.
+    pub range: TextRange,
+    /// Arguments that a condition around it reads.
+    pub assumed: Vec<String>,
+}
+
+/// Whether a text may hold a call of xacro, or include a file that does.
+pub(super) fn may_call(text: &str) -> bool {
+    const WORDS: [&str; 4] = ["xacro", "IncludeLaunchDescription", "<include", "MoveItConfigsBuilder"];
+    WORDS.iter().any(|word| text.contains(word))
+}
+
+/// Read a file; none when nothing in it can call xacro.
+pub fn read(path: &Path, text: &str) -> Option<LaunchFile> {
+    if !may_call(text) {
+        return None;
+    }
+    let name = path.file_name()?.to_str()?;
+    let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
+    let file = match ending {
+        "py" => python::read(path, text),
+        "launch" | "xml" | "test" => xml::read(path, text),
+        "sh" | "bash" => shell::script(path, text),
+        "yaml" | "yml" => shell::embedded(path, text),
+        _ => return None,
+    };
+    (!file.commands.is_empty() || !file.includes.is_empty()).then_some(file)
+}

@@ -1,0 +1,332 @@
+//! From pieces to values: defaults of the launch file put in, commands split.
+
+use std::path::{Path, PathBuf};
+
+use base::limits::{LAUNCH_CALLS, LAUNCH_TEXT};
+use base::{FastMap, TextRange};
+
+use super::command::{self, Found};
+use super::text::{Piece, Text};
+use super::{Command, Include, LaunchFile, What};
+use crate::Packages;
+
+/// Defaults inside of defaults that are followed.
+const MOST_DEFAULTS: usize = 8;
+
+/// A call of a robot.
+#[derive(Clone, Debug)]
+pub struct Call {
+    /// The file that calls.
+    pub caller: PathBuf,
+    /// The launch file that includes this one with other arguments, outermost first.
+    pub through: Vec<PathBuf>,
+    /// Where the call stands.
+    pub range: TextRange,
+    /// The description.
+    pub file: Word,
+    /// The arguments, in order.
+    pub args: Vec<Argument>,
+    /// Whether there may be further arguments.
+    pub open: bool,
+}
+
+/// An argument that a call gives.
+#[derive(Clone, Debug)]
+pub struct Argument {
+    /// Its name.
+    pub name: String,
+    /// Text that holds its name, where it is written: the name is the first `name:=` or quoted name in it.
+    pub range: Option<TextRange>,
+    /// Its value.
+    pub value: Word,
+}
+
+/// A word of a command.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Word(pub(super) Vec<Bit>);
+
+/// A part of a word.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Bit {
+    Text(String, Option<TextRange>),
+    Share(String),
+    Opaque(Why),
+}
+
+/// Why a value is not known.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Why {
+    /// The launch file computes it.
+    Computed,
+    /// Whoever starts the launch file gives it, by this argument.
+    Required(String),
+    /// A condition around the call decides it, by this argument.
+    Decided(String),
+}
+
+/// What a launch file is given from outside.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Context {
+    pub values: Vec<(String, Word)>,
+    pub through: Vec<PathBuf>,
+}
+
+/// The calls that a file makes when it is started by itself.
+pub fn calls(file: &LaunchFile) -> Vec<Call> {
+    calls_in(file, &Context::default())
+}
+
+pub(crate) fn calls_in(file: &LaunchFile, context: &Context) -> Vec<Call> {
+    let mut found: Vec<Call> = Vec::new();
+    for command in &file.commands {
+        let resolver = Resolver::new(file, context, &command.assumed);
+        let Some(called) = resolver.called(command) else { continue };
+        let call = Call {
+            caller: file.path.clone(),
+            through: context.through.clone(),
+            range: command.range,
+            file: called.file,
+            args: called.args,
+            open: called.open,
+        };
+        if !found.iter().any(|known| known.range == call.range && known.is_same(&call)) {
+            found.push(call);
+        }
+    }
+    found.truncate(LAUNCH_CALLS);
+    found
+}
+
+/// The files that a launch file includes, each with what it is given.
+pub(crate) fn included(file: &LaunchFile, context: &Context) -> Vec<(Word, Context)> {
+    let given = |include: &Include| {
+        let resolver = Resolver::new(file, context, &include.assumed);
+        let mut values: Vec<(String, Word)> = Vec::new();
+        if file.shares {
+            let own = file.declared.iter().map(|declared| declared.name.clone());
+            let own = own.chain(context.values.iter().map(|(name, _)| name.clone()));
+            values.extend(own.map(|name| {
+                let value = resolver.word(&Text::argument(&name));
+                (name, value)
+            }));
+        }
+        for (name, value) in &include.args {
+            values.retain(|(known, _)| known != name);
+            values.push((name.clone(), resolver.word(value)));
+        }
+        let through = context.through.iter().cloned().chain([file.path.clone()]).collect();
+        (resolver.word(&include.file), Context { values, through })
+    };
+    file.includes.iter().map(given).collect()
+}
+
+impl Call {
+    /// Whether another call gives the same robot the same.
+    pub fn is_same(&self, other: &Self) -> bool {
+        let args = |call: &Self| -> Vec<(String, String)> {
+            let mut args: Vec<_> =
+                call.args.iter().map(|arg| (arg.name.clone(), arg.value.shown())).collect();
+            args.sort();
+            args
+        };
+        self.file.shown() == other.file.shown() && self.open == other.open && args(self) == args(other)
+    }
+
+    /// How many values of arguments are known.
+    pub fn known(&self) -> usize {
+        self.args.iter().filter(|arg| arg.value.is_known()).count()
+    }
+}
+
+impl Word {
+    fn push(&mut self, bit: Bit) {
+        self.0.push(bit);
+    }
+
+    /// A text.
+    pub fn plain(text: &str) -> Self {
+        Self(vec![Bit::Text(text.to_owned(), None)])
+    }
+
+    /// Whether all of it is known.
+    pub fn is_known(&self) -> bool {
+        !self.0.iter().any(|bit| matches!(bit, Bit::Opaque(_)))
+    }
+
+    /// Why it is not known.
+    pub fn why(&self) -> Option<&Why> {
+        self.0.iter().find_map(|bit| match bit {
+            Bit::Opaque(why) => Some(why),
+            _ => None,
+        })
+    }
+
+    /// The text, where all of it is written down or a default.
+    pub fn literal(&self) -> Option<String> {
+        let plain = |bit: &Bit| if let Bit::Text(text, _) = bit { Some(text.clone()) } else { None };
+        self.0.iter().map(plain).collect()
+    }
+
+    /// For people: packages as `$(find name)`, `?` for what is not known.
+    pub fn shown(&self) -> String {
+        let shown = |bit: &Bit| match bit {
+            Bit::Text(text, _) => text.clone(),
+            Bit::Share(name) => format!("$(find {name})"),
+            Bit::Opaque(_) => "?".to_owned(),
+        };
+        self.0.iter().map(shown).collect()
+    }
+
+    /// The value as the launch system hands it on, where it is known and all packages are found.
+    pub fn value(&self, packages: &Packages, from: &Path) -> Option<String> {
+        let value = |bit: &Bit| match bit {
+            Bit::Text(text, _) => Some(text.clone()),
+            Bit::Share(name) => {
+                let found = packages.find(name, from).ok()?;
+                Some(found.path.to_string_lossy().into_owned())
+            }
+            Bit::Opaque(_) => None,
+        };
+        self.0.iter().map(value).collect()
+    }
+
+    /// The file it names. Relative names start in the folder of the launch file.
+    pub fn path(&self, packages: &Packages, from: &Path) -> Option<PathBuf> {
+        let text = self.value(packages, from)?;
+        // an absolute step replaces those before
+        let text = text.rfind("//").and_then(|at| text.get(at + 1..)).unwrap_or(&text);
+        let text = text.strip_prefix("file:/").unwrap_or(text);
+        let folder = from.parent().unwrap_or(from);
+        (!text.is_empty()).then(|| crate::packages::without_parents(&folder.join(text)))
+    }
+
+    /// The package in front, and the text behind it.
+    pub fn in_package(&self) -> Option<(&str, String)> {
+        match self.0.split_first()? {
+            (Bit::Share(name), rest) => Some((name, Word(rest.to_vec()).shown())),
+            _ => None,
+        }
+    }
+
+    /// The name of the file that a path ends with, where it is known.
+    pub fn file_name(&self) -> Option<&str> {
+        let Some(Bit::Text(text, _)) = self.0.last() else { return None };
+        let is_whole = text.contains('/') || self.0.len() == 1;
+        is_whole.then(|| text.rsplit('/').next().unwrap_or(text)).filter(|name| !name.is_empty())
+    }
+
+    /// Where the first of its texts stands.
+    pub fn place(&self) -> Option<TextRange> {
+        self.0.iter().find_map(|bit| if let Bit::Text(_, at) = bit { *at } else { None })
+    }
+
+    fn plain_len(&self) -> usize {
+        self.0.iter().map(|bit| if let Bit::Text(text, _) = bit { text.len() } else { 1 }).sum()
+    }
+}
+
+/// What the pieces of one command stand for.
+struct Resolver<'a> {
+    file: &'a LaunchFile,
+    context: &'a Context,
+    assumed: &'a [String],
+    declared: FastMap<&'a str, Option<&'a Text>>,
+    /// Arguments whose values the file decides while it runs, or declares in two ways.
+    unclear: Vec<&'a str>,
+}
+
+impl<'a> Resolver<'a> {
+    fn new(file: &'a LaunchFile, context: &'a Context, assumed: &'a [String]) -> Self {
+        let mut declared: FastMap<&str, Option<&Text>> = FastMap::default();
+        let mut unclear: Vec<&str> = Vec::new();
+        for argument in &file.declared {
+            let default = argument.default.as_ref();
+            if let Some(known) = declared.insert(&argument.name, default)
+                && known != default
+            {
+                unclear.push(&argument.name);
+            }
+        }
+        unclear.extend(file.set.iter().map(String::as_str));
+        // a default that is written where the value is read counts where nothing declares the argument
+        for (name, default) in file.defaults.iter().filter(|(name, _)| !file.is_declared(name)) {
+            if let Some(known) = declared.insert(name, Some(default))
+                && known != Some(default)
+            {
+                unclear.push(name);
+            }
+        }
+        Self { file, context, assumed, declared, unclear }
+    }
+
+    fn word(&self, text: &Text) -> Word {
+        let mut word = Word::default();
+        self.resolve(text, 0, &mut word);
+        word
+    }
+
+    fn resolve(&self, text: &Text, depth: usize, word: &mut Word) {
+        for piece in &text.0 {
+            if word.plain_len() > LAUNCH_TEXT || word.0.len() > 1_000 {
+                word.push(Bit::Opaque(Why::Computed));
+                return;
+            }
+            match piece {
+                Piece::Plain(text, at) => word.push(Bit::Text(text.clone(), *at)),
+                Piece::Opaque => word.push(Bit::Opaque(Why::Computed)),
+                Piece::Argument(name) => self.argument(name, depth, word),
+                Piece::Share(package) => {
+                    let mut inner = Word::default();
+                    self.resolve(package, depth + 1, &mut inner);
+                    word.push(match inner.why().cloned() {
+                        Some(why) => Bit::Opaque(why),
+                        None => Bit::Share(inner.shown()),
+                    });
+                }
+            }
+        }
+    }
+
+    fn argument(&self, name: &str, depth: usize, word: &mut Word) {
+        if self.assumed.iter().any(|assumed| assumed == name) {
+            return word.push(Bit::Opaque(Why::Decided(name.to_owned())));
+        }
+        let is_fixed = || self.file.declared.iter().any(|own| own.name == name && own.is_fixed);
+        let given = self.context.values.iter().find(|(given, _)| given == name);
+        if let Some((_, value)) = given.filter(|_| !is_fixed()) {
+            let bare = |bit: &Bit| match bit {
+                Bit::Text(text, _) => Bit::Text(text.clone(), None),
+                other => other.clone(),
+            };
+            return word.0.extend(value.0.iter().map(bare));
+        }
+        match self.declared.get(name).filter(|_| !self.unclear.contains(&name)) {
+            Some(Some(default)) if depth < MOST_DEFAULTS => {
+                let mut inner = Word::default();
+                self.resolve(default, depth + 1, &mut inner);
+                // where a default stands says nothing of what it is used for
+                word.0.extend(inner.0.into_iter().map(|bit| match bit {
+                    Bit::Text(text, _) => Bit::Text(text, None),
+                    other => other,
+                }));
+            }
+            Some(None) => word.push(Bit::Opaque(Why::Required(name.to_owned()))),
+            _ => word.push(Bit::Opaque(Why::Computed)),
+        }
+    }
+
+    fn called(&self, command: &Command) -> Option<Found> {
+        match &command.what {
+            What::Line(line) => command::of_words(command::split(&self.word(line))?),
+            What::Words(words) => command::of_words(words.iter().map(|word| self.word(word)).collect()),
+            What::Process { file, mappings, open } => {
+                let args = mappings.iter().map(|given| Argument {
+                    name: given.name.clone(),
+                    range: given.range,
+                    value: self.word(&given.value),
+                });
+                Some(Found { file: self.word(file), args: args.collect(), open: *open })
+            }
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! Texts that a launch file puts together from pieces, of which some are not known.
+
+use base::TextRange;
+use base::limits::{LAUNCH_PIECES, LAUNCH_TEXT};
+
+/// A text in pieces.
+#[derive(Clone, Debug, Default)]
+pub struct Text(pub Vec<Piece>);
+
+/// A piece of a text.
+#[derive(Clone, Debug)]
+pub enum Piece {
+    /// Text, and where it is written; a copy that was changed has no range.
+    Plain(String, Option<TextRange>),
+    /// The share folder of the package of that name.
+    Share(Text),
+    /// The value of an argument of the launch file.
+    Argument(String),
+    /// A value that is computed.
+    Opaque,
+}
+
+impl PartialEq for Piece {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Piece::Plain(a, _), Piece::Plain(b, _)) | (Piece::Argument(a), Piece::Argument(b)) => a == b,
+            (Piece::Share(a), Piece::Share(b)) => a == b,
+            // two values that are not known may differ
+            _ => false,
+        }
+    }
+}
+
+impl PartialEq for Text {
+    fn eq(&self, other: &Self) -> bool {
+        let pairs = || self.0.iter().zip(&other.0);
+        self.0.len() == other.0.len() && pairs().all(|(a, b)| a == b)
+    }
+}
+
+impl Text {
+    /// Text that stands in the file.
+    pub fn plain(text: impl Into<String>, at: Option<TextRange>) -> Self {
+        Self(vec![Piece::Plain(text.into(), at)])
+    }
+
+    /// A value that is computed.
+    pub fn opaque() -> Self {
+        Self(vec![Piece::Opaque])
+    }
+
+    /// The value of an argument of the launch file.
+    pub fn argument(name: &str) -> Self {
+        Self(vec![Piece::Argument(name.to_owned())])
+    }
+
+    /// The share folder of a package.
+    pub fn share(package: Text) -> Self {
+        if package.depth() > 4 { Self::opaque() } else { Self(vec![Piece::Share(package)]) }
+    }
+
+    /// The text, where all of it is written down.
+    pub fn literal(&self) -> Option<String> {
+        let plain = |piece: &Piece| match piece {
+            Piece::Plain(text, _) => Some(text.clone()),
+            _ => None,
+        };
+        self.0.iter().map(plain).collect()
+    }
+
+    /// Add a text behind this one; what grows beyond the limits is not known.
+    pub fn push(&mut self, mut other: Text) {
+        let is_opaque = |piece: Option<&Piece>| matches!(piece, Some(Piece::Opaque));
+        if is_opaque(self.0.last()) && is_opaque(other.0.first()) {
+            self.0.pop();
+        }
+        self.0.append(&mut other.0);
+        if self.0.len() > LAUNCH_PIECES || self.len() > LAUNCH_TEXT {
+            *self = Self::opaque();
+        }
+    }
+
+    /// Texts one behind the other.
+    pub fn concat(texts: impl IntoIterator<Item = Text>) -> Self {
+        let mut all = Self::default();
+        texts.into_iter().for_each(|text| all.push(text));
+        all
+    }
+
+    /// Texts joined as the steps of a path.
+    pub fn joined(steps: impl IntoIterator<Item = Text>) -> Self {
+        let mut path = Self::default();
+        for step in steps {
+            let is_absolute = matches!(step.0.first(), Some(Piece::Plain(text, _)) if text.starts_with('/'));
+            let ends_folder = matches!(path.0.last(), Some(Piece::Plain(text, _)) if text.ends_with('/'));
+            if is_absolute || matches!(step.0.first(), Some(Piece::Share(_))) {
+                path = Self::default();
+            } else if !path.0.is_empty() && !ends_folder {
+                path.push(Self::plain("/", None));
+            }
+            path.push(step);
+        }
+        path
+    }
+
+    /// The text without the places where it is written.
+    pub fn without_places(self) -> Self {
+        let place = |piece| match piece {
+            Piece::Plain(text, _) => Piece::Plain(text, None),
+            other => other,
+        };
+        Self(self.0.into_iter().map(place).collect())
+    }
+
+    /// The bytes that are held.
+    pub fn len(&self) -> usize {
+        let len = |piece: &Piece| match piece {
+            Piece::Plain(text, _) | Piece::Argument(text) => text.len(),
+            Piece::Share(text) => text.len() + 1,
+            Piece::Opaque => 1,
+        };
+        self.0.iter().map(len).sum()
+    }
+
+    fn depth(&self) -> usize {
+        let depth = |piece: &Piece| if let Piece::Share(inner) = piece { inner.depth() + 1 } else { 0 };
+        self.0.iter().map(depth).max().unwrap_or(0)
+    }
+
+    /// The arguments of the launch file that take part.
+    pub fn arguments(&self, add: &mut impl FnMut(&str)) {
+        for piece in &self.0 {
+            match piece {
+                Piece::Argument(name) => add(name),
+                Piece::Share(inner) if inner.0.iter().any(|p| !matches!(p, Piece::Share(_))) => {
+                    for piece in &inner.0 {
+                        if let Piece::Argument(name) = piece {
+                            add(name);
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+}

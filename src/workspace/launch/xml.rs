@@ -1,0 +1,141 @@
+//! Launch files in XML, those of ROS 1 and those of ROS 2.
+
+use std::path::Path;
+
+use base::TextRange;
+use base::limits::{LAUNCH_CALLS, LAUNCH_DEPTH, MANIFEST_NODES};
+use roxmltree::{Document, Node, ParsingOptions};
+
+use super::element;
+use super::text::Text;
+use super::{Command, Declared, Include, LaunchFile, What};
+
+/// What a launch file calls; nothing of text that is no XML.
+pub(super) fn read(path: &Path, text: &str) -> LaunchFile {
+    let mut file = LaunchFile::of(path);
+    let options = ParsingOptions { nodes_limit: MANIFEST_NODES, ..ParsingOptions::default() };
+    let Ok(document) = Document::parse_with_options(text, options) else { return file };
+    if document.root_element().tag_name().name() != "launch" {
+        return file;
+    }
+    // only ROS 1 has these
+    let old = ["$(find ", "$(arg ", "<rosparam"];
+    file.shares = !old.iter().any(|word| text.contains(word)) || text.contains("$(var ");
+    let folder = path.parent().unwrap_or(path).to_string_lossy().into_owned();
+    let mut reader = Reader { file, folder, assumed: Vec::new() };
+    reader.children(document.root_element(), 0);
+    reader.file
+}
+
+struct Reader {
+    file: LaunchFile,
+    folder: String,
+    /// Arguments that the conditions around read.
+    assumed: Vec<String>,
+}
+
+impl Reader {
+    fn children(&mut self, node: Node<'_, '_>, depth: usize) {
+        for child in node.children().filter(Node::is_element) {
+            let assumed = self.assumed.len();
+            self.condition(child);
+            self.element(child);
+            if depth < LAUNCH_DEPTH && child.tag_name().name() != "include" {
+                self.children(child, depth + 1);
+            }
+            self.assumed.truncate(assumed);
+        }
+    }
+
+    /// What an element is under: the arguments that its condition reads.
+    fn condition(&mut self, node: Node<'_, '_>) {
+        for attribute in ["if", "unless"] {
+            if let Some(value) = node.attribute(attribute) {
+                let text = self.text(value, None);
+                text.arguments(&mut |name| self.assumed.push(name.to_owned()));
+                // an expression may name them in its own way: `$(eval arg('name'))`, `$(eval name == 1)`
+                if value.contains("eval") {
+                    let words = value.split(|c: char| !(c.is_alphanumeric() || c == '_'));
+                    self.assumed.extend(words.filter(|word| !word.is_empty()).map(str::to_owned));
+                }
+            }
+        }
+    }
+
+    fn element(&mut self, node: Node<'_, '_>) {
+        match node.tag_name().name() {
+            "arg" | "let" => self.argument(node),
+            "include" => self.include(node),
+            _ => {}
+        }
+        for attribute in node.attributes() {
+            let range = range(attribute.range_value());
+            if attribute.name() == "command" && node.tag_name().name() == "param" {
+                let line = self.text(attribute.value(), Some(range));
+                self.command(range, line);
+            } else if attribute.value().contains("$(command") {
+                let mut lines = Vec::new();
+                element::text(attribute.value(), Some(range), &self.folder, &mut lines);
+                lines.into_iter().for_each(|line| self.command(range, line));
+            }
+        }
+    }
+
+    fn command(&mut self, range: TextRange, line: Text) {
+        if self.file.commands.len() < LAUNCH_CALLS {
+            let assumed = self.assumed.clone();
+            self.file.commands.push(Command { range, what: What::Line(line), assumed });
+        }
+    }
+
+    fn argument(&mut self, node: Node<'_, '_>) {
+        let Some(name) = node.attribute("name") else { return };
+        let fixed = node.attribute("value");
+        let is_conditional = node.has_attribute("if") || node.has_attribute("unless");
+        let default = fixed.or_else(|| node.attribute("default")).map(|value| self.text(value, None));
+        // of two that conditions choose from, none is certain
+        let default = if is_conditional { Some(Text::opaque()) } else { default };
+        let choices: Vec<String> = node
+            .children()
+            .filter(|child| child.has_tag_name("choice"))
+            .filter_map(|child| child.attribute("value").map(str::to_owned))
+            .collect();
+        let declared = Declared {
+            name: name.to_owned(),
+            default,
+            choices: (!choices.is_empty()).then_some(choices),
+            range: range(node.range()),
+            is_fixed: fixed.is_some(),
+        };
+        self.file.declared.push(declared);
+    }
+
+    fn include(&mut self, node: Node<'_, '_>) {
+        let Some(file) = node.attribute("file").map(|file| self.text(file, None)) else { return };
+        let mut args = Vec::new();
+        for child in node.children().filter(|child| child.has_tag_name("arg") || child.has_tag_name("let")) {
+            let value = child.attribute("value").or_else(|| child.attribute("default"));
+            if let (Some(name), Some(value)) = (child.attribute("name"), value) {
+                let is_conditional = child.has_attribute("if") || child.has_attribute("unless");
+                let value = if is_conditional { Text::opaque() } else { self.text(value, None) };
+                args.push((name.to_owned(), value));
+            }
+        }
+        if node.attribute("pass_all_args").is_some_and(|all| all != "false") {
+            let own: Vec<String> = self.file.declared.iter().map(|own| own.name.clone()).collect();
+            let own = own.into_iter().filter(|name| !args.iter().any(|(known, _)| known == name));
+            let own: Vec<_> = own.map(|name| (name.clone(), Text::argument(&name))).collect();
+            args.extend(own);
+        }
+        let (range, assumed) = (range(node.range()), self.assumed.clone());
+        self.file.includes.push(Include { file, args, open: false, range, assumed });
+    }
+
+    fn text(&self, value: &str, at: Option<TextRange>) -> Text {
+        element::text(value, at, &self.folder, &mut Vec::new())
+    }
+}
+
+fn range(range: std::ops::Range<usize>) -> TextRange {
+    TextRange::new(range.start as u32, range.end as u32)
+}

@@ -1,0 +1,207 @@
+//! Names that no expansion evaluated: branches that are not taken, skipped parts of expressions, macros that nobody calls.
+
+use serde_json::{Value, json};
+
+use super::client::{Client, Options};
+use super::workspace::{fresh_folder, write};
+
+const MAIN: &str = "src/arm.urdf.xacro";
+const PART: &str = "src/part.xacro";
+const TOOL: &str = "src/tool.xacro";
+
+const MAIN_TEXT: &str = r#"<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="tool" default="false"/>
+  <xacro:property name="width" value="2"/>
+  <xacro:include filename="part.xacro"/>
+  <link name="base"/>
+  <xacro:if value="$(arg tool)">
+    <xacro:include filename="tool.xacro" ns="extra"/>
+    <xacro:property name="grip" value="${width * 3}"/>
+    <xacro:extra.hand size="${grip}"/>
+    <xacro:wrap><link name="in_${width}"/></xacro:wrap>
+    <link name="s${[n for n in [width]][0]}_${extra.reach}"/>
+  </xacro:if>
+  <xacro:finger length="1"/>
+  <link name="x_${width if 1 &lt; 2 else gap}"/>
+  <xacro:property name="gap" value="4"/>
+</robot>
+"#;
+
+const PART_TEXT: &str = r#"<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="wrap" params="*inner">
+    <xacro:insert_block name="inner"/>
+  </xacro:macro>
+  <xacro:macro name="finger" params="length soft:=false scale:=1
+      gap:=^|7">
+    <xacro:if value="${soft}"><link name="soft_${length}_${gap}"/></xacro:if>
+    <xacro:unless value="${soft}"><link name="hard_${length * scale}"/></xacro:unless>
+  </xacro:macro>
+  <xacro:macro name="idle" params="depth"><xacro:if value="${False}"><link name="${depth}_${width}"/></xacro:if></xacro:macro>
+</robot>
+"#;
+
+const TOOL_TEXT: &str = r#"<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="reach" value="9"/>
+  <xacro:macro name="hand" params="size"><link name="hand_${size}_${reach}"/></xacro:macro>
+</robot>
+"#;
+
+fn arm() -> Client {
+    let folder = fresh_folder();
+    for (name, text) in [(MAIN, MAIN_TEXT), (PART, PART_TEXT), (TOOL, TOOL_TEXT)] {
+        write(&folder, name, text);
+    }
+    let mut client = Client::with(folder, Options::default());
+    client.open(MAIN);
+    client.open(PART);
+    client.open(TOOL);
+    client
+}
+
+#[track_caller]
+fn leads(client: &mut Client, file: &str, at: &str, expected: &[&str]) {
+    let targets = client.request("textDocument/definition", client.at(file, at));
+    let shown =
+        |link: &Value| client.shown(link["targetUri"].as_str().unwrap(), &link["targetSelectionRange"]);
+    let shown: Vec<String> = targets.as_array().into_iter().flatten().map(shown).collect();
+    assert_eq!(shown, expected, "{at}");
+}
+
+#[test]
+fn names_in_branches_that_are_not_taken_lead_to_their_definitions() {
+    let mut client = arm();
+    leads(&mut client, MAIN, "${wid|th * 3}", &["arm.urdf.xacro:3 width"]);
+    leads(&mut client, MAIN, "size=\"${gr|ip}", &["arm.urdf.xacro:8 grip"]);
+    leads(&mut client, MAIN, "<xacro:extra.ha|nd", &["tool.xacro:3 hand"]);
+    leads(&mut client, MAIN, "<xacro:ex|tra.hand", &["arm.urdf.xacro:7 extra"]);
+    leads(&mut client, MAIN, "hand si|ze=", &["tool.xacro:3 size"]);
+    leads(&mut client, MAIN, "extra.rea|ch}", &["tool.xacro:2 reach"]);
+    leads(&mut client, MAIN, "else ga|p}", &["arm.urdf.xacro:15 gap"]);
+    leads(&mut client, MAIN, "in [wid|th]]", &["arm.urdf.xacro:3 width"]);
+    leads(&mut client, PART, "soft_${len|gth}", &["part.xacro:5 length"]);
+    leads(&mut client, PART, "_${ga|p}", &["part.xacro:6 gap"]);
+    leads(&mut client, PART, "${dep|th}", &["part.xacro:10 depth"]);
+    leads(&mut client, PART, "}_${wid|th}", &["arm.urdf.xacro:3 width"]);
+}
+
+#[test]
+fn where_callers_decide_each_definition_is_named() {
+    let mut client = arm();
+    client.edit(
+        MAIN,
+        "</robot>",
+        "<xacro:macro name=\"far\" params=\"width\"><xacro:idle depth=\"1\"/></xacro:macro>\n<xacro:idle depth=\"2\"/></robot>",
+    );
+    leads(&mut client, PART, "}_${wid|th}", &["arm.urdf.xacro:3 width", "arm.urdf.xacro:16 width"]);
+}
+
+fn references(client: &mut Client, file: &str, at: &str) -> Vec<String> {
+    let mut params = client.at(file, at);
+    params["context"] = json!({ "includeDeclaration": true });
+    let found = client.request("textDocument/references", params);
+    let shown = |place: &Value| client.shown(place["uri"].as_str().unwrap(), &place["range"]);
+    let mut shown: Vec<String> = found.as_array().unwrap().iter().map(shown).collect();
+    shown.sort();
+    shown
+}
+
+#[test]
+fn references_and_hover_know_what_is_not_evaluated() {
+    let mut client = arm();
+    let found = references(&mut client, PART, "params=\"len|gth");
+    assert_eq!(
+        found,
+        ["arm.urdf.xacro:13 length", "part.xacro:5 length", "part.xacro:7 length", "part.xacro:8 length"]
+    );
+    let found = references(&mut client, MAIN, "size=\"${gr|ip}");
+    assert_eq!(found, ["arm.urdf.xacro:8 grip", "arm.urdf.xacro:9 grip"]);
+    let hover = client.request("textDocument/hover", client.at(MAIN, "size=\"${gr|ip}"));
+    let text = hover["contents"]["value"].as_str().unwrap();
+    assert!(text.contains("**property** `grip`") && text.contains("arm.urdf.xacro:8"), "{text}");
+    let found = client.request("textDocument/documentHighlight", client.at(MAIN, "size=\"${gr|ip}"));
+    assert_eq!(found.as_array().unwrap().len(), 2, "{found}");
+}
+
+/// The files after renaming what `at` marks; or the message of the error.
+fn renamed(client: &mut Client, file: &str, at: &str, new: &str) -> Result<[String; 2], String> {
+    let mut params = client.at(file, at);
+    params["newName"] = json!(new);
+    let id = client.post("textDocument/rename", params);
+    let reply = client.reply(id);
+    match reply.get("error") {
+        Some(error) => Err(error["message"].as_str().unwrap().to_owned()),
+        None => Ok([MAIN, PART].map(|file| match reply["result"]["changes"].get(client.uri(file)) {
+            Some(_) => client.after(file, &reply["result"]),
+            None => client.text(file).to_owned(),
+        })),
+    }
+}
+
+#[test]
+fn names_are_renamed_where_nothing_is_evaluated() {
+    let mut client = arm();
+    // a macro and a block that only a branch uses
+    let [main, part] = renamed(&mut client, PART, "name=\"wr|ap\"", "cover").unwrap();
+    assert!(main.contains("<xacro:cover><link") && main.contains("</xacro:cover>"), "{main}");
+    assert!(part.contains("<xacro:macro name=\"cover\""), "{part}");
+    let [_, part] = renamed(&mut client, PART, "params=\"*in|ner", "body").unwrap();
+    assert!(
+        part.contains("params=\"*body\"") && part.contains("<xacro:insert_block name=\"body\"/>"),
+        "{part}"
+    );
+    // a parameter that a branch reads
+    let [main, part] = renamed(&mut client, PART, "params=\"len|gth", "size").unwrap();
+    assert_eq!(part.matches("size").count(), 3, "{part}");
+    assert!(main.contains("<xacro:finger size=\"1\"/>"), "{main}");
+    // one that takes the value of a property: both
+    let [main, part] = renamed(&mut client, PART, "_${ga|p}", "slit").unwrap();
+    assert!(main.contains("else slit}") && main.contains("name=\"slit\""), "{main}");
+    assert!(part.contains("slit:=^|7") && part.contains("_${slit}"), "{part}");
+    // from within a branch, with its namespace
+    let [main, _] = renamed(&mut client, MAIN, "<xacro:ex|tra.hand", "more").unwrap();
+    assert!(
+        main.contains("ns=\"more\"") && main.contains("<xacro:more.hand") && main.contains("${more.reach}"),
+        "{main}"
+    );
+}
+
+#[test]
+fn a_parameter_that_is_defined_again_takes_its_uses_along() {
+    let mut client = arm();
+    client.edit(PART, "<xacro:if value=\"${soft}\">", "<xacro:if value=\"${scale == 0}\"><xacro:property name=\"scale\" value=\"5\"/></xacro:if><xacro:if value=\"${soft}\">");
+    let [_, part] = renamed(&mut client, PART, "sca|le:=1", "factor").unwrap();
+    assert!(!part.contains("scale") && part.matches("factor").count() == 4, "{part}");
+}
+
+#[test]
+fn what_would_change_a_branch_is_refused() {
+    let mut client = arm();
+    let refused = renamed(&mut client, PART, "params=\"len|gth", "gap").unwrap_err();
+    assert!(refused.contains("`gap` is already defined"), "{refused}");
+    let refused = renamed(&mut client, MAIN, "name=\"wid|th\"", "depth").unwrap_err();
+    assert!(refused.contains("`depth` has another meaning"), "{refused}");
+    assert!(refused.contains("part.xacro:10"), "{refused}");
+    // a text that is put together is no name that could follow
+    client.edit(
+        MAIN,
+        "<link name=\"base\"/>",
+        "<xacro:if value=\"$(arg tool)\"><link name=\"${xacro.arg('tool')}\"/></xacro:if>",
+    );
+    let refused = renamed(&mut client, MAIN, "arg name=\"to|ol\"", "hand").unwrap_err();
+    assert!(refused.contains("with the condition taken at arm.urdf.xacro:5"), "{refused}");
+}
+
+#[test]
+fn renaming_waits_for_the_workspace() {
+    let folder = fresh_folder();
+    let far = MAIN_TEXT.replace("filename=\"part.xacro\"", "filename=\"../../src/part.xacro\"");
+    write(&folder, PART, PART_TEXT);
+    write(&folder, "other/deep/far.urdf.xacro", far);
+    let mut client = Client::with(folder, Options::default());
+    client.open(PART);
+    let mut params = client.at(PART, "name=\"fin|ger\"");
+    params["newName"] = json!("digit");
+    let edit = client.request("textDocument/rename", params);
+    let changed = edit["changes"].as_object().unwrap();
+    assert!(changed.keys().any(|uri| uri.ends_with("far.urdf.xacro")), "{edit}");
+}
