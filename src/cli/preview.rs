@@ -43,13 +43,6 @@ struct Preview {
 }
 
 fn open(args: &PreviewArgs, env: &Environment) -> Result<Preview, String> {
-    if !preview::HAS_VIEWER {
-        return Err(
-            "this program was built without the viewer; run `npm ci` and `npm run build` in editors/viewer, \
-                    build the program again, or install a release"
-                .to_owned(),
-        );
-    }
     let (file, arguments) = file_and_arguments(&args.file)?;
     let mut world = World::new(env.clone(), Vec::new());
     if !args.package_path.is_empty() {
@@ -59,6 +52,13 @@ fn open(args: &PreviewArgs, env: &Environment) -> Result<Preview, String> {
     let path = vfs.absolute(Path::new(&file));
     if !vfs.is_file(&path) {
         return Err(format!("{file}: no such file"));
+    }
+    if !preview::HAS_VIEWER {
+        return Err(
+            "this program was built without the viewer; run `npm ci` and `npm run build` in editors/viewer, \
+                    build the program again, or install a release"
+                .to_owned(),
+        );
     }
     let mut views = Views::default();
     let id = views.open(RootChoice { args: arguments, ..RootChoice::plain(&path) });

@@ -87,6 +87,8 @@ pub struct DocumentCx<'a> {
     pub robot: Option<&'a Robot>,
     /// What lies around it.
     pub world: Surroundings<'a>,
+    /// Whether all elements of the expansion are there.
+    pub complete: bool,
     /// The meshes that the robot names, once a rule has asked.
     pub(super) resources: OnceCell<Resources>,
     /// What the texts mention, once a rule has asked.
@@ -104,10 +106,10 @@ impl<'a> DocumentCx<'a> {
     pub(super) fn new(
         expansion: &'a Expansion,
         element: XId,
-        kind: RootKind,
-        explicit: bool,
+        (kind, explicit): (RootKind, bool),
         robot: Option<&'a Robot>,
         world: Surroundings<'a>,
+        complete: bool,
     ) -> Self {
         Self {
             expansion,
@@ -116,6 +118,7 @@ impl<'a> DocumentCx<'a> {
             explicit,
             robot,
             world,
+            complete,
             resources: OnceCell::new(),
             mentions: OnceCell::new(),
             seen: OnceCell::new(),
@@ -145,8 +148,7 @@ impl<'a> DocumentCx<'a> {
     /// Whether every element of the document is there: nothing may be said about what is missing otherwise. In
     /// a macro that nothing calls, blocks and conditions are not known.
     pub fn whole(&self) -> bool {
-        let is_root = self.expansion.tree.root() == Some(self.element);
-        is_root && super::run::is_whole(self.expansion)
+        self.complete && self.expansion.tree.root() == Some(self.element)
     }
 }
 

@@ -57,6 +57,7 @@ pub fn check_expansion(
     excuse_packages(&mut findings, world);
     let Some(first) = all().next() else { return findings };
     let mut sink = Sink::new(expansion, first);
+    let complete = is_whole(expansion);
     let whole = expansion.tree.root().map(|root| (root, kind, robot.map(Cow::Borrowed)));
     // what a macro gives that nothing calls is looked at like a library
     let probes = expansion
@@ -65,7 +66,8 @@ pub fn check_expansion(
         .map(|probe| (probe.content, Cow::Owned(Robot::below(&expansion.tree, probe.content))))
         .map(|(content, robot)| (content, RootKind::Library, Some(robot)));
     for (element, kind, robot) in whole.into_iter().chain(probes) {
-        let document = DocumentCx::new(expansion, element, kind, explicit, robot.as_deref(), world);
+        let document =
+            DocumentCx::new(expansion, element, (kind, explicit), robot.as_deref(), world, complete);
         chosen.run(&mut sink, |rule, sink| {
             if let Check::Document(check) = rule.check {
                 check(&document, sink);
@@ -74,7 +76,7 @@ pub fn check_expansion(
     }
     if let Some(robot) = robot.filter(|_| kind == RootKind::Robot) {
         let kinematics = Kinematics::of(robot);
-        let whole = is_whole(expansion) && !unprefixed.structure && robot.names_are_known();
+        let whole = complete && !unprefixed.structure && robot.names_are_known();
         let cx = RobotCx { expansion, robot, kinematics: &kinematics, world, whole };
         chosen.run(&mut sink, |rule, sink| match rule.check {
             Check::Robot(check) => check(&cx, sink),

@@ -34,7 +34,7 @@ pub fn link_bounds(
     world: Surroundings<'_>,
     link: &Link,
 ) -> Option<Bounds> {
-    let cx = DocumentCx::new(expansion, robot.element, RootKind::Robot, false, Some(robot), world);
+    let cx = DocumentCx::new(expansion, robot.element, (RootKind::Robot, false), Some(robot), world, false);
     let bodies = if link.visuals.is_empty() { &link.collisions } else { &link.visuals };
     extent_of(&cx, bodies).bounds()
 }

@@ -1,7 +1,6 @@
 //! Definitions that nothing reads: what the rules about them share.
 
 use super::super::context::{DocumentCx, RootKind};
-use super::super::run::is_whole;
 use super::source;
 use base::{FastSet, TextRange};
 use expand::{Definition, DefinitionId, FileIdx, Place, SymbolKind, UseKind};
@@ -12,7 +11,7 @@ pub(super) fn in_root<'a>(
     cx: &DocumentCx<'a>,
     kinds: &[SymbolKind],
 ) -> Vec<(DefinitionId, &'a Definition, Place)> {
-    if !source::is_main(cx) || cx.kind != RootKind::Robot || !is_whole(cx.expansion) {
+    if !source::is_main(cx) || cx.kind != RootKind::Robot || !cx.complete {
         return Vec::new();
     }
     // an undefined name may be a definition misspelt

@@ -2,7 +2,6 @@
 
 use super::super::context::{DocumentCx, RootKind};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
-use super::super::run::is_whole;
 use super::super::sink::Sink;
 use super::mentions;
 use super::source::{self, Inclusion};
@@ -25,7 +24,7 @@ pub(super) const RULE: Rule = Rule {
 const MOST: usize = 200;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    if !source::is_main(cx) || cx.kind != RootKind::Robot || !is_whole(cx.expansion) {
+    if !source::is_main(cx) || cx.kind != RootKind::Robot || !cx.complete {
         return;
     }
     let inclusions = source::inclusions(cx.expansion, cx.world);

@@ -2,7 +2,6 @@
 
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
-use super::super::run::is_whole;
 use super::super::schema::ElementSpec;
 use super::super::sink::Sink;
 use super::walk;
@@ -22,7 +21,7 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    if !is_whole(cx.expansion) {
+    if !cx.complete {
         return;
     }
     for (id, spec) in walk::known(cx).filter(|(_, spec)| !spec.required.is_empty()) {
@@ -66,8 +65,10 @@ fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str
 /// The shape that stands in a visual or collision without a geometry around it.
 pub(super) fn bare_shape<'a>(cx: &'a DocumentCx<'_>, id: XId) -> Option<&'a str> {
     let tree = &cx.expansion.tree;
-    let mut names = tree.elements(id).map(|child| tree.get(child).text.as_str());
+    let names = || tree.elements(id).map(|child| tree.get(child).text.as_str());
     let is_body = matches!(tree.get(id).text.as_str(), "visual" | "collision");
-    let is_bare = is_body && !tree.elements(id).any(|child| tree.get(child).text == "geometry");
-    names.find(|name| is_bare && ["box", "cylinder", "sphere", "capsule", "mesh"].contains(name))
+    if !is_body || names().any(|name| name == "geometry") {
+        return None;
+    }
+    names().find(|name| ["box", "cylinder", "sphere", "capsule", "mesh"].contains(name))
 }

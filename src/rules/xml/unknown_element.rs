@@ -3,12 +3,11 @@
 use super::super::context::{DocumentCx, RootKind};
 use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
-use super::super::run::is_whole;
 use super::super::schema::{self, ElementSpec};
 use super::super::sink::Sink;
 use super::missing_element::bare_shape;
 use super::walk::{self, Seen};
-use base::TextRange;
+use base::{FastMap, TextRange};
 use expand::{FileIdx, XId};
 use model::{Text, tag_start};
 
@@ -25,6 +24,7 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let mut bare: FastMap<XId, Option<&str>> = FastMap::default();
     for &Seen { id, spec, parent } in walk::elements(cx) {
         let (None, Some(parent)) = (spec, parent) else { continue };
         let name = cx.expansion.tree.get(id).text.as_str();
@@ -33,8 +33,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if elsewhere || is_allowed(cx, name) || walk::lacks_prefix(cx, id) {
             continue;
         }
-        let is_bare = |around| bare_shape(cx, around).is_some_and(|shape| shape == name);
-        if is_whole(cx.expansion) && cx.expansion.tree.parent(id).is_some_and(is_bare) {
+        let mut bare_around = |around| *bare.entry(around).or_insert_with(|| bare_shape(cx, around));
+        if cx.complete && cx.expansion.tree.parent(id).and_then(&mut bare_around) == Some(name) {
             continue; // it is said that the geometry is missing
         }
         let near = walk::meant(name, parent.children().map(|child| child.name));
