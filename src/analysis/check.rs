@@ -161,6 +161,7 @@ impl Session {
                 let names = report.incomplete.entry(outcome.job.file.clone()).or_default();
                 names.extend(outcome.unfound.iter().cloned());
             }
+            report.partial.extend(outcome.is_partial.then(|| outcome.job.file.clone()));
             report.nameless.extend(outcome.is_nameless.then(|| outcome.job.file.clone()));
             report.files.extend(outcome.files.iter().map(|file| (file.id, file.clone())));
         }

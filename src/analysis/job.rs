@@ -15,7 +15,7 @@ use expand::{Expansion, FileUse, FrameKind, Limits, Origin, Read, Request, World
 use model::Robot;
 use rules::{
     Activation, Chosen, Finding, RootKind, Rule, Selector, Suppressions, all, by_code, check_expansion,
-    check_files, holds_for_semantic, include_tags, is_semantic, missing_packages,
+    check_files, holds_for_semantic, include_tags, is_semantic, is_whole, missing_packages,
 };
 use vfs::{LoadError, LoadErrorKind, SourceFile};
 
@@ -29,6 +29,8 @@ pub(super) struct Outcome {
     pub(super) is_nameless: bool,
     /// The packages of a robot that were not found.
     pub(super) unfound: BTreeSet<String>,
+    /// Whether it is a robot, and errors left out a part of it.
+    pub(super) is_partial: bool,
     /// Whether it is one of the contexts that are checked: findings say in which of these they occur.
     pub(super) is_context: bool,
     /// Whether everything was read and expanded, so that what was not found is not there.
@@ -104,14 +106,12 @@ pub(super) fn judge(
     findings.extend(session.nameless(&Checked { job: &job, kind, expansion, robot }));
     session.settle_by_role(&Checked { job: &job, kind, expansion, robot }, &mut findings);
     session.settle_set_aside(&job, &mut findings);
+    let is_meant = is_meant_as_robot(expansion, kind);
     Outcome {
         is_robot: kind == RootKind::Robot,
         is_nameless: kind == RootKind::Library && robot.is_some_and(Robot::lacks_only_a_name),
-        unfound: if is_meant_as_robot(expansion, kind) {
-            missing_packages(expansion, around)
-        } else {
-            BTreeSet::new()
-        },
+        unfound: if is_meant { missing_packages(expansion, around) } else { BTreeSet::new() },
+        is_partial: is_meant && !is_whole(expansion),
         is_context: job.reason == Reason::Root,
         complete: expansion.whole
             && expansion.files.iter().all(|file| file.source.document.errors().is_empty()),

@@ -30,6 +30,8 @@ pub struct Report {
     pub nameless: Vec<PathBuf>,
     /// The robots some of whose packages were not found, with the names of these.
     pub incomplete: BTreeMap<PathBuf, BTreeSet<String>>,
+    /// The robots that errors left out a part of: rules about what is missing or unused do not run on them.
+    pub partial: BTreeSet<PathBuf>,
     /// Paths named by the user that cannot be read.
     pub unreadable: Vec<Unreadable>,
     /// What was asked for and not checked, though it is there.

@@ -103,6 +103,7 @@ impl<'a> Listing<'a> {
         let mut lines = vec![self.summary()];
         lines.extend(self.without_robot());
         lines.extend(self.incomplete());
+        lines.extend(self.partial());
         if self.is_many() {
             lines.extend(self.by_rule());
         }
@@ -115,7 +116,9 @@ impl<'a> Listing<'a> {
     pub(super) fn note(&self, could: &str) -> Vec<String> {
         if !self.is_many() {
             let summary = (!self.hidden.is_empty()).then(|| self.summary());
-            return summary.into_iter().chain(self.without_robot()).chain(self.incomplete()).collect();
+            let partial = self.partial().filter(|_| !self.has_errors());
+            let robots = self.without_robot().into_iter().chain(self.incomplete()).chain(partial);
+            return summary.into_iter().chain(robots).collect();
         }
         let next = [could.to_owned(), self.next()];
         let next: Vec<String> = next.into_iter().filter(|part| !part.is_empty()).collect();
@@ -124,9 +127,8 @@ impl<'a> Listing<'a> {
 
     /// That no robot was found, and why: without errors it would look like success.
     fn without_robot(&self) -> Option<String> {
-        let Report { robots, roots, nameless, skipped, findings, .. } = self.report;
-        if self.is_change || *robots > 0 || findings.iter().any(|finding| finding.severity == Severity::Error)
-        {
+        let Report { robots, roots, nameless, skipped, .. } = self.report;
+        if self.is_change || *robots > 0 || self.has_errors() {
             return None;
         }
         let why = match (nameless.first(), roots.is_empty(), skipped.is_empty()) {
@@ -147,6 +149,21 @@ impl<'a> Listing<'a> {
     /// That robots were not checked in full: without findings it would look like success.
     fn incomplete(&self) -> Option<String> {
         incomplete(self.report)
+    }
+
+    /// That errors left out parts of robots, for those of which no package is said to be missing.
+    fn partial(&self) -> Option<String> {
+        let Report { partial, incomplete, .. } = self.report;
+        let count = partial.iter().filter(|robot| !incomplete.contains_key(*robot)).count();
+        let whose = if count == 1 { "it" } else { "them" };
+        (count > 0).then(|| {
+            let robots = counted(count, "robot");
+            format!("{robots} not checked in full: errors left out parts of {whose}, so rules about missing or unused parts did not run")
+        })
+    }
+
+    fn has_errors(&self) -> bool {
+        self.report.findings.iter().any(|finding| finding.severity == Severity::Error)
     }
 
     fn is_many(&self) -> bool {

@@ -46,7 +46,7 @@ pub use registry::{
     Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector,
     unknown_selector,
 };
-pub use run::{Chosen, check_expansion, check_files, check_recovered};
+pub use run::{Chosen, check_expansion, check_files, check_recovered, is_whole};
 pub use selection::{Selection, SelectionOptions};
 pub use semantic::{holds_for_semantic, is_semantic};
 pub use sink::Sink;

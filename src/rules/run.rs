@@ -27,7 +27,7 @@ const LOSES_CONTENT: [&str; 8] =
     ["XML001", "XML002", "XAC002", "XAC004", "XAC009", "XAC032", "XAC034", "XAC041"];
 
 /// Whether all elements of an expansion are there.
-pub(super) fn is_whole(expansion: &Expansion) -> bool {
+pub fn is_whole(expansion: &Expansion) -> bool {
     let loses = |problem: &Problem| !problem.probed && LOSES_CONTENT.contains(&problem.code);
     expansion.whole && !expansion.problems.iter().any(loses)
 }

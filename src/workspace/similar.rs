@@ -98,6 +98,10 @@ fn is_slip(a: &str, b: &str) -> bool {
     const CHANGED: usize = 4;
     /// Letters of a word in which one is replaced.
     const REPLACED: usize = 5;
+    // letters take at most four bytes
+    if a.len().max(b.len()) > 4 * LONGEST || a.len().abs_diff(b.len()) > 4 {
+        return false;
+    }
     let all = |text: &str| text.chars().collect::<Vec<char>>();
     let (long, short) =
         if a.chars().count() < b.chars().count() { (all(b), all(a)) } else { (all(a), all(b)) };

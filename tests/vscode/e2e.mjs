@@ -241,7 +241,7 @@ test("root", "measuring_cell", async (window) => {
   await window.answer("Save as Preset", "long stylus");
   await window.command("Xacro: Set Arguments");
   await window.row("Defaults of the file").click();
-  await window.status("2 args");
+  await window.status("2 arguments");
   await window.command("Xacro: Set Arguments");
   await window.row("long stylus").click();
   await window.status("stylus:=0.07");

@@ -72,7 +72,8 @@ export class Status implements vscode.Disposable {
     const { roots, active } = this.contexts;
     if (!active || !roots || roots.args.length === 0) return this.args.hide();
     const chosen = argumentsText(active.args);
-    const text = chosen === "" ? `${roots.args.length} args` : chosen;
+    const count = roots.args.length;
+    const text = chosen === "" ? `${count} ${count === 1 ? "argument" : "arguments"}` : chosen;
     this.args.text = `$(settings) ${text.length > LONGEST ? `${text.slice(0, LONGEST - 1)}…` : text}`;
     const lines = roots.args.map((arg) => `${arg.name}:=${arg.value ?? "?"}`);
     this.args.tooltip = new vscode.MarkdownString("Arguments of the root").appendCodeblock(

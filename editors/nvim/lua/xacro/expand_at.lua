@@ -39,6 +39,8 @@ function M.open(number, at)
   talk.ask(bufnr, 'xacro/expandAt', params, function(answer)
     if not answer or answer == vim.NIL then
       talk.say('nothing to expand here')
+    elseif vim.trim(answer.expanded) == '' then
+      talk.say(('%s expands to nothing'):format(answer.title))
     else
       show(answer, math.max(number or 1, 1))
     end
