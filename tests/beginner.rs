@@ -204,8 +204,8 @@ fn the_robots_are_silent() {
 }
 
 /// Of a hundred mistakes, so many are reported at least, and so many by one error or warning.
-const REPORTED: usize = 88;
-const BY_ONE: usize = 79;
+const REPORTED: usize = 91;
+const BY_ONE: usize = 85;
 
 #[test]
 fn each_mistake_is_found_as_written() {

@@ -4,11 +4,11 @@ use std::borrow::Cow;
 
 use super::element::Tag;
 use super::machine::{Cx, Expander};
+use super::meant;
 use super::origin::Origin;
 use super::scope::Place;
 use base::TextRange;
 use expr::{Value, display, literal};
-use workspace::nearest;
 
 impl Expander<'_> {
     /// An attribute as it is written (entities decoded), and where.
@@ -27,6 +27,11 @@ impl Expander<'_> {
             let problem = self.problem("XAC032", self.tag_origin(tag, cx), message).says(reference);
             let mut others = tag.attrs().filter(|attr| !attr.name().starts_with("xmlns"));
             self.push(match (others.next(), others.next()) {
+                (Some(other), None) if tag.name == "xacro:property" => {
+                    let value = other.value(self.entities(tag.src));
+                    problem
+                        .help(format!("write <xacro:property name=\"{}\" value=\"{value}\"/>", other.name()))
+                }
                 (Some(other), None) => problem.help(format!("rename `{}` to `{name}`", other.name())),
                 _ => problem.help(format!("add {name}=\"...\"")),
             });
@@ -48,7 +53,7 @@ impl Expander<'_> {
                 let list = names.join(", ");
                 problem = problem.says(format!("{}: unknown attribute(s): {list}", tag.name));
             }
-            if let Some(near) = nearest(attr.name(), allowed.iter().copied()) {
+            if let Some(near) = meant::by_attribute(attr.name(), allowed) {
                 problem = problem.help(format!("did you mean `{near}`?")).replace_with(near);
             }
             self.push(problem);

@@ -36,7 +36,8 @@ impl Expander<'_> {
         for attr in tag.attrs() {
             let at = Origin { src: tag.src, range: attr.name_range(), frame: cx.frame };
             let given = open.take(attr.name());
-            let Some(param) = given.or_else(|| self.misspelt_param(tag, def, &mut open, attr.name(), at))
+            let Some(param) =
+                given.or_else(|| self.misspelt_param(tag, def, &mut open, (attr.name(), at), body))
             else {
                 continue;
             };
@@ -82,9 +83,12 @@ impl Expander<'_> {
         cx: Cx,
         body: Cx,
     ) {
-        let mut blocks = given.into_iter().take_while(|block| *block != GivenBlock::Any);
-        let wanted: Vec<&Param> = open.iter().copied().filter(|p| p.is_block()).collect();
+        let mut wanted: Vec<&Param> = open.iter().copied().filter(|p| p.is_block()).collect();
         open.retain(|p| !p.is_block());
+        if given.len() > wanted.len() {
+            wanted.extend(self.blocks_without_star(def, open));
+        }
+        let mut blocks = given.into_iter().take_while(|block| *block != GivenBlock::Any);
         let mut missing = Vec::new();
         for param in wanted {
             match blocks.next() {
@@ -92,7 +96,9 @@ impl Expander<'_> {
                     let origin = self.result.tree.get(block).origin;
                     let info = param_info(param, origin);
                     let state = State::Block(Block::Built(block));
-                    self.bind(body.scope, param.name.clone(), state, info, origin);
+                    let key =
+                        if param.is_block() { param.name.clone() } else { format!("*{}", param.name).into() };
+                    self.bind(body.scope, key, state, info, origin);
                 }
                 block => {
                     if block.is_none() && is_sure {
@@ -120,6 +126,31 @@ impl Expander<'_> {
             let problem = self.problem("XAC007", at, message).says(format!("Unused block \"{name}\""));
             self.push_with_definition(problem, def);
         }
+    }
+
+    /// Take the parameters without a value that the body inserts as blocks: their `*` is missing, which is reported.
+    fn blocks_without_star<'d>(&mut self, def: &MacroDef, open: &mut Vec<&'d Param>) -> Vec<&'d Param> {
+        if !self.request.probe {
+            return Vec::new();
+        }
+        let Some(item) = self.item(def.body.src) else { return Vec::new() };
+        let body = item.node(def.body.node).range();
+        let inserts = item
+            .all_nodes()
+            .filter(|node| node.name() == "xacro:insert_block" && body.contains_range(node.range()));
+        let inserted: Vec<&str> = inserts.filter_map(|node| Some(node.attr("name")?.raw())).collect();
+        let (meant, others): (Vec<&Param>, Vec<&Param>) = std::mem::take(open)
+            .into_iter()
+            .partition(|param| param.default.is_none() && inserted.contains(&param.name.as_str()));
+        *open = others;
+        for param in &meant {
+            let name = &param.name;
+            let at = param.definition.map_or(def.origin, |(at, _)| at);
+            let message = format!("parameter `{name}` of macro `{}` is inserted as a block", def.name);
+            let problem = self.problem("XAC004", at, message).says(format!("Undefined block \"{name}\""));
+            self.push(problem.help(format!("write `*{name}`")).replace_with(format!("*{name}")));
+        }
+        meant
     }
 
     pub(super) fn bind_defaults(
@@ -244,11 +275,22 @@ impl Expander<'_> {
         tag: Tag<'_>,
         def: &MacroDef,
         open: &mut Open<'d>,
-        name: &str,
-        at: Origin,
+        (name, at): (&str, Origin),
+        body: Cx,
     ) -> Option<&'d Param> {
         let message = format!("unknown parameter `{name}` in call of macro `{}`", def.name);
         let mut problem = self.problem("XAC006", at, message).says(format!("Invalid parameter \"{name}\""));
+        if let Some(block) = self.block_of_name(def, open, name) {
+            let message =
+                format!("block parameter `{name}` of macro `{}` is given as an attribute", def.name);
+            let problem = self
+                .problem("XAC007", at, message)
+                .says(format!("Invalid parameter \"{name}\""))
+                .help("remove the attribute, and write an element between the start and the end tag of the call");
+            self.push_with_definition(problem, def);
+            self.bind_unknown(block, at, body);
+            return None;
+        }
         let names = def.params.iter().map(|p| p.name.as_str()).filter(|_| self.compares());
         let near = nearest(name, names).map(str::to_owned);
         self.compared += def.params.iter().len();
@@ -256,8 +298,20 @@ impl Expander<'_> {
             problem = problem.help(format!("did you mean `{near}`?")).replace_with(near.as_str());
         }
         self.push_with_definition(problem, def);
-        let near = near.filter(|near| tag.attr(near).is_none() && !near.starts_with('*'))?;
-        open.take(&near)
+        let near = near.filter(|near| tag.attr(near).is_none() && !near.starts_with('*'));
+        if near.is_none() && self.request.probe {
+            // the body may read it: it is missing in `params`, and that is reported here
+            let info = BindingInfo::new(name.into(), BindingKind::Parameter, at);
+            self.bind(body.scope, name.into(), State::Ready(Value::Unknown), info, at);
+        }
+        open.take(&near?)
+    }
+
+    /// The block parameter of a name that a call gives as an attribute.
+    fn block_of_name<'d>(&self, def: &MacroDef, open: &mut Open<'d>, name: &str) -> Option<&'d Param> {
+        let is_it = |param: &&Param| param.is_block() && param.name.trim_start_matches('*') == name;
+        let block = def.params.iter().find(is_it).filter(|_| self.request.probe)?;
+        open.take(&block.name)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::Problem;
 use expr::is_identifier;
-use workspace::misspelled;
+use workspace::{misspelled, nearest};
 
 /// What a text was meant to be.
 #[derive(Debug, PartialEq, Eq)]
@@ -210,6 +210,15 @@ pub(super) fn by_parameter(name: &str) -> Option<Vec<&str>> {
     let whole = if stars.is_empty() { bare } else { name };
     let names: Vec<&str> = whole.split([',', ';']).filter(|part| !part.is_empty()).collect();
     names.iter().all(|part| is_identifier(part.trim_start_matches('*'))).then_some(names)
+}
+
+/// The attribute of a tag of xacro that is meant by an unknown one: a near name, or one that is cut short (`val`).
+pub(super) fn by_attribute<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
+    const SHORTEST: usize = 3;
+    let is_cut =
+        |whole: &&&str| name.len() >= SHORTEST && whole.starts_with(name) && whole.len() > name.len();
+    let whole = allowed.iter().find(is_cut).copied();
+    whole.or_else(|| nearest(name, allowed.iter().copied()))
 }
 
 #[cfg(test)]

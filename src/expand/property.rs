@@ -6,6 +6,7 @@ use ecow::EcoString;
 
 use super::element::Tag;
 use super::machine::{Cx, Expander};
+use super::meant;
 use super::origin::Origin;
 use super::resolve::{BindingInfo, BindingKind};
 use super::scope::{Binding, Block, Place, Scopes, SrcRef, State};
@@ -14,16 +15,24 @@ use super::tree::XId;
 use base::TextRange;
 use expr::{ScopeId, Value, display, is_global_symbol, is_identifier, literal, normalized};
 
+/// The attributes of `xacro:property`.
+const PROPERTY_ATTRS: [&str; 6] = ["name", "value", "default", "remove", "scope", "lazy_eval"];
+
+/// Words of a wrong name that may be meant by themselves.
+const MOST_WORDS: usize = 8;
+
 type AttrText<'a> = Option<(Cow<'a, str>, Place)>;
 
 impl Expander<'_> {
     /// Define, default or remove a property.
     pub fn property(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
         self.drop_comments(out, has_next);
-        let Some((name_text, name_place)) = self.required_attr(tag, "name", cx) else { return };
-        self.check_attrs(tag, &["name", "value", "default", "remove", "scope", "lazy_eval"], cx);
+        let Some((name_text, name_place)) = self.required_attr(tag, "name", cx) else {
+            return self.nameless_property(tag, cx);
+        };
+        self.check_attrs(tag, &PROPERTY_ATTRS, cx);
         let name = self.eval_text(&name_text, name_place, cx.scope);
-        let Some(name) = self.property_name(&name, name_place) else { return };
+        let Some(name) = self.property_name(&name, name_place, cx) else { return };
         let mut value = self.attr(tag, "value", cx);
         let default = self.attr(tag, "default", cx);
         let Some(remove) = self.flag(tag, "remove", false, cx) else { return };
@@ -46,6 +55,9 @@ impl Expander<'_> {
                 return;
             }
             value = default;
+        }
+        if value.is_none() && self.has_misspelled_value(tag) {
+            return self.bind_lost(name, name_place.origin, cx);
         }
         let Some(lazy) = self.flag(tag, "lazy_eval", true, cx) else { return };
         self.store(tag, &name, name_place, value, scope, lazy, cx);
@@ -148,7 +160,7 @@ impl Expander<'_> {
         Some(target)
     }
 
-    fn property_name(&mut self, name: &Value, place: Place) -> Option<EcoString> {
+    fn property_name(&mut self, name: &Value, place: Place, cx: Cx) -> Option<EcoString> {
         let Value::Str(name) = name else {
             if let Some(shown) = display::to_str(name) {
                 let message = format!("invalid property name `{shown}`");
@@ -177,7 +189,40 @@ impl Expander<'_> {
         let help = help.unwrap_or_else(|| general.to_owned());
         let problem = self.problem("XAC022", place.origin, message).says(reference).help(help);
         self.push(problem);
+        // what reads the name that was meant is a consequence
+        let words = name.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| is_identifier(word));
+        let words: Vec<EcoString> = words.take(MOST_WORDS).map(EcoString::from).collect();
+        let joined = EcoString::from(words.join("_"));
+        for meant in words.into_iter().chain(Some(joined).filter(|joined| is_identifier(joined))) {
+            if self.scopes.holder(cx.scope, &meant).is_none() && !is_global_symbol(&meant) {
+                self.bind_lost(meant, place.origin, cx);
+            }
+        }
         None
+    }
+
+    /// A property without a name: `<xacro:property width="0.1"/>` was meant to define `width`.
+    fn nameless_property(&mut self, tag: Tag<'_>, cx: Cx) {
+        let is_name = |name: &str| is_identifier(name) && !PROPERTY_ATTRS.contains(&name);
+        let names: Vec<_> = tag.attrs().filter(|attr| is_name(attr.name())).take(MOST_WORDS).collect();
+        for attr in names {
+            let at = Origin { src: tag.src, range: attr.name_range(), frame: cx.frame };
+            self.bind_lost(attr.name().into(), at, cx);
+        }
+    }
+
+    /// Whether an attribute that was reported was meant to be `value`, and nothing else gives one.
+    fn has_misspelled_value(&self, tag: Tag<'_>) -> bool {
+        let is_value =
+            |name: &str| !PROPERTY_ATTRS.contains(&name) && meant::by_attribute(name, &["value"]).is_some();
+        tag.node.child_elements().next().is_none() && tag.attrs().any(|attr| is_value(attr.name()))
+    }
+
+    /// Define a name whose definition was reported as wrong: that its value is unknown is no further finding.
+    fn bind_lost(&mut self, name: EcoString, at: Origin, cx: Cx) {
+        self.result.complete = false;
+        let info = BindingInfo::new(name.clone(), BindingKind::Property, at);
+        self.bind(cx.scope, name, State::Ready(Value::Unknown), info, at);
     }
 
     /// A boolean attribute; `None` when its value is an error or unknown.
@@ -202,9 +247,7 @@ impl Expander<'_> {
             .problem("XAC036", at, format!("property `{name}` has more than one of {}", names.join(" and ")))
             .says(format!("Property attributes default, value, and remove are mutually exclusive: {name}"));
         self.push(problem);
-        // later uses of the name are no news
-        let info = BindingInfo::new(name.clone(), BindingKind::Property, at);
-        self.bind(cx.scope, name.clone(), State::Ready(Value::Unknown), info, at);
+        self.bind_lost(name.clone(), at, cx);
     }
 
     fn remove_property(&mut self, scope: ScopeId, name: &EcoString, place: Place) {

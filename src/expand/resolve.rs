@@ -7,12 +7,13 @@ use super::machine::Expander;
 use super::meant;
 use super::origin::Origin;
 use super::problem::{Outside, Step};
-use super::scope::{Macros, Scopes, State};
+use super::scope::{Block, Macros, Scopes, State};
 use super::stack::with_stack;
 use super::symbols::{DefinitionId, UseKind};
 use base::TextRange;
 use base::limits::LAZY_DEPTH;
 use expr::{ScopeId, Value, literal};
+use xml::NodeKind;
 
 /// Where a value that an expression read was given.
 #[derive(Clone, Debug)]
@@ -193,6 +194,8 @@ impl Expander<'_> {
             .says(format!("name '{name}' is not defined \nwhen evaluating expression '{code}'"));
         if let Some(meant) = meant::by_name(name) {
             problem = meant.said_of(problem);
+        } else if let Some(value) = self.text_of_block(scope, name) {
+            problem = problem.help(format!("write <xacro:property name=\"{name}\" value=\"{value}\"/>"));
         } else if is_block {
             problem = problem.help(format!(
                 "write <xacro:insert_block name=\"{name}\"/> where an element is allowed; `{name}` is a block"
@@ -219,6 +222,20 @@ impl Expander<'_> {
             .find(scope, &format!("**{name}"))
             .or_else(|| self.scopes.find(scope, &format!("*{name}")))
             .is_some()
+    }
+
+    /// The text of a block property that holds nothing else: it was meant to be the value.
+    fn text_of_block(&self, scope: ScopeId, name: &str) -> Option<String> {
+        const LONGEST: usize = 60;
+        let (_, binding) = self.scopes.find(scope, &format!("**{name}"))?;
+        let State::Block(Block::Source(at)) = binding.state else { return None };
+        let node = self.result.sources.get(at.src.0 as usize)?.item.node(at.node);
+        let text = node
+            .first_child()
+            .filter(|text| text.next_sibling().is_none() && text.kind() == NodeKind::Text)?;
+        let text = text.raw().trim();
+        (!text.is_empty() && text.len() <= LONGEST && !text.contains(['"', '<', '\n']))
+            .then(|| text.to_owned())
     }
 
     /// How a macro of that name is called, if there is one.

@@ -11,7 +11,7 @@ use super::meant::Meant;
 use super::origin::Origin;
 use super::problem::{Outside, Problem};
 use super::resolve::{BindingInfo, BindingKind};
-use super::scope::Param;
+use super::scope::{Param, Scopes};
 use base::{FastSet, TextRange};
 use expr::{EvalError, Value, is_identifier};
 
@@ -58,14 +58,21 @@ impl Expander<'_> {
         if !is_about_types || !self.request.probe {
             return None;
         }
-        let (name, at, text) = self.written_text(mark, |text| meant_number(text).is_some())?;
-        let (number, help) = meant_number(&text)?;
+        let (name, at, text) =
+            self.written_text(mark, |text| meant_number(text).is_some() || self.is_property(text))?;
+        let (number, help) = meant_number(&text)
+            .unwrap_or_else(|| (format!("${{{text}}}"), "put the name of the property in `${...}`"));
         let message = format!("`{text}`, the value of `{name}`, is not a number");
         Some(
             self.problem("XAC025", at, message)
                 .help(format!("{help}: write `{number}`"))
                 .replace_with(number),
         )
+    }
+
+    /// Whether a text is the name of a property of the robot, which was meant to be its value.
+    fn is_property(&self, text: &str) -> bool {
+        is_identifier(text) && self.scopes.find(Scopes::TOP, text).is_some()
     }
 
     /// A file that is missing since an argument names a folder that is not there: what there is instead.

@@ -1,11 +1,11 @@
-//! One interface of a joint in two ros2_control blocks.
+//! One interface of a joint in two ros2_control blocks, or a joint twice in one.
 
 use super::super::context::DocumentCx;
 use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
-use model::{ControlJoint, Interface};
+use model::{ControlJoint, Interface, Text};
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL007",
@@ -28,6 +28,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         };
         let earlier = seen.entry(name.as_str()).or_default();
+        if let Some((_, first)) = earlier.iter().find(|(other, _)| *other == block) {
+            twice_in_block(text, first, out);
+            continue;
+        }
         let twice = earlier.iter().filter(|(other, _)| *other != block).find_map(|(first, other)| {
             let shared =
                 shared(&other.commands, &joint.commands).map(|name| (name, Severity::Error, "command"));
@@ -47,6 +51,16 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         }
         earlier.push((block, joint));
     }
+}
+
+/// A joint that a block lists twice: most likely one of the names was not changed after copying.
+fn twice_in_block(name: &Text, first: &ControlJoint, out: &mut Sink<'_>) {
+    let Some(first) = &first.name else { return };
+    out.report(name.origin, format!("joint `{}` is twice in one ros2_control block", name.value))
+        .severity(Severity::Warning)
+        .also(first.origin, format!("joint `{}` is first here", name.value))
+        .help("rename one to the joint that is meant, or put all interfaces in one `joint` element")
+        .done();
 }
 
 /// The name of an interface that both have.

@@ -49,13 +49,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
-/// A block that names no hardware at all. Where a macro or a block may bring it, nothing is said, and a misspelled name has
-/// its own finding.
+/// A block that names no hardware at all. Where a macro or a block may bring it, nothing is said.
 fn no_hardware(cx: &DocumentCx<'_>, control: &Ros2Control, name: &str, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
     let mut children = tree.elements(control.element).map(|id| tree.get(id).text.as_str()).peekable();
     let is_empty = children.peek().is_none();
-    if is_empty || children.any(|child| nearest(child, ["hardware"]).is_some()) {
+    // a plugin outside of hardware and misspelled names have their own findings
+    if is_empty || children.any(|child| child == "plugin" || nearest(child, ["hardware"]).is_some()) {
         return;
     }
     out.report(tag_start(cx.expansion, control.element), format!("ros2_control `{name}` has no hardware"))

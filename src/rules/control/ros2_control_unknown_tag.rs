@@ -37,17 +37,25 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let name = tree.get(id).text.as_str();
             // tags of xacro that stayed have their own finding
             if !KNOWN.contains(&name) && !name.contains(':') {
-                let help = match nearest(name, KNOWN) {
-                    Some(near) => format!("did you mean `{near}`?"),
-                    None => "use <hardware>, <joint>, <sensor>, <gpio> or <transmission>".to_owned(),
-                };
                 out.report(tag_start(cx.expansion, id), format!("unknown element `{name}` in ros2_control"))
-                    .help(help)
+                    .help(outer_help(name))
                     .done();
             } else if let Some((_, known)) = INSIDE.iter().find(|(outer, _)| *outer == name) {
                 tree.elements(id).for_each(|inner| check_inner(cx, (name, known), inner, out));
             }
         }
+    }
+}
+
+/// What to do with an unknown element: the name that is meant, or the element that it belongs in.
+fn outer_help(name: &str) -> String {
+    match (nearest(name, KNOWN), name) {
+        (Some(near), _) => format!("did you mean `{near}`?"),
+        (None, "plugin" | "param") => format!("put <{name}> in <hardware>"),
+        (None, "command_interface" | "state_interface") => {
+            format!("put <{name}> in <joint name=\"...\">, <sensor> or <gpio>")
+        }
+        (None, _) => "use <hardware>, <joint>, <sensor>, <gpio> or <transmission>".to_owned(),
     }
 }
 

@@ -3,7 +3,9 @@
 use super::super::context::DocumentCx;
 use super::super::edits::delete_element;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::schema;
 use super::super::sink::Sink;
+use super::super::xml::meant_attributes;
 use model::element_range;
 
 pub(super) const RULE: Rule = Rule {
@@ -24,6 +26,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         else {
             continue;
         };
+        // a misspelled attribute has its own finding
+        let spec = schema::urdf_element("dynamics");
+        if spec.is_some_and(|spec| !meant_attributes(cx, dynamics.element, spec).is_empty()) {
+            continue;
+        }
         let message = format!("`dynamics` of joint `{}` has neither damping nor friction", joint.shown());
         let report = out.report(element_range(cx.expansion, dynamics.element), message);
         let report =

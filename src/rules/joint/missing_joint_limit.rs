@@ -5,6 +5,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use model::JointType::{Prismatic, Revolute};
 use model::{Joint, Text, tag_start};
+use workspace::nearest;
 
 pub(super) const RULE: Rule = Rule {
     code: "JNT002",
@@ -24,8 +25,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
     for joint in cx.joints().iter().filter(|joint| joint.limit.is_none() && joint.is(&[Revolute, Prismatic]))
     {
-        // an expression that was meant to insert a block has its own finding
-        if has_unknown_text(cx, joint) {
+        // an expression that was meant to insert a block has its own finding, and so has a misspelled element
+        if has_unknown_text(cx, joint) || has_misspelled_limit(cx, joint) {
             continue;
         }
         let kind = joint.kind.as_ref().map_or("", |kind| kind.value.as_str());
@@ -39,4 +40,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// Whether a joint holds text that could not be computed.
 fn has_unknown_text(cx: &DocumentCx<'_>, joint: &Joint) -> bool {
     Text::content(&cx.expansion.tree, joint.element).is_some_and(|text| !text.is_known())
+}
+
+/// Whether a joint holds an element whose name is nearly `limit`.
+fn has_misspelled_limit(cx: &DocumentCx<'_>, joint: &Joint) -> bool {
+    let tree = &cx.expansion.tree;
+    tree.elements(joint.element).any(|id| nearest(&tree.get(id).text, ["limit"]).is_some())
 }

@@ -2,7 +2,9 @@
 
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::schema;
 use super::super::sink::Sink;
+use super::super::xml::meant_attributes;
 use model::{Joint, JointType, Limit, Version, tag_start};
 
 pub(super) const RULE: Rule = Rule {
@@ -21,7 +23,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for joint in cx.joints() {
         let Some(limit) = &joint.limit else { continue };
         let is_new = Version::V1_2.is_in(&cx.expansion.tree);
-        let missing = if is_new { missing_bounds(joint, limit) } else { missing_strength(limit) };
+        let mut missing = if is_new { missing_bounds(joint, limit) } else { missing_strength(limit) };
+        if !missing.is_empty()
+            && let Some(spec) = schema::urdf_element("limit")
+        {
+            let meant = meant_attributes(cx, limit.element, spec);
+            missing.retain(|name| !meant.contains(name));
+        }
         if missing.is_empty() {
             if !is_new {
                 half_bounds(cx, joint, limit, out);

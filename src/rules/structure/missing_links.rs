@@ -6,7 +6,7 @@ use indexmap::IndexMap;
 use super::super::context::{RobotCx, elements};
 use base::FastSet;
 use expand::Origin;
-use model::Text;
+use model::{Joint, Robot, Text};
 use workspace::nearest;
 
 /// A link that does not exist.
@@ -82,9 +82,22 @@ pub(super) fn lost_links(cx: &RobotCx<'_>) -> FastSet<EcoString> {
     missing_links(cx).into_iter().filter_map(|missing| missing.nearest).collect()
 }
 
+/// The joints that have a parent or a child, and not both: what is missing is reported at the joint.
+pub(super) fn joints_with_one_end(robot: &Robot) -> impl Iterator<Item = &Joint> {
+    robot.joints.iter().filter(|joint| joint.parent.is_some() != joint.child.is_some())
+}
+
 /// The link that was perhaps meant: a near name, or the only one that differs by a prefix.
 fn near_link(cx: &RobotCx<'_>, name: &str) -> Option<EcoString> {
     let names = || cx.robot.links.iter().filter_map(|link| Some(link.name.as_ref()?.name()?.as_str()));
+    let is_loose = |name: &&str| {
+        cx.kinematics
+            .link(name)
+            .is_some_and(|link| cx.kinematics.up(link).is_empty() && cx.kinematics.down(link).is_empty())
+    };
+    if let Some(near) = nearest(name, names().filter(is_loose)) {
+        return Some(near.into());
+    }
     if let Some(near) = nearest(name, names()) {
         return Some(near.into());
     }

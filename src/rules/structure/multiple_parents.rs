@@ -4,6 +4,7 @@ use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
+use model::Joint;
 
 pub(super) const RULE: Rule = Rule {
     code: "STR004",
@@ -39,10 +40,33 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                 first.shown(),
                 joint.shown()
             );
+            let help = match reversed(cx, [first, joint]) {
+                Some(joint) => format!(
+                    "swap the parent and the child of joint `{}`, or remove one joint; a link can have only one parent joint",
+                    joint.shown()
+                ),
+                None => {
+                    "remove one joint, or swap its parent and child; a link can have only one parent joint"
+                        .to_owned()
+                }
+            };
             out.report(child.origin, message)
                 .also(earlier.origin, format!("joint `{}` is the first parent joint", first.shown()))
-                .help("remove one joint, or swap its parent and child; a link can have only one parent joint")
+                .help(help)
                 .done();
         }
     }
+}
+
+/// The joint that looks reversed: the only one of the two whose parent link no joint holds, in a robot with several roots.
+fn reversed<'j>(cx: &RobotCx<'_>, joints: [&'j Joint; 2]) -> Option<&'j Joint> {
+    if cx.kinematics.roots(cx.robot).len() < 2 {
+        return None;
+    }
+    let is_loose = |joint: &&Joint| {
+        let parent = joint.parent.as_ref().and_then(|parent| cx.kinematics.link(parent.name()?));
+        parent.is_some_and(|link| cx.kinematics.up(link).is_empty())
+    };
+    let mut loose = joints.into_iter().filter(is_loose);
+    loose.next().filter(|_| loose.next().is_none())
 }

@@ -3,7 +3,7 @@
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::missing_links::{joined_elsewhere, lost_links};
+use super::missing_links::{joined_elsewhere, joints_with_one_end, lost_links};
 use model::{Joint, Text};
 
 pub(super) const RULE: Rule = Rule {
@@ -37,10 +37,12 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let mut roots: Vec<&Text> = Vec::new();
     for root in cx.kinematics.roots(cx.robot) {
         let name = cx.robot.links.get(root).and_then(|link| link.name.as_ref());
-        roots.extend(name.filter(|name| !cx.kinematics.down(root).is_empty() && !lost.contains(&name.value)));
+        let is_reported = |name: &Text| lost.contains(&name.value) || is_end_of_reversed_joint(cx, root);
+        roots.extend(name.filter(|name| !cx.kinematics.down(root).is_empty() && !is_reported(name)));
     }
     let usual = USUAL_ROOTS.iter().find_map(|usual| roots.iter().position(|root| root.value == *usual));
-    if roots.len() < 2 {
+    // each joint without a parent gives a root, and has its own finding
+    if roots.len() < 2 || roots.len() <= 1 + joints_with_one_end(cx.robot).count() {
         return;
     }
     let first = roots.remove(usual.unwrap_or(0));
@@ -52,4 +54,10 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             .help(format!("add a joint whose child is `{}`", root.value))
             .done();
     }
+}
+
+/// Whether the child of a joint of a root has another parent already: the joint looks reversed, which `multiple-parents` reports.
+fn is_end_of_reversed_joint(cx: &RobotCx<'_>, root: usize) -> bool {
+    let children = cx.kinematics.down(root).iter().filter_map(|&joint| Some(cx.kinematics.ends(joint)?.1));
+    children.into_iter().any(|child| cx.kinematics.up(child).len() > 1)
 }

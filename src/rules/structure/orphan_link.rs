@@ -7,7 +7,7 @@ use ecow::EcoString;
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::missing_links::{joined_elsewhere, lost_links};
+use super::missing_links::{joined_elsewhere, joints_with_one_end, lost_links};
 use base::FastSet;
 use model::Text;
 
@@ -31,20 +31,28 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let joined: FastSet<&EcoString> = ends.flatten().map(|end| &end.value).collect();
     let lost = lost_links(cx);
     let misplaced = ends_of_misplaced_joints(cx);
-    let mut said: FastSet<&EcoString> = FastSet::default();
+    let mut seen: FastSet<&EcoString> = FastSet::default();
+    let names = cx.robot.links.iter().filter_map(|link| link.name.as_ref());
+    let named = names.filter_map(|name| Some((name, name.name()?)));
+    let orphans: Vec<_> = named
+        .filter(|(_, text)| {
+            // spaces in a name have their own finding
+            let is_joined = joined.contains(text) || joined.contains(&EcoString::from(text.trim()));
+            !is_joined && !lost.contains(*text) && !misplaced.contains(*text) && seen.insert(text)
+        })
+        .collect();
+    // each joint without a parent or a child leaves a link over, and has its own finding
+    if orphans.len() <= joints_with_one_end(cx.robot).count() {
+        return;
+    }
     // by a joint below a condition that does not hold, or in a macro that nothing calls; read when it is asked for
     let elsewhere = OnceCell::new();
-    for name in cx.robot.links.iter().filter_map(|link| link.name.as_ref()) {
-        let Some(text) = name.name() else { continue };
-        // spaces in a name have their own finding
-        let is_joined = joined.contains(text) || joined.contains(&EcoString::from(text.trim()));
-        if !is_joined && !lost.contains(text) && !misplaced.contains(text) && said.insert(text) {
-            let elsewhere = elsewhere.get_or_init(|| joined_elsewhere(cx, &["parent", "child"]));
-            out.report(name.origin, format!("link `{text}` is not connected to any joint"))
-                .severity(if elsewhere.contains(text) { Severity::Info } else { RULE.severity })
-                .help(format!("add a joint whose child is `{text}`"))
-                .done();
-        }
+    for (name, text) in orphans {
+        let elsewhere = elsewhere.get_or_init(|| joined_elsewhere(cx, &["parent", "child"]));
+        out.report(name.origin, format!("link `{text}` is not connected to any joint"))
+            .severity(if elsewhere.contains(text) { Severity::Info } else { RULE.severity })
+            .help(format!("add a joint whose child is `{text}`"))
+            .done();
     }
 }
 

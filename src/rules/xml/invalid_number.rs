@@ -207,7 +207,9 @@ fn report(cx: &DocumentCx<'_>, id: XId, name: &str, text: &Text, range: Range<us
 fn written_at(cx: &DocumentCx<'_>, text: &Text, range: Range<usize>) -> Option<Origin> {
     const MOST: usize = 64;
     let word = text.value.get(range.clone())?;
-    meant_number(word)?;
+    if meant_number(word).is_none() && meant::name_of_property(cx, word).is_none() {
+        return None;
+    }
     let mut open: Vec<u32> = text.reads(cx.expansion, range).collect();
     let mut seen = 0;
     while let Some(read) = open.pop().filter(|_| seen < MOST) {
@@ -230,7 +232,11 @@ fn report_value(
     at: Origin,
     out: &mut Sink<'_>,
 ) {
-    let Some((number, help)) = meant_number(word).filter(|_| !is_reported(cx, at)) else { return };
+    if is_reported(cx, at) {
+        return;
+    }
+    let of_name = || Some((meant::name_of_property(cx, word)?, "put the name of the property in `${...}`"));
+    let Some((number, help)) = meant_number(word).or_else(of_name) else { return };
     let message = format!("`{word}` in `{name}` of {element} is not a number");
     out.report(at, message)
         .help(format!("{help}: write `{number}`"))

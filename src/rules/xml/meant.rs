@@ -1,6 +1,9 @@
 //! What a value was meant to be that is no number: signs of a word processor, commas, expressions without their brackets.
 
 use super::super::context::{DocumentCx, is_plain_urdf};
+use super::super::schema::ElementSpec;
+use super::{unknown_attribute, walk};
+use expand::{BindingInfo, BindingKind, XId};
 use expr::is_identifier;
 use model::{Text, is_decimal};
 
@@ -60,21 +63,70 @@ pub(super) fn of_word(cx: &DocumentCx<'_>, word: &str) -> Option<String> {
     Some(format!("${{{code}}}"))
 }
 
+/// Names of attributes that other formats or other elements use: the element, the name, and what URDF calls it.
+const OTHER_NAMES: &[(&str, &[&str], &str)] = &[
+    ("limit", &["min", "minimum", "low", "lower_limit"], "lower"),
+    ("limit", &["max", "maximum", "high", "upper_limit"], "upper"),
+    ("limit", &["force", "torque", "max_effort"], "effort"),
+    ("limit", &["speed", "vel", "max_velocity"], "velocity"),
+    ("origin", &["position", "pos", "translation"], "xyz"),
+    ("origin", &["rotation", "orientation", "euler"], "rpy"),
+    ("axis", &["rpy", "direction"], "xyz"),
+    ("mesh", &["file", "path", "uri", "url", "src"], "filename"),
+    ("texture", &["file", "path", "uri", "url", "src"], "filename"),
+    ("plugin", &["file", "path"], "filename"),
+    ("parent", &["name"], "link"),
+    ("child", &["name"], "link"),
+    ("cylinder", &["height"], "length"),
+    ("box", &["dimensions", "dim", "extents"], "size"),
+    ("mesh", &["scaling"], "scale"),
+];
+
+/// The attribute that is meant by the name of an unknown one, among those that the element could have and does not, and
+/// whether that is sure.
+pub(super) fn of_attribute<'a>(
+    element: &str,
+    name: &str,
+    absent: impl Iterator<Item = &'a str> + Clone,
+) -> Option<(&'a str, bool)> {
+    let other = OTHER_NAMES.iter().find(|(of, names, _)| *of == element && names.contains(&name));
+    let other = other.and_then(|(_, _, meant)| absent.clone().find(|absent| absent == meant));
+    other.map(|meant| (meant, false)).or_else(|| walk::meant(name, absent))
+}
+
+/// The attributes that are meant by unknown ones of an element, which `unknown-attribute` reports.
+pub(in super::super) fn attributes(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str> {
+    const MOST: usize = 50;
+    let attrs = &cx.expansion.tree.get(id).attrs;
+    let unknown = attrs.iter().filter(|attr| spec.attribute(&attr.name).is_none()).take(MOST);
+    let absent = unknown_attribute::absent(cx, id, spec);
+    unknown.filter_map(|attr| Some(of_attribute(spec.name, &attr.name, absent.iter().copied())?.0)).collect()
+}
+
+/// The expression that was meant by a word that is the name of a property.
+pub(super) fn name_of_property(cx: &DocumentCx<'_>, word: &str) -> Option<String> {
+    let is_property = |binding: &BindingInfo| binding.name == word && binding.kind == BindingKind::Property;
+    let is_known = is_identifier(word) && cx.expansion.bindings.iter().any(is_property);
+    is_known.then(|| format!("${{{word}}}"))
+}
+
 /// Whether an expression can name it.
 fn is_known(cx: &DocumentCx<'_>, name: &str) -> bool {
     name == "pi" || cx.expansion.bindings.iter().any(|binding| binding.name == name)
 }
 
-/// A name with `${...}` where `{...}` holds a name of the expansion: `{prefix}tcp` as `${prefix}tcp`.
+/// A name with `${...}` where `{...}`, `#{...}` or `$[...]` holds a name of the expansion: `{prefix}tcp` as `${prefix}tcp`.
 pub(in super::super) fn with_dollars(cx: &DocumentCx<'_>, name: &str) -> Option<String> {
     let mut out = String::new();
     let mut rest = name;
-    while let Some((before, behind)) = rest.split_once('{') {
-        let (code, after) = behind.split_once('}')?;
+    while let Some(start) = rest.find(['{', '[']) {
+        let (before, behind) = rest.split_at(start);
+        let end = if behind.starts_with('{') { '}' } else { ']' };
+        let (code, after) = behind.get(1..)?.split_once(end)?;
         if !is_identifier(code) || !is_known(cx, code) {
             return None;
         }
-        out.push_str(&format!("{before}${{{code}}}"));
+        out.push_str(&format!("{}${{{code}}}", before.trim_end_matches(['#', '$'])));
         rest = after;
     }
     out.push_str(rest);

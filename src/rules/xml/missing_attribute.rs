@@ -5,7 +5,7 @@ use super::super::edits::source_text;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::schema::ElementSpec;
 use super::super::sink::Sink;
-use super::{unknown_attribute, walk};
+use super::{meant, unknown_attribute, walk};
 use expand::XId;
 use model::{Text, element_range, tag_start};
 
@@ -22,6 +22,7 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    check_controls(cx, out);
     // the name of the robot has a rule of its own
     for (id, spec) in walk::known(cx).filter(|(_, spec)| spec.name != "robot") {
         let missing = missing(cx, id, spec);
@@ -31,7 +32,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let plural = if missing.len() == 1 { "attribute" } else { "attributes" };
         let message = format!("missing {plural} `{1}` in {0}", walk::described(cx, id), missing.join("`, `"));
         if let (["value"], Some(text)) = (missing.as_slice(), number_inside(cx, id)) {
-            report_inside(cx, id, (spec.name, message), &text, out);
+            report_inside(cx, id, (spec.name, "value", message), &text, out);
             continue;
         }
         let add: Vec<String> = missing.iter().map(|name| format!("{name}=\"...\"")).collect();
@@ -39,19 +40,48 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
+/// What ros2_control stops at: joints, sensors, groups of inputs and outputs, and interfaces without a name.
+fn check_controls(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    const PARTS: [&str; 3] = ["joint", "sensor", "gpio"];
+    const INTERFACES: [&str; 2] = ["command_interface", "state_interface"];
+    let tree = &cx.expansion.tree;
+    let nameless = |id: XId, kinds: &[&str]| {
+        kinds.contains(&tree.get(id).text.as_str()) && tree.attr(id, "name").is_none()
+    };
+    for control in cx.robot.into_iter().flat_map(|robot| &robot.controls) {
+        if control.name.is_none() {
+            let message = "missing attribute `name` in `ros2_control`".to_owned();
+            let help = "add name=\"...\"; ros2_control rejects the robot without it";
+            out.report(tag_start(cx.expansion, control.element), message).help(help).done();
+        }
+        for part in tree.elements(control.element) {
+            let inner = tree.elements(part).filter(|&id| nameless(id, &INTERFACES));
+            for id in inner.chain(Some(part).filter(|&part| nameless(part, &PARTS))) {
+                let message = format!("missing attribute `name` in {}", walk::described(cx, id));
+                let kind = tree.get(id).text.as_str();
+                let is_word =
+                    |text: &Text| tree.elements(id).next().is_none() && !text.value.trim().contains(' ');
+                match Text::content(tree, id).filter(is_word) {
+                    Some(text) => report_inside(cx, id, (kind, "name", message), &text, out),
+                    None => out
+                        .report(tag_start(cx.expansion, id), message)
+                        .help("add name=\"...\"; ros2_control rejects the robot without it")
+                        .done(),
+                }
+            }
+        }
+    }
+}
+
 /// The required attributes that are absent and not misspelt either.
 fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str> {
-    const MOST: usize = 50;
     let is_there = |name: &str| cx.expansion.tree.attr(id, name).is_some();
     if spec.attributes.iter().all(|attribute| !attribute.required || is_there(attribute.name)) {
         return Vec::new();
     }
     let absent = unknown_attribute::absent(cx, id, spec);
     let required = |name: &&str| spec.attribute(name).is_some_and(|attribute| attribute.required);
-    let attrs = &cx.expansion.tree.get(id).attrs;
-    let unknown = attrs.iter().filter(|attr| spec.attribute(&attr.name).is_none()).take(MOST);
-    let misspelt: Vec<&str> =
-        unknown.filter_map(|attr| Some(walk::meant(&attr.name, absent.iter().copied())?.0)).collect();
+    let misspelt = meant::attributes(cx, id, spec);
     absent.into_iter().filter(|name| required(name) && !misspelt.contains(name)).collect()
 }
 
@@ -65,12 +95,12 @@ fn number_inside(cx: &DocumentCx<'_>, id: XId) -> Option<Text> {
 fn report_inside(
     cx: &DocumentCx<'_>,
     id: XId,
-    (name, message): (&str, String),
+    (name, attribute, message): (&str, &str, String),
     text: &Text,
     out: &mut Sink<'_>,
 ) {
     let content = source_text(cx.expansion, text.origin).map_or_else(String::new, |(_, _, source)| source);
-    let element = format!("<{name} value=\"{}\"/>", content.trim());
+    let element = format!("<{name} {attribute}=\"{}\"/>", content.trim());
     let report = out.report(tag_start(cx.expansion, id), message).help(format!("write {element}"));
     let is_plain = cx.expansion.tree.get(id).attrs.is_empty() && !content.contains(['"', '<']);
     match source_text(cx.expansion, element_range(cx.expansion, id)).filter(|_| is_plain) {

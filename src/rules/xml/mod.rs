@@ -21,7 +21,7 @@ mod xacro_tags_in_urdf;
 use super::registry::{Category::Xml, Rule, Safety, Severity::Error, page};
 
 pub use invalid_number::Numeric;
-pub(super) use meant::with_dollars;
+pub(super) use meant::{attributes as meant_attributes, with_dollars};
 pub use missing_robot_name::missing_robot_name;
 pub use walk::Seen;
 

@@ -6,8 +6,9 @@ use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::schema::{self, ElementSpec};
 use super::super::sink::Sink;
-use super::walk;
+use super::{meant, walk};
 use expand::{Origin, XAttr, XId};
+use model::Version;
 use xml::Node;
 
 pub(super) const RULE: Rule = Rule {
@@ -36,6 +37,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let unknown = report_parts(cx, id, spec, unknown, out);
         if !unknown.is_empty() {
             let absent = absent(cx, id, spec);
+            let unknown = report_several(cx, id, spec, &absent, unknown, out);
             unknown.into_iter().for_each(|attr| report(cx, id, spec, &absent, attr, out));
         }
     }
@@ -73,6 +75,53 @@ fn report_parts<'a>(
     unknown
 }
 
+/// Report several attributes that are meant to be others (`min` and `max` of a limit) as one; the attributes that are left.
+fn report_several<'a>(
+    cx: &DocumentCx<'_>,
+    id: XId,
+    spec: &ElementSpec,
+    absent: &[&'static str],
+    unknown: Vec<&'a XAttr>,
+    out: &mut Sink<'_>,
+) -> Vec<&'a XAttr> {
+    let meant_by = |attr: &XAttr| meant::of_attribute(spec.name, &attr.name, absent.iter().copied());
+    let meant: Vec<(&XAttr, &str)> =
+        unknown.iter().filter_map(|attr| Some((*attr, meant_by(attr)?.0))).collect();
+    let ([(first, _), _, ..], true) = (meant.as_slice(), are_different(&meant)) else { return unknown };
+    let list = |names: Vec<&str>| names.join("`, `");
+    let names = list(meant.iter().map(|(attr, _)| attr.name.as_str()).collect());
+    let message = format!("unknown attributes `{names}` in {}", walk::described(cx, id));
+    let is_needed = meant.iter().any(|(_, near)| is_needed(cx, id, spec, near));
+    let help = format!(
+        "did you mean `{}`? Parsers silently ignore `{names}`",
+        list(meant.iter().map(|(_, near)| *near).collect())
+    );
+    let report = out
+        .report(name_of(cx, first), message)
+        .severity(if is_needed { Severity::Error } else { Severity::Warning })
+        .help(help);
+    let places: Option<Vec<_>> = meant
+        .iter()
+        .map(|(attr, near)| Some((cx.expansion.place(name_of(cx, attr))?, near.to_string())))
+        .collect();
+    let file = places.as_ref().and_then(|places| Some(places.first()?.0.file));
+    match (places, file) {
+        (Some(places), Some(file)) if places.iter().all(|(place, _)| place.file == file) => {
+            let edits = places.into_iter().map(|(place, near)| (place.range, near));
+            report.fix(Safety::Unsafe, "rename the attributes", file, edits).done();
+        }
+        _ => report.done(),
+    }
+    unknown.into_iter().filter(|attr| meant_by(attr).is_none()).collect()
+}
+
+/// Whether no two attributes are meant to be the same one.
+fn are_different(meant: &[(&XAttr, &str)]) -> bool {
+    let mut names: Vec<&str> = meant.iter().map(|(_, near)| *near).collect();
+    names.sort_unstable();
+    names.windows(2).all(|pair| pair.first() != pair.last())
+}
+
 /// Names that any element may have.
 fn is_admitted(cx: &DocumentCx<'_>, name: &str) -> bool {
     let allowed = || cx.world.config.allow_attributes.iter().any(|allowed| allowed == name);
@@ -98,11 +147,11 @@ fn report(
     let group = Group::Name(format!("{name} of {}", spec.name).into());
     let report = out.report(name_of(cx, attr), message).group(group);
     let taken: Vec<String> = spec.attributes.iter().map(|known| format!("`{}`", known.name)).collect();
-    match walk::meant(name, absent.iter().copied()) {
+    match meant::of_attribute(spec.name, name, absent.iter().copied()) {
         Some((near, sure)) => {
             let safety = if sure { Safety::Safe } else { Safety::Unsafe };
             report
-                .severity(Severity::Warning)
+                .severity(if is_needed(cx, id, spec, near) { Severity::Error } else { Severity::Warning })
                 .help(format!("did you mean `{near}`? Parsers silently ignore `{name}`"))
                 .replace_with(safety, format!("rename to `{near}`"), near)
                 .done();
@@ -122,6 +171,19 @@ fn report(
             report.severity(severity).help(help).done();
         }
     }
+}
+
+/// Whether parsers reject the element without this attribute, which no other finding says then.
+fn is_needed(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec, name: &str) -> bool {
+    let tree = &cx.expansion.tree;
+    let is_required = spec.attribute(name).is_some_and(|attribute| attribute.required);
+    let is_strength = spec.name == "limit" && matches!(name, "effort" | "velocity");
+    let is_fixed = || {
+        tree.parent(id).and_then(|joint| tree.attr(joint, "type")).is_some_and(|kind| kind.value == "fixed")
+    };
+    // urdfdom rejects dynamics without any of its attributes
+    let is_only = spec.name == "dynamics" && tree.get(id).attrs.len() == 1;
+    is_required || is_only || is_strength && !Version::V1_2.is_in(tree) && !is_fixed()
 }
 
 /// Whether another shape has an attribute of this name.

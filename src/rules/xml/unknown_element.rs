@@ -67,12 +67,24 @@ fn report(
         return report.severity(severity).help(help).done();
     };
     let report = report
-        .severity(Severity::Warning)
+        .severity(if is_needed(cx, id, parent, near) { Severity::Error } else { Severity::Warning })
         .help(format!("did you mean `{near}`? Parsers silently ignore `{name}`"));
     let Some((file, names)) = names(cx, id) else { return report.done() };
     let safety = if sure { Safety::Safe } else { Safety::Unsafe };
     let edits = names.into_iter().map(|range| (range, near.to_owned()));
     report.fix(safety, format!("rename to `{near}`"), file, edits).done();
+}
+
+/// Whether parsers reject the element around without the one that is meant, which no other finding says then.
+fn is_needed(cx: &DocumentCx<'_>, id: XId, parent: &ElementSpec, near: &str) -> bool {
+    let tree = &cx.expansion.tree;
+    let has_range = |joint| {
+        tree.attr(joint, "type").is_some_and(|kind| matches!(kind.value.as_str(), "revolute" | "prismatic"))
+    };
+    let Some(around) = tree.parent(id) else { return false };
+    let is_required =
+        parent.required.contains(&near) || parent.name == "joint" && near == "limit" && has_range(around);
+    is_required && !tree.elements(around).any(|child| tree.get(child).text == near)
 }
 
 /// The severity and the advice for a name that is close to none that may stand there.
@@ -86,6 +98,13 @@ fn unlike_all(name: &str, parent: &ElementSpec) -> (Severity, String) {
         let help = format!(
             "move it out of `{}`, to be a child of `robot`; parsers silently ignore it here",
             parent.name
+        );
+        return (Severity::Warning, help);
+    }
+    if let Some(attribute) = parent.attribute(name) {
+        let help = format!(
+            "write {0}=\"...\" in <{1}>: `{0}` is an attribute, and parsers silently ignore the element",
+            attribute.name, parent.name
         );
         return (Severity::Warning, help);
     }
