@@ -23,6 +23,7 @@ mod job;
 mod launch_findings;
 mod merge;
 mod named;
+mod parts;
 mod placing;
 mod plan;
 mod progress;

@@ -32,6 +32,8 @@ pub struct Report {
     pub incomplete: BTreeMap<PathBuf, BTreeSet<String>>,
     /// The robots that errors left out a part of: rules about what is missing or unused do not run on them.
     pub partial: BTreeSet<PathBuf>,
+    /// The robots that were checked in place of the files that were named, which are parts of them.
+    pub part_of: Vec<PathBuf>,
     /// Paths named by the user that cannot be read.
     pub unreadable: Vec<Unreadable>,
     /// What was asked for and not checked, though it is there.

@@ -49,13 +49,16 @@ fn once(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> Round {
         Err(message) => return Round { code: usage(io, &message), state: State::default() },
     };
     let Prepared { session, options, .. } = &prepared;
+    let parts = session.robots_of_parts(options).filter(|_| !args.changed);
+    let (options, part_of) =
+        parts.as_ref().map_or((options, &[] as &[PathBuf]), |(options, robots)| (options, robots));
     if args.show_files {
         for file in session.files(options) {
             io.out(&format!("{}\n", visible(&shown_path(&file, &env.cwd))));
         }
         return Round { code: warn_about_config(session, env, io), state: State::default() };
     }
-    let (code, reads) = Run { args, prepared: &prepared, session, options, env }.all(io);
+    let (code, reads) = Run { args, prepared: &prepared, session, options, part_of, env }.all(io);
     if args.watch {
         return Round { code, state: prepared.state(reads) };
     }
@@ -87,6 +90,7 @@ struct Run<'a> {
     args: &'a CheckArgs,
     session: &'a Session,
     options: &'a CheckOptions,
+    part_of: &'a [PathBuf],
     env: &'a Environment,
     prepared: &'a Prepared,
 }
@@ -206,6 +210,7 @@ impl Run<'_> {
 
     /// Print a report, and what was (`done`) or could be fixed.
     fn conclude(&self, mut report: Report, done: &str, io: &mut Io<'_>) -> u8 {
+        report.part_of = self.part_of.to_vec();
         if self.unreadable(&report, io) {
             return 2;
         }

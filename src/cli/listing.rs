@@ -1,6 +1,8 @@
 //! What `check` prints for people: which findings, and what is said below them.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
+use std::path::Path;
 
 use indexmap::IndexMap;
 
@@ -101,6 +103,7 @@ impl<'a> Listing<'a> {
     /// The lines below findings that are drawn.
     pub(super) fn footer(&self, done: &str, could: &str) -> Vec<String> {
         let mut lines = vec![self.summary()];
+        lines.extend(self.part_of());
         lines.extend(self.without_robot());
         lines.extend(self.incomplete());
         lines.extend(self.partial());
@@ -117,12 +120,25 @@ impl<'a> Listing<'a> {
         if !self.is_many() {
             let summary = (!self.hidden.is_empty()).then(|| self.summary());
             let partial = self.partial().filter(|_| !self.has_errors());
-            let robots = self.without_robot().into_iter().chain(self.incomplete()).chain(partial);
+            let parts = self.part_of().into_iter().chain(self.without_robot());
+            let robots = parts.chain(self.incomplete()).chain(partial);
             return summary.into_iter().chain(robots).collect();
         }
         let next = [could.to_owned(), self.next()];
         let next: Vec<String> = next.into_iter().filter(|part| !part.is_empty()).collect();
         vec![self.summary(), next.join("; ")]
+    }
+
+    /// The robots that the named files are parts of.
+    fn part_of(&self) -> Option<String> {
+        const MOST: usize = 3;
+        let robots = &self.report.part_of;
+        let names: Vec<String> =
+            robots.iter().take(MOST).map(|robot| format!("`{}`", file_name(robot))).collect();
+        let more = robots.len().saturating_sub(MOST);
+        let more = if more > 0 { format!(" and {}", counted(more, "other robot")) } else { String::new() };
+        let has_robots = !names.is_empty() && self.report.robots > 0;
+        has_robots.then(|| format!("checked as part of {}{more}", names.join(", ")))
     }
 
     /// That no robot was found, and why: without errors it would look like success.
@@ -133,7 +149,7 @@ impl<'a> Listing<'a> {
         }
         let why = match (nameless.first(), roots.is_empty(), skipped.is_empty()) {
             (Some(file), ..) => {
-                let file = file.file_name().unwrap_or_default().to_string_lossy();
+                let file = file_name(file);
                 format!("<robot> in `{file}` has no name: add name=\"...\", unless other files include it")
             }
             (None, true, true) => "there are no *.urdf or *.xacro files".to_owned(),
@@ -207,6 +223,10 @@ pub(super) fn counts(report: &Report) -> Vec<(Severity, &'static Rule, usize)> {
         counts.into_iter().map(|((severity, _), (rule, count))| (severity, rule, count)).collect();
     counts.sort_by_key(|(severity, rule, count)| (std::cmp::Reverse((*severity, *count)), rule.code));
     counts
+}
+
+fn file_name(path: &Path) -> Cow<'_, str> {
+    path.file_name().unwrap_or_default().to_string_lossy()
 }
 
 /// `2 errors, 1 warning in 2 files (1 robot, 7 files checked)`
