@@ -78,11 +78,12 @@ impl Session {
         });
     }
 
-    /// What to report of a file that is a robot but for its name: it gives one tree, and nothing includes it.
+    /// What to report of a file that is a robot but for its name: it gives one tree, which is of more than one link unless the
+    /// file is checked by itself, and nothing includes it.
     pub(super) fn nameless(&self, checked: &Checked<'_>) -> Option<Finding> {
         let Checked { job, kind, expansion, robot } = *checked;
         let robot = robot.filter(|robot| kind == RootKind::Library && robot.lacks_only_a_name())?;
-        let is_tree = !robot.joints.is_empty()
+        let is_tree = (!robot.joints.is_empty() || job.reason == Reason::Alone)
             && robot.names_are_known()
             && above_fragment(robot).is_none()
             && Kinematics::of(robot).roots(robot).len() == 1;
