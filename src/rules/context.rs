@@ -7,7 +7,7 @@ use super::geometry::Resources;
 use super::package::{Manifests, Mention};
 use super::xacro::Mentions;
 use super::xml::{Numeric, Seen};
-use base::FastSet;
+use base::{FastMap, FastSet};
 use expand::{Expansion, FileIdx, XId};
 use model::{Joint, Kinematics, Link, Meshes, Robot, Version};
 use vfs::{SourceFile, Vfs};
@@ -99,6 +99,15 @@ pub struct DocumentCx<'a> {
     pub(super) numeric: OnceCell<Vec<Numeric>>,
     /// The macros that the files define, once a rule has asked.
     pub(super) macros: OnceCell<FastSet<&'a str>>,
+    /// The joints by their child link, and the links by name, once a rule has asked.
+    by_name: OnceCell<ByName<'a>>,
+}
+
+/// Links and joints by names of links: rules ask for each link, and a scan of all each time would cost the square of them.
+#[derive(Default)]
+struct ByName<'a> {
+    above: FastMap<&'a str, Vec<&'a Joint>>,
+    links: FastMap<&'a str, Vec<&'a Link>>,
 }
 
 impl<'a> DocumentCx<'a> {
@@ -124,7 +133,34 @@ impl<'a> DocumentCx<'a> {
             seen: OnceCell::new(),
             numeric: OnceCell::new(),
             macros: OnceCell::new(),
+            by_name: OnceCell::new(),
         }
+    }
+
+    /// The joints whose child is a link of this name, in document order.
+    pub(super) fn joints_above(&self, link: &str) -> &[&'a Joint] {
+        self.by_name().above.get(link).map_or(&[], Vec::as_slice)
+    }
+
+    /// The links of a name, in document order.
+    pub(super) fn links_named(&self, name: &str) -> &[&'a Link] {
+        self.by_name().links.get(name).map_or(&[], Vec::as_slice)
+    }
+
+    fn by_name(&self) -> &ByName<'a> {
+        self.by_name.get_or_init(|| {
+            let mut found = ByName::default();
+            let Some(robot) = self.robot else { return found };
+            for joint in &robot.joints {
+                if let Some(child) = &joint.child {
+                    found.above.entry(child.value.as_str()).or_default().push(joint);
+                }
+            }
+            for link in &robot.links {
+                found.links.entry(link.shown()).or_default().push(link);
+            }
+            found
+        })
     }
 
     /// The links of the document.

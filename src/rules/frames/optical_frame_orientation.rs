@@ -86,8 +86,7 @@ fn turns_above(cx: &DocumentCx<'_>, parent: &str, turned: UnitQuaternion<f64>) -
     const MOST_LINKS: usize = 10;
     let (mut parent, mut turned, mut found) = (parent, turned, Vec::new());
     while found.len() < MOST_LINKS {
-        let is_above = |joint: &&Joint| joint.ends().is_some_and(|(_, child)| child == parent);
-        let Some(joint) = cx.joints().iter().find(is_above) else { break };
+        let Some(joint) = cx.joints_above(parent).iter().find(|joint| joint.ends().is_some()) else { break };
         let angles = joint.origin.as_ref().map_or(Some([0.0; 3]), |origin| origin.angles());
         let is_fixed = joint.joint_type() == Some(JointType::Fixed);
         let (Some([roll, pitch, yaw]), Some((above, _)), true) = (angles, joint.ends(), is_fixed) else {

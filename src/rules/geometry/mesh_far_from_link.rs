@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::bodies::bounds;
 use super::mesh_scale_suspicious::{is_suspicious, metres};
 use super::resources::MeshUse;
-use model::{Bounds, Joint, JointType, Link, Robot};
+use model::{Bounds, JointType, Link, Robot};
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO034",
@@ -54,8 +54,7 @@ fn placed(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> Option<Bounds> {
 /// From the frame of a link to the nearest point of a box; from the axis of the joint above, where the link turns: where on it
 /// the frame stands makes no difference.
 fn distance(cx: &DocumentCx<'_>, link: &Link, bounds: Bounds) -> f64 {
-    let is_above = |joint: &&Joint| joint.child.as_ref().is_some_and(|child| child.value == link.shown());
-    let above = cx.joints().iter().find(is_above);
+    let above = cx.joints_above(link.shown()).first();
     let turning = above.filter(|joint| joint.is(&[JointType::Revolute, JointType::Continuous]));
     let Some(joint) = turning else { return beyond(bounds) };
     let axis = joint.axis.as_ref().and_then(|axis| axis.xyz.as_ref());

@@ -4,7 +4,6 @@
 use super::super::context::DocumentCx;
 use super::super::geometry::{Extent, extent_of};
 use super::super::vocabulary::is_surroundings;
-use super::moments::inertials;
 use model::{Bounds, Joint, JointType, Link};
 
 /// A geometry whose box has half a diagonal up to this length in metres is a marker: it does not show the shape.
@@ -23,13 +22,13 @@ pub(super) fn is_small_part(cx: &DocumentCx<'_>, link: &Link, mass: f64) -> bool
     const SMALL: f64 = 0.05;
     let mut name = link.shown();
     for _ in 0..=cx.joints().len() {
-        let [joint] = joints_above(cx, name)[..] else { return false };
+        let &[joint] = joints_above(cx, name) else { return false };
         let Some(parent) = joint.parent.as_ref().filter(|_| joint.is(&[JointType::Fixed])) else {
             return false;
         };
         name = parent.value.as_str();
-        let carriers = inertials(cx).filter(|(carrier, _)| carrier.shown() == name);
-        if carriers.filter_map(|(_, inertial)| inertial.mass()).any(|carried| mass <= SMALL * carried) {
+        let mut carried = cx.links_named(name).iter().filter_map(|carrier| carrier.inertial.as_ref()?.mass());
+        if carried.any(|carried| mass <= SMALL * carried) {
             return true;
         }
     }
@@ -43,7 +42,7 @@ pub(super) fn is_in_world(cx: &DocumentCx<'_>, link: &Link) -> bool {
         if is_surroundings(name) {
             return true;
         }
-        let [joint] = joints_above(cx, name)[..] else { return false };
+        let &[joint] = joints_above(cx, name) else { return false };
         let Some(parent) = joint.parent.as_ref().filter(|_| joint.is(&[JointType::Fixed])) else {
             return false;
         };
@@ -68,7 +67,6 @@ pub(super) fn shape(cx: &DocumentCx<'_>, link: &Link) -> Option<Bounds> {
 
 /// The joints whose child is a link. In a macro that nothing calls, a part of the names is not known; what is known tells
 /// them apart.
-fn joints_above<'a>(cx: &'a DocumentCx<'_>, link: &str) -> Vec<&'a Joint> {
-    let is_child = |joint: &&Joint| joint.child.as_ref().is_some_and(|child| child.value == link);
-    if matches!(link, "" | "?") { Vec::new() } else { cx.joints().iter().filter(is_child).collect() }
+fn joints_above<'a>(cx: &'a DocumentCx<'_>, link: &str) -> &'a [&'a Joint] {
+    if matches!(link, "" | "?") { &[] } else { cx.joints_above(link) }
 }
