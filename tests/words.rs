@@ -163,7 +163,10 @@ fn messages_follow_the_style_guide() {
                 fs::create_dir_all(path.parent().unwrap()).unwrap();
                 fs::write(path, content).unwrap();
             }
-            judge(rule.name, findings(&folder, vec![folder.join(&files[0].0)]));
+            // launch files are checked with the folder that they are in
+            let is_launched = folder.join("launch").is_dir() && rule.code.starts_with("PKG");
+            let path = if is_launched { folder.clone() } else { folder.join(&files[0].0) };
+            judge(rule.name, findings(&folder, vec![path]));
         }
     }
     for (number, (place, files)) in cases().into_iter().enumerate() {
