@@ -234,12 +234,12 @@ fn unreadable(file: FileId, error: &LoadError) -> Option<Finding> {
     let rule = by_code("XML001")?;
     let message = format!("cannot read the file: {}", error.reason());
     let span = Span { file, range: TextRange::default() };
-    let finding = Finding::new(rule, span, message);
-    match error.kind {
+    let help = match error.kind {
         LoadErrorKind::TooLarge { .. } => {
-            let help = "raise `file-mb` under `[limits]` in xacro-lint.toml if the file is really that large";
-            Some(Finding { help: Some(help.to_owned()), ..finding })
+            "raise `file-mb` under `[limits]` in xacro-lint.toml if the file is really that large"
         }
-        _ => Some(finding),
-    }
+        LoadErrorKind::PermissionDenied => "make the file readable for this user",
+        _ => "check that the path is a file on this disk",
+    };
+    Some(Finding { help: Some(help.to_owned()), ..Finding::new(rule, span, message) })
 }

@@ -40,218 +40,218 @@ macro_rules! limits {
 limits! {
     "Files" {
         /// Megabytes (10^6 bytes) of a description, YAML file or configuration that is read.
-        FILE_MB: u64 = 20, "an error at what names the file, or at the command line", "file-mb";
+        FILE_MB: u64 = 20, "an error where the file is used, or on the command line", "file-mb";
         /// Megabytes that `file-mb` may be set to.
         FILE_MB_MOST: u64 = 1_000, "a warning in the configuration";
         /// Bytes of standard input.
         STDIN_BYTES: u64 = 20_000_000, "the command ends with an error";
         /// Bytes of a mesh.
-        MESH_BYTES: u64 = 100_000_000, "`mesh-too-large` or a note at the mesh";
+        MESH_BYTES: u64 = 100_000_000, "`corrupt-mesh` at the mesh";
         /// Bytes of a material library of a mesh.
         MATERIAL_BYTES: u64 = 10_000_000, "its textures are not checked";
         /// Bytes of a mesh that the server rewrites.
         REWRITTEN_MESH_BYTES: u64 = 100 << 20, "the action is disabled, with the reason";
     }
     "XML" {
-        /// Bytes of a document; edits that would make it longer do nothing.
-        XML_BYTES: usize = 1 << 30, "no file and no message can be as long";
-        /// Bytes that one entity may grow to.
+        /// Bytes of a document; edits beyond this size are ignored.
+        XML_BYTES: usize = 1 << 30, "cannot occur: files and messages have lower limits";
+        /// Bytes of one entity after expansion.
         ENTITY_BYTES: usize = 8 << 20, "an error at the reference";
-        /// Bytes that all entities of a document may grow to.
+        /// Bytes of all entities of a document after expansion.
         ENTITIES_BYTES: usize = 32 << 20, "an error at the reference";
-        /// Entities inside entities.
+        /// Nesting depth of entities.
         ENTITY_DEPTH: u32 = 256, "an error at the reference";
-        /// Bytes that references may add before their share is looked at, as in expat.
+        /// Bytes that references may add before their ratio to the document is checked, as in expat.
         ENTITY_GROWTH: u64 = 8 << 20, "an error at the reference";
-        /// How many times the size of the document references may add after that, as in expat.
+        /// Ratio of the bytes that references add to the size of the document, as in expat.
         ENTITY_FACTOR: u64 = 100, "an error at the reference";
-        /// Bytes that one value may grow to through its references.
-        VALUE_BYTES: usize = 8 << 20, "the value is cut";
-        /// Syntax errors kept of one child of the root.
+        /// Bytes of one value after expansion of its references.
+        VALUE_BYTES: usize = 8 << 20, "the value is truncated";
+        /// Syntax errors in one child of the root.
         ITEM_ERRORS: usize = 200, "the first ones are shown";
-        /// Syntax errors of one document.
+        /// Syntax errors in one document.
         XML_ERRORS: usize = 1_000, "the first ones are shown";
-        /// Syntax errors that the first ones are chosen from.
+        /// Syntax errors that are sorted before the first ones are selected.
         XML_ERRORS_SEEN: usize = 10_000, "the first ones are shown";
     }
     "Expressions" {
-        /// Levels of the tree of an expression.
+        /// Nesting depth of an expression.
         EXPRESSION_DEPTH: u32 = 240, "an error at the expression";
-        /// Brackets inside brackets, as in CPython.
+        /// Nesting depth of brackets, as in CPython.
         BRACKETS: usize = 200, "an error at the bracket";
-        /// Syntax errors of one expression.
+        /// Syntax errors in one expression.
         EXPRESSION_ERRORS: usize = 20, "the first ones are shown";
         /// Steps of evaluation in one expansion.
         EVAL_STEPS: u64 = 1_000_000, "an error at the expression", "eval-steps";
-        /// Nodes and calls inside each other in one evaluation.
+        /// Nesting depth of nodes and calls in one evaluation.
         EVAL_DEPTH: u32 = 600, "an error at the expression";
         /// Bytes of one value.
         EVAL_VALUE_BYTES: u64 = 64 << 20, "an error at the expression";
         /// Bits of an integer.
         INTEGER_BITS: u64 = 1 << 20, "an error at the expression";
-        /// Digits of an integer that is read from or written as text, as in CPython.
+        /// Digits of an integer that is converted from or to text, as in CPython.
         INTEGER_DIGITS: usize = 4_300, "an error at the expression";
-        /// Tuples inside tuples in a key.
+        /// Nesting depth of tuples in a key.
         KEY_DEPTH: u32 = 100, "an error at the expression";
-        /// Values that a key consists of.
+        /// Values in a key.
         KEY_PARTS: u32 = 100_000, "an error at the expression";
-        /// Containers inside containers in a value that is written as text.
+        /// Nesting depth of containers in a value that is converted to text.
         SHOWN_DEPTH: usize = 150, "an error at the expression";
     }
     "YAML" {
-        /// Collections inside collections.
+        /// Nesting depth of collections.
         YAML_DEPTH: u32 = 200, "an error at the call that loads the file";
-        /// Values of a document, those of aliases counted each time.
+        /// Values in a document; an alias counts each time.
         YAML_NODES: usize = 500_000, "an error at the call that loads the file";
-        /// Merge keys followed from one mapping to the next.
+        /// Length of a chain of merge keys.
         YAML_MERGES: u32 = 100, "an error at the call that loads the file";
     }
     "Expansion" {
         /// Nodes of the expanded document.
-        EXPAND_NODES: u64 = 500_000, "`limit-reached` at the location", "expand-nodes";
+        EXPAND_NODES: u64 = 500_000, "`infinite-macro-recursion` at the location", "expand-nodes";
         /// Milliseconds for one expansion.
-        EXPAND_MS: u64 = 5_000, "`limit-reached` at the location", "expand-ms";
-        /// Bytes of text that one expansion makes.
-        OUTPUT_BYTES: u64 = 64 << 20, "`limit-reached` at the text";
-        /// Macro calls inside macro calls.
+        EXPAND_MS: u64 = 5_000, "`infinite-macro-recursion` at the location", "expand-ms";
+        /// Bytes of text in one expansion.
+        OUTPUT_BYTES: u64 = 64 << 20, "`infinite-macro-recursion` at the text";
+        /// Nesting depth of macro calls.
         MACRO_DEPTH: u32 = 1_000, "an error at the call", "macro-depth";
-        /// Files included from each other.
+        /// Nesting depth of includes.
         INCLUDE_DEPTH: u32 = 500, "an error at the include", "include-depth";
-        /// Files that one include with stars may name.
+        /// Files that one include with wildcards matches.
         GLOB_FILES: usize = 1_000, "an error at the include";
-        /// Entries of folders that are looked at for all includes with stars of one robot.
+        /// Folder entries that are searched for all includes with wildcards of one robot.
         GLOB_ENTRIES: usize = 200_000, "an error at the include";
-        /// Elements inside elements.
-        ELEMENT_DEPTH: u32 = 5_000, "`limit-reached` at the element";
-        /// Blocks inserted inside blocks.
-        BLOCK_DEPTH: u32 = 500, "`limit-reached` at the insertion";
-        /// Properties whose values need each other.
+        /// Nesting depth of elements.
+        ELEMENT_DEPTH: u32 = 5_000, "`infinite-macro-recursion` at the element";
+        /// Nesting depth of inserted blocks.
+        BLOCK_DEPTH: u32 = 500, "`infinite-macro-recursion` at the insertion";
+        /// Length of a chain of properties that use each other.
         LAZY_DEPTH: usize = 500, "an error at the property";
-        /// Values of expressions that are kept for hovers and hints.
+        /// Values of expressions for hover and inlay hints.
         EVALUATIONS: usize = 500_000, "later ones are not shown";
-        /// Names that were compared with names that are not defined.
+        /// Comparisons of undefined names with defined ones.
         COMPARED_NAMES: usize = 10_000_000, "no similar name is suggested";
     }
     "Workspace and configuration" {
-        /// Configuration files that extend each other.
+        /// Length of a chain of `extend`.
         CONFIG_CHAIN: usize = 16, "a warning at `extend`";
-        /// Alternatives of one pattern with braces.
-        GLOB_ALTERNATIVES: usize = 64, "further ones match nothing";
-        /// Folders that are searched for the files of a pattern.
-        GLOB_FOLDERS: usize = 100_000, "files in further folders are not found";
+        /// Alternatives in one pattern with braces.
+        GLOB_ALTERNATIVES: usize = 64, "the others match nothing";
+        /// Folders that are searched for files that match a pattern.
+        GLOB_FOLDERS: usize = 100_000, "files in other folders are not found";
         /// Folders that are searched for packages.
-        SCAN_FOLDERS: usize = 100_000, "packages in further folders are not found";
-        /// Levels of folders that are searched for packages.
-        SCAN_DEPTH: usize = 64, "packages further down are not found";
-        /// Descriptions of a workspace that the server looks at for robots.
-        SCAN_FILES: usize = 20_000, "further ones are read when they are opened";
-        /// Launch files, scripts and pages of a workspace that are searched for calls of a robot.
-        CALLER_FILES: usize = 5_000, "arguments that further ones give are not known";
+        SCAN_FOLDERS: usize = 100_000, "packages in other folders are not found";
+        /// Depth of folders that are searched for packages.
+        SCAN_DEPTH: usize = 64, "deeper packages are not found";
+        /// Descriptions in a workspace that the server reads to find robots.
+        SCAN_FILES: usize = 20_000, "the others are read when you open them";
+        /// Launch files, scripts and pages in a workspace that are searched for calls of xacro.
+        CALLER_FILES: usize = 5_000, "arguments in the others are unknown";
         /// Bytes of each of them.
-        CALLER_BYTES: u64 = 300_000, "what it gives is not known";
+        CALLER_BYTES: u64 = 300_000, "arguments in a larger file are unknown";
         /// Folders that are searched for them.
-        CALLER_FOLDERS: usize = 5_000, "further ones are not searched";
-        /// Levels of folders that are searched for them.
-        CALLER_DEPTH: usize = 24, "deeper ones are not searched";
-        /// Calls of xacro that are read in one launch file.
-        LAUNCH_CALLS: usize = 500, "further ones are not known";
-        /// Calls of xacro below one folder.
-        CALLER_CALLS: usize = 2_000, "further ones are not known";
-        /// Launch files that include each other.
-        LAUNCH_INCLUDES: usize = 4, "what deeper ones pass on is not known";
-        /// Steps that are taken to read one launch file.
-        LAUNCH_STEPS: usize = 300_000, "what the rest gives is not known";
-        /// Blocks inside blocks, or elements inside elements, of a launch file.
-        LAUNCH_DEPTH: usize = 50, "what deeper ones give is not known";
-        /// Functions of a launch file that call each other.
-        LAUNCH_CALL_DEPTH: usize = 8, "what deeper ones give is not known";
-        /// Pieces that a text of a launch file is put together from.
-        LAUNCH_PIECES: usize = 1_000, "its value is not known";
-        /// Bytes of a text that a launch file puts together.
-        LAUNCH_TEXT: usize = 20_000, "its value is not known";
-        /// Files that are looked at for the name of a missing one.
+        CALLER_FOLDERS: usize = 5_000, "the others are not searched";
+        /// Depth of folders that are searched for them.
+        CALLER_DEPTH: usize = 24, "deeper folders are not searched";
+        /// Calls of xacro in one launch file.
+        LAUNCH_CALLS: usize = 500, "the others are unknown";
+        /// Calls of xacro in one folder and its subfolders.
+        CALLER_CALLS: usize = 2_000, "the others are unknown";
+        /// Nesting depth of included launch files.
+        LAUNCH_INCLUDES: usize = 4, "arguments in deeper files are unknown";
+        /// Steps to evaluate one launch file.
+        LAUNCH_STEPS: usize = 300_000, "arguments in the rest are unknown";
+        /// Nesting depth of blocks or elements in a launch file.
+        LAUNCH_DEPTH: usize = 50, "arguments in deeper blocks are unknown";
+        /// Nesting depth of function calls in a launch file.
+        LAUNCH_CALL_DEPTH: usize = 8, "arguments in deeper calls are unknown";
+        /// Parts of a concatenated text in a launch file.
+        LAUNCH_PIECES: usize = 1_000, "its value is unknown";
+        /// Bytes of a concatenated text in a launch file.
+        LAUNCH_TEXT: usize = 20_000, "its value is unknown";
+        /// Files that are searched for the name of a missing file.
         NAMESAKE_FILES: usize = 100_000, "no file is suggested";
-        /// Levels of folders that are looked at for the name of a missing file.
+        /// Depth of folders that are searched for the name of a missing file.
         NAMESAKE_DEPTH: usize = 24, "no file is suggested";
-        /// Nodes of a `package.xml`.
-        MANIFEST_NODES: u32 = 100_000, "its name is searched as plain text, its dependencies are unknown";
-        /// Bytes of arguments that are read of the build files of a package, each time a loop runs.
-        BUILD_BYTES: u32 = 200_000, "what the rest installs is not known";
-        /// Levels of folders and loops in the build files of a package.
-        BUILD_DEPTH: u32 = 16, "what deeper ones install is not known";
+        /// Nodes in a `package.xml`.
+        MANIFEST_NODES: u32 = 100_000, "its name is searched in the plain text, its dependencies are unknown";
+        /// Bytes of arguments in the build files of a package, counted in each iteration of a loop.
+        BUILD_BYTES: u32 = 200_000, "files that the rest installs are unknown";
+        /// Nesting depth of folders and loops in the build files of a package.
+        BUILD_DEPTH: u32 = 16, "files that deeper folders install are unknown";
     }
     "Meshes" {
-        /// Triangles of a mesh, instances counted.
-        MESH_TRIANGLES: usize = 2_500_000, "a note at the mesh";
+        /// Triangles of a mesh, including instances.
+        MESH_TRIANGLES: usize = 2_500_000, "`corrupt-mesh` at the mesh";
         /// Nodes of a Collada file.
-        MESH_NODES: u32 = 4_000_000, "a note at the mesh";
-        /// Nodes of a scene that are visited, instances counted.
-        MESH_VISITS: usize = 1_000_000, "a note at the mesh";
-        /// Elements of glTF accessors that are read.
-        MESH_ELEMENTS: usize = 50_000_000, "a note at the mesh";
-        /// Further files that a mesh names.
-        MESH_FILES: usize = 1_000, "further ones are not searched";
+        MESH_NODES: u32 = 4_000_000, "`corrupt-mesh` at the mesh";
+        /// Nodes of a scene, including instances.
+        MESH_VISITS: usize = 1_000_000, "`corrupt-mesh` at the mesh";
+        /// Elements in glTF accessors.
+        MESH_ELEMENTS: usize = 50_000_000, "`corrupt-mesh` at the mesh";
+        /// Files that a mesh refers to.
+        MESH_FILES: usize = 1_000, "the others are not searched";
     }
     "Findings and fixes" {
-        /// How often findings are fixed and checked again.
+        /// Rounds of fixing and checking again.
         FIX_ROUNDS: usize = 50, "the rest is reported as usual";
-        /// Expansions that are made to prove one group of fixes.
+        /// Expansions to prove one group of fixes.
         PROOF_EXPANSIONS: usize = 2_000, "the fixes count as unsafe";
         /// The same for one action of an editor.
-        QUICK_PROOF_EXPANSIONS: usize = 16, "the action is offered as one that may change the robot";
+        QUICK_PROOF_EXPANSIONS: usize = 16, "the action is offered as an unsafe one";
         /// Findings of one rule in one robot.
-        FINDINGS_OF_A_RULE: usize = 50_000, "further ones are omitted";
-        /// Bytes of one message; names can be as long as files.
-        MESSAGE_LETTERS: usize = 1_000, "the message is cut";
-        /// Bytes of a source line that is drawn on the terminal.
+        FINDINGS_OF_A_RULE: usize = 50_000, "the others are omitted";
+        /// Bytes of one message, which can contain long names.
+        MESSAGE_LETTERS: usize = 1_000, "the message is truncated";
+        /// Bytes of a source line that is printed.
         DRAWN_LINE: usize = 20_000, "the location is printed without the line";
-        /// Findings of one rule and severity in one file that are printed for people, unless all are asked for.
+        /// Findings of one rule and severity in one file that the text formats print, without `--show all`.
         DRAWN_OF_A_RULE: usize = 5, "the others are counted";
         /// The same in all files.
         DRAWN_IN_ALL: usize = 10, "the others are counted";
-        /// Problems of one expansion that `expand` draws.
+        /// Problems of one expansion that `expand` prints.
         DRAWN_PROBLEMS: usize = 100, "the others are counted";
     }
     "Language server" {
-        /// Bytes of one message of the protocol.
+        /// Bytes of one protocol message.
         MESSAGE_BYTES: u64 = 256 << 20, "the message is ignored";
-        /// Bytes of a header line of the protocol.
+        /// Bytes of a protocol header line.
         HEADER_BYTES: u64 = 8 << 10, "the line is ignored";
-        /// Diagnostics of one file.
-        DIAGNOSTICS: usize = 1_000, "the last one gives the number of the others";
-        /// Related places of one diagnostic.
-        RELATED: usize = 100, "further ones are omitted";
-        /// Symbols at the top of a file, and folds.
-        SYMBOLS: usize = 20_000, "further ones are omitted";
-        /// Symbols inside symbols; some clients read no answers that are nested much deeper.
+        /// Diagnostics in one file.
+        DIAGNOSTICS: usize = 1_000, "the last one contains the number of the others";
+        /// Related locations of one diagnostic.
+        RELATED: usize = 100, "the others are omitted";
+        /// Top-level symbols, and folding ranges, of a file.
+        SYMBOLS: usize = 20_000, "the others are omitted";
+        /// Nesting depth of symbols; some clients cannot parse deeper responses.
         SYMBOL_DEPTH: usize = 50, "deeper levels are flattened";
-        /// Ranges of one growing selection.
-        SELECTIONS: usize = 100, "the whole file comes next";
-        /// Symbols of an answer about the workspace.
-        WORKSPACE_SYMBOLS: usize = 1_000, "further ones are omitted";
-        /// Items of one completion.
+        /// Ranges of an expanding selection.
+        SELECTIONS: usize = 100, "the next range is the whole file";
+        /// Symbols in a workspace symbol response.
+        WORKSPACE_SYMBOLS: usize = 1_000, "the others are omitted";
+        /// Items in one completion list.
         COMPLETIONS: usize = 200, "the list is marked as incomplete";
-        /// Robots that are looked at for uses of a name.
-        RENAME_ROBOTS: usize = 50, "uses in further robots keep the old name";
+        /// Robots that are searched for uses of a name.
+        RENAME_ROBOTS: usize = 50, "uses in other robots keep the old name";
         /// Bytes of a new name.
         NAME_LETTERS: usize = 200, "the rename is rejected, with the reason";
-        /// Previews that are open.
-        VIEWS: usize = 32, "a further one is rejected, with the reason";
+        /// Open previews.
+        VIEWS: usize = 32, "another one is rejected, with the reason";
     }
     "Preview in a browser" {
-        /// Bytes of a mesh or texture that is sent.
-        SENT_BYTES: u64 = 256_000_000, "the viewer shows that it cannot be read";
-        /// Errors that are sent with a robot.
-        SENT_ERRORS: usize = 100, "further ones are omitted";
-        /// Connections that have not sent a whole request yet.
+        /// Bytes of a mesh or texture.
+        SENT_BYTES: u64 = 256_000_000, "the viewer shows an error";
+        /// Errors of a robot.
+        SENT_ERRORS: usize = 100, "the others are omitted";
+        /// Connections with an incomplete request.
         CONNECTIONS: usize = 128, "the oldest connection is closed";
-        /// Sockets that have not named the token yet.
+        /// WebSockets that have not sent the token.
         STRANGERS: usize = 32, "the oldest connection is closed";
-        /// Pages that are open.
+        /// Open pages.
         PAGES: usize = 32, "the oldest connection is closed";
-        /// Bytes of the head of a request.
+        /// Bytes of the headers of a request.
         REQUEST_HEAD: usize = 16 << 10, "the connection is closed";
-        /// Bytes of a message of the viewer.
+        /// Bytes of a message from the viewer.
         SOCKET_MESSAGE: usize = 64 << 10, "the socket is closed";
     }
 }

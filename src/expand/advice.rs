@@ -70,6 +70,10 @@ pub(super) fn of(problem: &Problem) -> String {
         },
         "XAC030" => "write `xacro:` before the name in calls only, not in the definition",
         "XAC031" => "remove the attribute",
+        "XAC032" => match problem.message.starts_with("missing") {
+            true => "add the attribute with a value",
+            false => "remove the attribute",
+        },
         "XAC033" => "remove the child elements, or move them out of the include",
         "XAC034" => "simplify the robot description; the limit is fixed",
         "XAC035" => "correct the pattern, or remove the include",

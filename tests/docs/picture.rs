@@ -8,8 +8,8 @@ use xacro_lsp::vfs::Environment;
 
 use crate::pages::{self, root};
 
-/// Findings that the picture shows; `...` stands for the others.
-const SHOWN: &[&str] = &["[missing-macro-param]", "[multiple-parents]"];
+/// Findings that the picture shows; `...` stands for the others. One fits on the first screen of the README.
+const SHOWN: &[&str] = &["[missing-macro-param]"];
 /// Colours of an old terminal, and softer ones.
 const COLOURS: &[(&str, &str)] =
     &[("#000000", "#14161b"), ("#AAAAAA", "#e0e2ea"), ("#FF5555", "#ff7b7b"), ("#5555FF", "#8ab8ff")];

@@ -58,35 +58,35 @@ def other(old, new):
 #: The mistake, and the robot that has it and no other.
 URDF = {
     "no mistake at all": ROBOT,
-    "a link in no joint": added('  <link name="hand"/>\n'),
-    "a joint names a parent that does not exist": other('<parent link="base_link"/>', '<parent link="base"/>'),
-    "joints in a circle": ROBOT.replace(END, JOINT % ("loop", "upper", "base_link") + END),
+    "an unconnected link": added('  <link name="hand"/>\n'),
+    "a joint with an undefined parent link": other('<parent link="base_link"/>', '<parent link="base"/>'),
+    "a kinematic loop": ROBOT.replace(END, JOINT % ("loop", "upper", "base_link") + END),
     "a link with two parents": added(CLOSED + JOINT % ("closing", "base_link", "hand")),
-    "two links of one name": added('  <link name="upper"/>\n'),
-    "two joints of one name": added('  <link name="hand"/>\n' + JOINT % ("shoulder", "upper", "hand")),
+    "two links with the same name": added('  <link name="upper"/>\n'),
+    "two joints with the same name": added('  <link name="hand"/>\n' + JOINT % ("shoulder", "upper", "hand")),
     "a revolute joint without limit": other(f'    <limit {LIMIT} effort="10" velocity="2"/>\n', ""),
     "a limit without effort and velocity": other(' effort="10" velocity="2"', ""),
-    "a joint type that does not exist": other('type="revolute"', 'type="rotating"'),
-    "an axis of length zero": other('<axis xyz="0 0 1"/>', '<axis xyz="0 0 0"/>'),
-    "an axis of two numbers": other('<axis xyz="0 0 1"/>', '<axis xyz="0 1"/>'),
+    "an unknown joint type": other('type="revolute"', 'type="rotating"'),
+    "an axis of zero length": other('<axis xyz="0 0 1"/>', '<axis xyz="0 0 0"/>'),
+    "an axis with two numbers": other('<axis xyz="0 0 1"/>', '<axis xyz="0 1"/>'),
     "lower limit above the upper one": other(LIMIT, 'lower="1" upper="-1"'),
     "limits in degrees": other(LIMIT, 'lower="-180" upper="180"'),
-    "a mesh that is not there": other('<box size="0.25 0.25 0.25"/>', '<mesh filename="meshes/upper.stl"/>'),
+    "a missing mesh": other('<box size="0.25 0.25 0.25"/>', '<mesh filename="meshes/upper.stl"/>'),
     "a negative mass": other('<mass value="1"/>', '<mass value="-1"/>'),
-    "moments of inertia that no body has": other('izz="0.01"', 'izz="0.05"'),
+    "impossible moments of inertia": other('izz="0.01"', 'izz="0.05"'),
     "inertia on the root link": other(
         '<link name="base_link"/>',
         '<link name="base_link">\n    <inertial>\n      <mass value="1"/>\n      <inertia ixx="0.01" ixy="0" ixz="0"'
         ' iyy="0.01" iyz="0" izz="0.01"/>\n    </inertial>\n  </link>',
     ),
-    "mimic of a joint that does not exist": other(
+    "mimic of an unknown joint": other(
         f'    <limit {LIMIT}', f'    <mimic joint="elbow"/>\n    <limit {LIMIT}'
     ),
-    "a misspelt element": other("<visual>", "<visul>").replace("</visual>", "</visul>"),
-    "a misspelt attribute": other('rpy="0 0 0"', 'rpyy="0 0 0"'),
-    "a material that is not defined": other('<material name="grey"/>', '<material name="gray"/>'),
+    "a misspelled element": other("<visual>", "<visul>").replace("</visual>", "</visul>"),
+    "a misspelled attribute": other('rpy="0 0 0"', 'rpyy="0 0 0"'),
+    "an undefined material": other('<material name="grey"/>', '<material name="gray"/>'),
     "a number with a unit": other('xyz="0 0 0.1"', 'xyz="0 0 0.1m"'),
-    "an element that is not closed": other("      </geometry>\n", ""),
+    "an unclosed element": other("      </geometry>\n", ""),
 }
 
 XACRO = """<?xml version="1.0"?>
@@ -116,12 +116,12 @@ def xacro(old, new):
 #: The same for xacro.
 XACROS = {
     "no mistake at all": XACRO,
-    "a property that is not defined": xacro("${width} $", "${widht} $"),
-    "a macro that is not defined": xacro("<xacro:part ", "<xacro:prat "),
-    "a parameter that is missing": xacro('<xacro:part name="$(arg prefix)base_link"/>', "<xacro:part/>"),
-    "an argument that is not defined": xacro('  <xacro:arg name="prefix" default=""/>\n', ""),
+    "an undefined property": xacro("${width} $", "${widht} $"),
+    "an undefined macro": xacro("<xacro:part ", "<xacro:prat "),
+    "a missing parameter": xacro('<xacro:part name="$(arg prefix)base_link"/>', "<xacro:part/>"),
+    "an undefined argument": xacro('  <xacro:arg name="prefix" default=""/>\n', ""),
     "a macro called without `xacro:`": xacro("<xacro:part ", "<part "),
-    "a file to include that is not there": xacro("  <xacro:arg", '  <xacro:include filename="none.xacro"/>\n  <xacro:arg'),
+    "a missing include": xacro("  <xacro:arg", '  <xacro:include filename="none.xacro"/>\n  <xacro:arg'),
     "a broken expression": xacro("${width} $", "${2 * (width} $"),
     "a condition that is neither true nor false": xacro(
         END, '  <xacro:if value="maybe">\n    <link name="a"/>\n  </xacro:if>\n' + END

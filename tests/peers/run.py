@@ -5,7 +5,7 @@
     tests/peers/run.py --bin target/release/xacro-lint --update   write them into the page, with the date
 
 The Python tools come from PyPI into target/peers; check_urdf is that of the system (Debian: liburdfdom-tools).
-A tool has seen a mistake when it fails, or prints something that it does not print for the robot without mistakes.
+A tool detects a mistake if it fails, or prints something that it does not print for the robot without mistakes.
 """
 import argparse
 import datetime
@@ -86,7 +86,7 @@ def table(texts, ending, tools):
             for name, answer in zip(tools, answers):
                 counts[name] += answer in ("yes", "line")
             rows.append(f"| {mistake} | {' | '.join(answers)} |")
-    rows.append(f"| **seen, of {len(texts) - 1}** | " + " | ".join(f"**{count}**" for count in counts.values()) + " |")
+    rows.append(f"| **detected, of {len(texts) - 1}** | " + " | ".join(f"**{count}**" for count in counts.values()) + " |")
     return "\n".join(rows) + "\n"
 
 

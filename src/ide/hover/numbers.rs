@@ -88,7 +88,7 @@ fn colour(raw: &str) -> Option<Page> {
         })
         .collect();
     let mut page =
-        Page::titled(format!("![colour](data:image/svg+xml,{encoded}) `#{red:02x}{green:02x}{blue:02x}`"));
+        Page::titled(format!("![color](data:image/svg+xml,{encoded}) `#{red:02x}{green:02x}{blue:02x}`"));
     page.add("red, green, blue and opacity, each from 0 to 1");
     Some(page)
 }

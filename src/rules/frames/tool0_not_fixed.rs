@@ -25,11 +25,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if joint.joint_type().is_some_and(|kind| kind != JointType::Fixed) {
             out.report(
                 kind.origin,
-                format!(
-                    "joint `{}`, the parent joint of `{child}`, is {}, not fixed",
-                    joint.shown(),
-                    kind.value
-                ),
+                format!("parent joint `{}` of `{child}` is {} instead of fixed", joint.shown(), kind.value),
             )
             .help(format!(
                 "make another link the child of this joint, and attach `{child}` to it with a fixed joint"

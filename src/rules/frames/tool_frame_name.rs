@@ -26,7 +26,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .strip_prefix("tool")
             .filter(|digits| !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit()));
         if number.is_some_and(|number| !number.trim_start_matches('0').is_empty()) {
-            out.report(text.origin, format!("link `{name}` is a numbered tool frame"))
+            out.report(text.origin, format!("tool frame `{name}` has a number instead of a name"))
                 .help("name the frame after the tool; only `tool0` has a fixed meaning")
                 .done();
         }

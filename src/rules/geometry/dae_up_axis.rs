@@ -24,7 +24,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (mesh, others) in each_file(cx, is_turned) {
         let axis =
             if mesh.mesh.is_some_and(|mesh| mesh.up_axis == Some(UpAxis::X)) { "X_UP" } else { "Y_UP" };
-        let message = format!("up axis of `{}` is `{axis}`", mesh.name());
+        let message = format!("up axis of `{}` is `{axis}` instead of `Z_UP`", mesh.name());
         let help = "export it with Z_UP; not all programs apply the up axis";
         let report = out.report(mesh.file.origin, message).group(mesh.group()).help(help);
         others.iter().fold(report, |report, other| report.also(other.file.origin, "also used here")).done();

@@ -103,13 +103,13 @@ fn report(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>, out: &mut Sink<'_>) {
     };
     let bounds = surface.bounds.scaled(mesh.factors().unwrap_or([1.0; 3]));
     let most = MAX_EXTENT.value(cx.world.config);
-    let message =
-        format!("mesh `{}` of link `{}` is {} across", mesh.name(), mesh.link.shown(), metres(extent));
     let is_millimetres = extent > most && (0.001..=most).contains(&(extent / 1000.0));
-    let help = match is_millimetres {
-        true => "add scale=\"0.001 0.001 0.001\"; the mesh seems to be in millimeters",
-        false => "check the unit of the mesh and `scale`; meshes are in meters",
+    let (cause, help) = match is_millimetres {
+        true => ("; this looks like millimeters", "add scale=\"0.001 0.001 0.001\", or export the mesh in meters"),
+        false => ("", "check the unit of the mesh and `scale`; meshes are in meters"),
     };
+    let size = metres(extent);
+    let message = format!("mesh `{}` of link `{}` is {size} across{cause}", mesh.name(), mesh.link.shown());
     // an object without joints may be a building or a floor
     let is_object = cx.robot.is_some_and(Robot::is_rigid);
     let may_be_meant = most < extent && is_object && (extent < 10.0 * most || is_ground(bounds.size()));

@@ -68,9 +68,10 @@ fn report(
             report.severity(Severity::Info).help(help).done();
             continue;
         }
+        let report = report.help("correct the path, or add the file");
         match found.as_ref().filter(|_| moved.is_some()) {
             Some(found) => found_elsewhere(cx, report, file, found, package).done(),
-            None => report.help("correct the path, or add the file").done(),
+            None => report.done(),
         }
     }
 }

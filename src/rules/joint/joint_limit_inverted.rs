@@ -7,6 +7,9 @@ use super::super::sink::{Reported, Sink};
 use model::JointType::{Continuous, Fixed, Floating};
 use model::{Limit, Text, tag_start};
 
+/// What to do, unless more is known.
+const SWAP: &str = "swap the limits, or correct a sign";
+
 pub(super) const RULE: Rule = Rule {
     code: "JNT004",
     name: "joint-limit-inverted",
@@ -25,7 +28,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some((lower, upper)) = limit.range().filter(|(lower, upper)| lower > upper) else { continue };
         let message =
             format!("lower limit {lower} of joint `{}` is greater than upper limit {upper}", joint.shown());
-        let report = out.report(tag_start(cx.expansion, limit.element), message);
+        let report = out.report(tag_start(cx.expansion, limit.element), message).help(SWAP);
         swapped(report, cx, limit).done();
     }
 }
@@ -42,5 +45,5 @@ fn swapped<'s, 'a>(report: Reported<'s, 'a>, cx: &DocumentCx<'_>, limit: &Limit)
     let texts = (source_text(cx.expansion, lower.origin), source_text(cx.expansion, upper.origin));
     let (Some((file, at_lower, low)), Some((_, at_upper, up))) = texts else { return report };
     let edits = [(at_lower, up), (at_upper, low)];
-    report.help("swap the limits, or correct a sign").fix(Safety::Unsafe, "swap lower and upper", file, edits)
+    report.fix(Safety::Unsafe, "swap lower and upper", file, edits)
 }

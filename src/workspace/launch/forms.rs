@@ -327,7 +327,7 @@ fn python_programs() {
             &["/r/a.xacro side=left n=1", "/r/a.xacro side=right n=2"],
         ),
         (
-            "helper function that nobody calls",
+            "helper function that is never called",
             "def robot(side, n='1'):\n    return Command(['xacro /r/a.xacro side:=', side, ' n:=', n])\n",
             &["/r/a.xacro side=? n=?"],
         ),
