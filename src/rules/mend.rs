@@ -54,7 +54,7 @@ fn straight_quotes(document: &Document, span: Span) -> Option<Fix> {
     let range = TextRange::new(span.range.start, span.range.start + tag.len() as u32);
     mends.then(|| Fix {
         safety: Safety::Safe,
-        message: "write plain quotes".to_owned(),
+        message: "replace with plain quotes".to_owned(),
         edits: vec![Edit { span: Span { range, ..span }, content: new }],
     })
 }
@@ -64,7 +64,7 @@ fn other_text(document: &Document, span: Span) -> Option<Fix> {
     let text = document.text();
     let (start, end) = (span.range.start as usize, span.range.end as usize);
     let (end, content, message) = match text.get(start..end)? {
-        "&" if text.get(start..)?.starts_with("&&") => (start + 2, "and", "write `and`"),
+        "&" if text.get(start..)?.starts_with("&&") => (start + 2, "and", "replace `&&` with `and`"),
         extra if extra.starts_with("</") && extra.ends_with('>') => (end, "", "remove the end tag"),
         _ => return None,
     };

@@ -121,5 +121,5 @@ pub(super) fn rewrite<'s, 'a>(
     text: &Text,
     new: String,
 ) -> Reported<'s, 'a> {
-    if text.is_literal() { report.replace_with(safety, format!("write `{new}`"), new) } else { report }
+    if text.is_literal() { report.replace_with(safety, format!("replace with `{new}`"), new) } else { report }
 }

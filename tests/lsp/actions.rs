@@ -225,7 +225,7 @@ fn all_safe_fixes_are_made_at_once() {
     let fix = fixes(&mut client, FILE, "missing-axis");
     assert_eq!(titled(&fix, "1 0 0")["isPreferred"], true);
     let fix = fixes(&mut client, FILE, "string-bool-comparison");
-    assert_eq!(titled(&fix, "Write `q`")["isPreferred"], Value::Null);
+    assert_eq!(titled(&fix, "Replace with `q`")["isPreferred"], Value::Null);
     assert!(
         actions(&mut client, FILE, "|<robot", &[], &[]).iter().all(|a| a["kind"] != "source.fixAll.xacro")
     );

@@ -141,7 +141,7 @@ fn a_wrong_argument_is_marked_at_the_call() {
     });
     let actions = client.request("textDocument/codeAction", params);
     let fix = &actions[0];
-    assert_eq!(fix["title"], "Pass `pan_body`", "{actions}");
+    assert_eq!(fix["title"], "Change argument to `pan_body`", "{actions}");
     assert!(client.after(ROBOT, &fix["edit"]).contains("parent=\"pan_body\""));
 }
 

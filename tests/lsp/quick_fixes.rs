@@ -174,7 +174,7 @@ fn fixes_of_the_robot() {
             "Add material `red`",
             "<material name=\"red\"><color",
         ),
-        (mesh("head.stl"), "mesh-case-mismatch", "Write the name of the file on disk", "meshes/Head.STL\""),
+        (mesh("head.stl"), "mesh-case-mismatch", "Replace with `", "meshes/Head.STL\""),
         (mesh("arm.stl"), "mesh-not-found", "parts/arm.stl", "meshes/parts/arm.stl\""),
         (mesh("Head.STL"), "mesh-scale-suspicious", "millimeters", "scale=\"0.001 0.001 0.001\""),
     ] {

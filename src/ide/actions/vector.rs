@@ -18,12 +18,12 @@ pub(super) fn length(source: &SourceFile, range: TextRange) -> Option<Action> {
         }
         ("scale" | "size", 1) => {
             let new = vec![*words.first()?; wanted].join(" ");
-            (format!("write `{new}`"), new)
+            (format!("replace with `{new}`"), new)
         }
         ("rgba", 3) => ("add alpha `1`".to_owned(), format!("{} 1", words.join(" "))),
         ("xyz" | "rpy", n @ 1..) if n < wanted => {
             let new = [words.as_slice(), &vec!["0"; wanted - n]].concat().join(" ");
-            (format!("write `{new}`"), new)
+            (format!("replace with `{new}`"), new)
         }
         _ => return None,
     };

@@ -75,5 +75,10 @@ fn kept<'s, 'a>(
     let new = format!(
         "{line}<gazebo reference=\"{name}\">{line}  <preserveFixedJoint>true</preserveFixedJoint>{line}</gazebo>"
     );
-    report.fix(Safety::Unsafe, format!("keep joint `{name}`"), file, [(TextRange::empty(range.end), new)])
+    report.fix(
+        Safety::Unsafe,
+        format!("add `preserveFixedJoint` for joint `{name}`"),
+        file,
+        [(TextRange::empty(range.end), new)],
+    )
 }

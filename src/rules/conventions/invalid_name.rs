@@ -29,7 +29,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if let Some(new) = with_dollars(cx, &name.value).filter(|_| name.is_literal()) {
             out.report(name.origin, format!("name of {what} {}contains {shown}", quoted(name)))
                 .help(format!("write `{new}`: an expression starts with `$`"))
-                .replace_with(Safety::Unsafe, format!("write `{new}`"), new)
+                .replace_with(Safety::Unsafe, format!("replace with `{new}`"), new)
                 .done();
             continue;
         }
@@ -59,7 +59,7 @@ fn check_ends(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let message = format!("{end} link `{}` of joint `{}` contains `{{`", text.value, joint.shown());
             out.report(text.origin, message)
                 .help(format!("write `{new}`: an expression starts with `$`"))
-                .replace_with(Safety::Unsafe, format!("write `{new}`"), new)
+                .replace_with(Safety::Unsafe, format!("replace with `{new}`"), new)
                 .done();
         }
     }

@@ -118,6 +118,6 @@ fn report(cx: &FileCx<'_>, base: u32, of: Node<'_>, name: Attr<'_>, prefix: &str
     let edits = places.into_iter().map(|range| (range, new.clone()));
     out.report_in(cx.file, name.value_range().shift(base), message)
         .help("a second call of the macro creates the same name again")
-        .fix(Safety::Unsafe, format!("write `{new}`"), cx.file, edits)
+        .fix(Safety::Unsafe, format!("replace with `{new}`"), cx.file, edits)
         .done();
 }

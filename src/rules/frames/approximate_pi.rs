@@ -64,7 +64,7 @@ fn exact<'s, 'a>(
     }
     if speaks_xacro(cx.expansion, at) {
         let new = format!("${{{}}}", meant.0);
-        report.replace_with(Safety::Unsafe, format!("write `{new}`"), new)
+        report.replace_with(Safety::Unsafe, format!("replace with `{new}`"), new)
     } else {
         report.replace_with(
             Safety::Unsafe,

@@ -25,7 +25,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .report(mesh.file.origin, message)
             .help("write package://PACKAGE/PATH; an absolute path works on this computer only");
         match in_package(cx, &mesh).filter(|uri| is_replaceable(mesh.file, uri)) {
-            Some(uri) => report.replace_with(Safety::Unsafe, format!("write `{uri}`"), uri).done(),
+            Some(uri) => report.replace_with(Safety::Unsafe, format!("replace with `{uri}`"), uri).done(),
             None => report.done(),
         }
     }

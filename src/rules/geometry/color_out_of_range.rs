@@ -28,7 +28,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let message = format!("color of material `{name}` is outside the range 0 to 1");
         let report = out.report(text.origin, message).help("write red, green, blue and alpha from 0 to 1");
         match from_bytes(numbers).filter(|_| text.is_literal()) {
-            Some(content) => report.replace_with(Safety::Unsafe, "divide by 255", content).done(),
+            Some(content) => {
+                report.replace_with(Safety::Unsafe, "divide color values by 255", content).done()
+            }
             None => report.done(),
         }
     }

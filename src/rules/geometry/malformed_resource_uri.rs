@@ -47,7 +47,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if let Some(meant) = without_find(cx, name) {
             out.report(name.origin, "`package://` and `$(find ...)` exclude each other")
                 .help(format!("write {meant}"))
-                .replace_with(Safety::Unsafe, format!("write `{meant}`"), meant)
+                .replace_with(Safety::Unsafe, format!("replace with `{meant}`"), meant)
                 .done();
             continue;
         }
@@ -62,7 +62,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .group(Group::Name(format!("{message} {}", beginning(&name.value)).into()))
             .help(help);
         match meant.filter(|meant| is_replaceable(name, meant) && leads_to_package(cx, name, meant)) {
-            Some(meant) => report.replace_with(Safety::Unsafe, format!("write `{meant}`"), meant).done(),
+            Some(meant) => {
+                report.replace_with(Safety::Unsafe, format!("replace with `{meant}`"), meant).done()
+            }
             None => report.done(),
         }
     }

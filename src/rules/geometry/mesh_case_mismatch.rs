@@ -35,7 +35,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let tail = tail_of(written, &found.to_string_lossy());
         match tail.filter(|tail| is_replaceable(mesh.file, tail)) {
             Some(spelled) => {
-                report.replace_with(Safety::Unsafe, "write the name of the file on disk", spelled).done()
+                report.replace_with(Safety::Unsafe, format!("replace with `{spelled}`"), spelled).done()
             }
             None => report.done(),
         }

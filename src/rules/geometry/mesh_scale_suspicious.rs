@@ -87,7 +87,7 @@ fn report_shrunk(cx: &DocumentCx<'_>, link: &Link, bodies: &[Body], out: &mut Si
             let text = format!("{x} {y} {z}");
             out.report(scale.origin, message)
                 .help(format!("write scale=\"{text}\"; the mesh is in meters"))
-                .replace_with(Safety::Unsafe, format!("write `{text}`"), text)
+                .replace_with(Safety::Unsafe, format!("replace with `{text}`"), text)
                 .done();
         }
         None => out
@@ -105,7 +105,9 @@ fn report(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>, out: &mut Sink<'_>) {
     let most = MAX_EXTENT.value(cx.world.config);
     let is_millimetres = extent > most && (0.001..=most).contains(&(extent / 1000.0));
     let (cause, help) = match is_millimetres {
-        true => ("; this looks like millimeters", "add scale=\"0.001 0.001 0.001\", or export the mesh in meters"),
+        true => {
+            ("; this looks like millimeters", "add scale=\"0.001 0.001 0.001\", or export the mesh in meters")
+        }
         false => ("", "check the unit of the mesh and `scale`; meshes are in meters"),
     };
     let size = metres(extent);
@@ -119,7 +121,9 @@ fn report(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>, out: &mut Sink<'_>) {
         Some((origin, content)) => {
             let edit = cx.expansion.place(origin).map(|place| (place.file, place.range));
             let (file, range) = edit.unwrap_or((FileIdx(0), TextRange::default()));
-            report.fix(Safety::Unsafe, "scale from millimeters", file, [(range, content)]).done();
+            report
+                .fix(Safety::Unsafe, "scale mesh from millimeters to meters", file, [(range, content)])
+                .done();
         }
         None => report.done(),
     }

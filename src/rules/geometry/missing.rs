@@ -93,7 +93,7 @@ fn found_elsewhere<'s, 'a>(
     }
     let report = report.help(format!("correct the path; a file of this name is in `{place}`"));
     match uri_of(cx, file.name, found).filter(|uri| is_replaceable(file.name, uri)) {
-        Some(uri) => report.replace_with(Safety::Unsafe, format!("write `{uri}`"), uri),
+        Some(uri) => report.replace_with(Safety::Unsafe, format!("replace with `{uri}`"), uri),
         None => report,
     }
 }

@@ -42,7 +42,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         match inside.filter(|inside| is_replaceable(mesh.file, inside) && !inside.contains("..")) {
             Some(inside) => {
                 let uri = format!("package://{}/{inside}", package.name);
-                report.replace_with(Safety::Unsafe, format!("write `{uri}`"), uri).done();
+                report.replace_with(Safety::Unsafe, format!("replace with `{uri}`"), uri).done();
             }
             None => report.done(),
         }

@@ -43,5 +43,5 @@ fn written<'s, 'a>(report: Reported<'s, 'a>, cx: &DocumentCx<'_>, joint: &Joint)
     };
     let edit =
         (TextRange::empty(range.end), format!("{}<axis xyz=\"1 0 0\"/>", indent(cx.expansion, file, range)));
-    report.fix(Safety::Safe, "write <axis xyz=\"1 0 0\"/>", file, [edit])
+    report.fix(Safety::Safe, "add `<axis xyz=\"1 0 0\"/>`", file, [edit])
 }

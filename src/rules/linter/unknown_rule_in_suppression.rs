@@ -34,7 +34,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         };
         let finding = out.report_in(cx.file, selector.range, format!("unknown rule `{name}`")).help(help);
         match near.filter(|near| edit_distance(&name.to_lowercase(), &near.to_lowercase()) <= 1) {
-            Some(near) => finding.replace_with(Safety::Safe, format!("write `{near}`"), near).done(),
+            Some(near) => finding.replace_with(Safety::Safe, format!("replace with `{near}`"), near).done(),
             None => finding.done(),
         }
     }

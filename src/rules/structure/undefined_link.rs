@@ -38,7 +38,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                 report = report.help(format!("did you mean `{near}`?"));
                 if let Some(span) = argument {
                     let edits = vec![Edit { span, content: near.to_string() }];
-                    report = report.edits(Safety::Unsafe, format!("pass `{near}`"), edits);
+                    report = report.edits(Safety::Unsafe, format!("change argument to `{near}`"), edits);
                 }
             }
             None => {

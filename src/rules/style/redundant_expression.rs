@@ -33,7 +33,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
                         format!("unnecessary expression for `{literal}`"),
                     )
                     .help(format!("write `{literal}`"))
-                    .replace_with(Safety::Safe, format!("write `{literal}`"), literal)
+                    .replace_with(Safety::Safe, format!("replace with `{literal}`"), literal)
                     .done();
                 }
             }

@@ -208,7 +208,7 @@ fn report(at: Place, found: &Comparison, out: &mut Sink<'_>) {
     let message = format!("comparison is {verdict} true: xacro converts `{text}` in `{name}` to a boolean");
     out.report_in(at.file, at.range, message)
         .help(format!("write `{replacement}`"))
-        .replace_with(Safety::Safe, format!("write `{replacement}`"), replacement)
+        .replace_with(Safety::Safe, format!("replace with `{replacement}`"), replacement)
         .done();
 }
 

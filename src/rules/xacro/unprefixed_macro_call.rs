@@ -33,7 +33,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         let message = format!("call of macro `{name}` is missing the `xacro:` prefix, so xacro ignores it");
         out.report_in(cx.file, TextRange::new(start.start - 1, start.end), message)
             .help(format!("write `xacro:{name}`"))
-            .fix(Safety::Safe, format!("write `xacro:{name}`"), cx.file, edits)
+            .fix(Safety::Safe, "add the prefix `xacro:`", cx.file, edits)
             .done();
     }
 }

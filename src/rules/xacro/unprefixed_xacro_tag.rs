@@ -57,6 +57,6 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
             report.done();
             continue;
         }
-        report.fix(Safety::Safe, format!("write `xacro:{name}`"), cx.file, edits).done();
+        report.fix(Safety::Safe, "add the prefix `xacro:`", cx.file, edits).done();
     }
 }

@@ -168,7 +168,7 @@ fn report_meant(cx: &DocumentCx<'_>, id: XId, name: &str, text: &Text, meant: Me
     let is_written = text.is_literal() && text.origin.range.len() as usize == text.value.len();
     let report = out.report(text.origin, message).help(format!("{help}: {name}=\"{value}\""));
     match is_written {
-        true => report.replace_with(Safety::Unsafe, format!("write `{value}`"), value).done(),
+        true => report.replace_with(Safety::Unsafe, format!("replace with `{value}`"), value).done(),
         false => report.done(),
     }
 }
@@ -189,11 +189,11 @@ fn report(cx: &DocumentCx<'_>, id: XId, name: &str, text: &Text, range: Range<us
     let is_written = text.is_literal() && origin.range.len() as usize == word.len();
     if decimal(&repaired).is_some() && word.contains(',') && is_written {
         let report = report.help("write a decimal point instead of a comma");
-        return report.replace_with(Safety::Unsafe, format!("write `{repaired}`"), repaired).done();
+        return report.replace_with(Safety::Unsafe, format!("replace with `{repaired}`"), repaired).done();
     }
     if let Some(meant) = meant::of_word(cx, word).filter(|_| text.is_written(range)) {
         let report = report.help(format!("write `{meant}`: an expression is in `${{...}}`"));
-        return report.replace_with(Safety::Unsafe, format!("write `{meant}`"), meant).done();
+        return report.replace_with(Safety::Unsafe, format!("replace with `{meant}`"), meant).done();
     }
     let help = match word.trim_start_matches(['+', '-']).to_ascii_lowercase().as_str() {
         "nan" | "inf" | "infinity" => "write a finite number",
@@ -240,6 +240,6 @@ fn report_value(
     let message = format!("`{word}` in `{name}` of {element} is not a number");
     out.report(at, message)
         .help(format!("{help}: write `{number}`"))
-        .replace_with(Safety::Unsafe, format!("write `{number}`"), number)
+        .replace_with(Safety::Unsafe, format!("replace with `{number}`"), number)
         .done();
 }

@@ -105,7 +105,7 @@ fn report_inside(
     let is_plain = cx.expansion.tree.get(id).attrs.is_empty() && !content.contains(['"', '<']);
     match source_text(cx.expansion, element_range(cx.expansion, id)).filter(|_| is_plain) {
         Some((file, range, _)) => {
-            report.fix(Safety::Unsafe, format!("write `{element}`"), file, [(range, element)]).done();
+            report.fix(Safety::Unsafe, format!("replace with `{element}`"), file, [(range, element)]).done();
         }
         None => report.done(),
     }

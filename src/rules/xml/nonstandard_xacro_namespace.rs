@@ -32,7 +32,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         .help(format!("write xmlns:xacro=\"{XACRO_URI}\""))
         .fix(
             Safety::Safe,
-            format!("use `{XACRO_URI}`"),
+            format!("change namespace to `{XACRO_URI}`"),
             cx.file,
             [(attr.value_range(), XACRO_URI.to_owned())],
         )
