@@ -28,6 +28,9 @@ fn translated(message: &str) -> Option<String> {
         let kind = rest.split('"').next()?;
         return Some(format!("`+` cannot be applied to a string and {}", named(kind)));
     }
+    if let Some(tag) = message.strip_prefix("could not determine a constructor for the tag ") {
+        return Some(format!("unknown YAML tag {tag}"));
+    }
     let text = message.strip_prefix("could not convert string to float: ")?;
     Some(format!("{text} is not a number"))
 }
@@ -91,8 +94,8 @@ pub(super) fn of(problem: &Problem) -> String {
 fn of_failure(problem: &Problem) -> String {
     let words = problem.reference.split(" \nwhen evaluating").next().unwrap_or_default().trim();
     match translated(words) {
-        Some(_) => format!("{}; Python: {words}", of_evaluation(words)),
-        None => of_evaluation(&problem.message),
+        Some(_) if !words.contains('\n') => format!("{}; Python: {words}", of_evaluation(words)),
+        _ => of_evaluation(&problem.message),
     }
 }
 
@@ -102,7 +105,9 @@ fn of_evaluation(message: &str) -> String {
     if let Some(advice) = of_operands(message) {
         return advice;
     }
-    let advice = if has("division by zero") || has("modulo") {
+    let advice = if has("YAML tag") || has("constructor for the tag") {
+        "use a tag that xacro supports, such as `!degrees`, or remove it"
+    } else if has("division by zero") || has("modulo") {
         "check the divisor; it is 0"
     } else if has("is a single string and outside") {
         "move the file into the package, or write a mapping or a list"

@@ -10,6 +10,10 @@ use super::scope::Place;
 use base::TextRange;
 use expr::{Value, display, literal};
 
+/// Attributes of xacro elements: one of these is no other name for a missing one.
+const ATTRIBUTES: &[&str] =
+    &["name", "default", "filename", "value", "params", "macro", "ns", "optional", "scope"];
+
 impl Expander<'_> {
     /// An attribute as it is written (entities decoded), and where.
     pub fn attr<'a>(&self, tag: Tag<'a>, name: &str, cx: Cx) -> Option<(Cow<'a, str>, Place)> {
@@ -32,7 +36,9 @@ impl Expander<'_> {
                     problem
                         .help(format!("write <xacro:property name=\"{}\" value=\"{value}\"/>", other.name()))
                 }
-                (Some(other), None) => problem.help(format!("rename `{}` to `{name}`", other.name())),
+                (Some(other), None) if !ATTRIBUTES.contains(&other.name()) => {
+                    problem.help(format!("rename `{}` to `{name}`", other.name()))
+                }
                 _ => problem.help(format!("add {name}=\"...\"")),
             });
         }
@@ -76,10 +82,13 @@ impl Expander<'_> {
                 self.push(problem);
                 return None;
             }
-            let message = if raw == shown {
-                format!("condition `{raw}` is not a boolean")
-            } else {
-                format!("condition `{raw}` evaluates to `{shown}`, which is not a boolean")
+            let message = match (raw.is_empty(), shown.is_empty()) {
+                (true, _) => "condition is empty".to_owned(),
+                (_, true) => {
+                    format!("condition `{raw}` evaluates to an empty string, which is not a boolean")
+                }
+                _ if raw == shown => format!("condition `{raw}` is not a boolean"),
+                _ => format!("condition `{raw}` evaluates to `{shown}`, which is not a boolean"),
             };
             let reference = format!(
                 "Xacro conditional \"{raw}\" evaluated to \"{shown}\", which is not a boolean expression."

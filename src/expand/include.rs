@@ -285,7 +285,10 @@ impl Expander<'_> {
         let Some((offset, message)) = &source.encoding_error else { return };
         let range = TextRange::empty((*offset).min(source.document.len()));
         let place = super::Place { file, range };
-        let problem = super::Problem::new("XML016", place, format!("file is not UTF-8: {message}"));
+        let byte =
+            message.strip_prefix("'utf-8' codec can't decode ").and_then(|rest| rest.split(": ").next());
+        let said = format!("file is not valid UTF-8: {}", byte.unwrap_or(message));
+        let problem = super::Problem::new("XML016", place, said);
         self.push(problem.says(message.clone()).help("save the file as UTF-8"));
     }
 

@@ -203,7 +203,7 @@ impl Expander<'_> {
         let is_unknown = message.starts_with("Unknown substitution command");
         let said = match inner.split_whitespace().next().filter(|_| is_unknown) {
             Some(word) => format!("unknown substitution command `{word}` in `$({inner})`"),
-            None => format!("cannot evaluate `$({inner})`: {message}"),
+            None => format!("cannot evaluate `$({inner})`: {}", message.trim_end_matches('.')),
         };
         let mut problem =
             self.problem("XAC025", at, said).says(format!("<class '{class}'>: {message} {message}"));

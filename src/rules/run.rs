@@ -279,7 +279,7 @@ fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Option<Findin
     }
     let fix = problem.replacement.as_ref().map(|content| Fix {
         safety: rule.fix.unwrap_or(Safety::Unsafe),
-        message: format!("replace with `{content}`"),
+        message: format!("replace with `{}`", content.trim_start_matches('<')),
         edits: vec![Edit { span: Span { file, range }, content: content.clone() }],
     });
     let fix = fix.or_else(|| mend::fix(problem, document, place, vfs));

@@ -48,9 +48,12 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let mut parts = elements.zip(tree.elements(cx.robot.element)).take(MOST_PARTS);
     let found = parts.find_map(|(part, id)| Some((id, refused(&alone(&text, part))?)));
     let (id, why) = found.unwrap_or((cx.robot.element, why));
-    out.report(tag_start(cx.expansion, id), format!("urdf-rs cannot load {}: {why}", named(cx, id)))
-        .help("correct the element; Rust programs read robot descriptions with urdf-rs")
-        .done();
+    out.report(
+        tag_start(cx.expansion, id),
+        format!("urdf-rs cannot load {}: {}", named(cx, id), why.trim_start_matches("custom: ")),
+    )
+    .help("correct the element; Rust programs read robot descriptions with urdf-rs")
+    .done();
 }
 
 /// Whether a document may be given to urdf-rs.
