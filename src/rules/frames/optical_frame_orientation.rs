@@ -115,13 +115,13 @@ fn holds_block(cx: &DocumentCx<'_>, joint: &Joint) -> bool {
 fn report(cx: &DocumentCx<'_>, out: &mut Sink<'_>, joint: &Joint, child: &str, severity: Severity) {
     let rpy = joint.origin.as_ref().and_then(|origin| origin.rpy.as_ref());
     let at = rpy.map_or_else(|| tag_start(cx.expansion, joint.element), |text| text.origin);
+    let xacro = speaks_xacro(cx.expansion, at);
+    let new = if xacro { "${-pi/2} 0 ${-pi/2}" } else { "-1.5707963267948966 0 -1.5707963267948966" };
     let report = out
         .report(at, format!("optical frame `{child}` is not rotated by -pi/2 0 -pi/2"))
         .severity(severity)
-        .help("write rpy=\"${-pi/2} 0 ${-pi/2}\": an optical frame has z forward, x right and y down");
+        .help(format!("write rpy=\"{new}\"; an optical frame has z forward, x right and y down"));
     let Some(text) = rpy else { return report.done() };
-    let xacro = speaks_xacro(cx.expansion, text.origin);
-    let new = if xacro { "${-pi/2} 0 ${-pi/2}" } else { "-1.5707963267948966 0 -1.5707963267948966" };
     rewrite(report, Safety::Unsafe, text, new.to_owned()).done();
 }
 
