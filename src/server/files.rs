@@ -14,6 +14,7 @@ use lsp_types::{
 
 use crate::convert;
 use crate::failure::Failure;
+use crate::lifecycle::scan_all;
 use crate::requests::tokens::start_of;
 use crate::state::State;
 use base::CancelFlag;
@@ -57,10 +58,7 @@ pub fn will_rename_files(
         .iter()
         .filter_map(|file| Some(Move { old: path(&file.old_uri)?, new: path(&file.new_uri)? }))
         .collect();
-    state.world.scan(|| cancel.is_cancelled());
-    if !state.world.is_scanned() && !state.world.folders().is_empty() {
-        return Err(Failure::Cancelled);
-    }
+    scan_all(state, cancel)?;
     let mut files: Vec<PathBuf> = state.world.known_files();
     files.extend(state.documents.keys().cloned());
     files.sort();

@@ -12,9 +12,9 @@ use lsp_types::{
 };
 
 use super::navigation::Asked;
-use super::references::whole_workspace;
 use crate::convert;
 use crate::failure::Failure;
+use crate::lifecycle::scan_all;
 use crate::state::State;
 use analysis::{Obstacle, RootChoice};
 use base::limits::{QUICK_PROOF_EXPANSIONS, RENAME_ROBOTS};
@@ -42,7 +42,7 @@ pub fn rename(
     params: RenameParams,
     cancel: &CancelFlag,
 ) -> Result<Option<WorkspaceEdit>, Failure> {
-    whole_workspace(state, cancel)?;
+    scan_all(state, cancel)?;
     let asked = asked(state, &params.text_document_position, cancel)?;
     let new = params.new_name.as_str();
     let names = asked.names(state);
