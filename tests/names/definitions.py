@@ -2,7 +2,7 @@
 """Definition, references and hover of names in real robots, judged by expansions.
 
     tests/names/definitions.py --server target/release/xacro-lsp --bin target/release/xacro-lint --root FOLDER
-                               [--robot FILE ...] [--places 300] [--seed 1] [-v]
+                               [--robot 'FILE name:=value ...' ...] [--places 300] [--seed 1] [-v]
 
 Draws places that use a name of xacro in the files of some robots, most of them in conditions and in macros that nobody calls, and
 asks the server where each leads. Whether that is right is told by expansions of a copy (judge.py): every definition of the
@@ -156,7 +156,7 @@ def hover_of(asker, use, truth, may_be, verdicts):
     else:
         values = {value for value in truth.values if judge.number(value)} if truth.by_default else set()
         title = shown.split('\n')[0].split(' = ')
-        said = title[1].strip('` ').split('`')[0].split()[0] if len(title) > 1 else ''
+        said = (title[1] if len(title) > 1 else '').strip('` ').split('`')[0]
         differs = len(values) == 1 and judge.number(said) and abs(float(said) - float(next(iter(values)))) > 1e-3 * abs(float(said)) + 1e-9
         verdicts.add('hover', 'wrong' if differs else 'right', use, 'says %s, is %s' % (said, values))
 
@@ -214,6 +214,20 @@ def robots_of(rng, folder, wanted):
     return found
 
 
+def configured(folder, robots):
+    """The robots that were named, with a configuration for those that have arguments."""
+    mains, config = [], ''
+    for robot in robots:
+        file, *args = robot.split()
+        mains.append(os.path.join(folder, file))
+        if args:
+            given = ', '.join('%s = "%s"' % tuple(arg.split(':=', 1)) for arg in args)
+            config += '[[roots]]\nfile = "%s"\nargs = { %s }\n' % (file, given)
+    if config:
+        pathlib.Path(folder, 'xacro-lint.toml').write_text(config)
+    return mains
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('--server', required=True)
@@ -228,11 +242,13 @@ def main():
     options = parser.parse_args()
     rng = random.Random(options.seed)
     folder = os.path.abspath(options.root)
-    mains = [os.path.abspath(os.path.join(folder, robot)) for robot in options.robot] or robots_of(rng, folder, options.robots)
     verdicts = Verdicts(options.v)
-    asker = Asker(options.server, folder)
     done = undecided = forced = runs = 0
     with tempfile.TemporaryDirectory() as scratch:
+        # the server has a copy of its own, with the arguments that were given
+        folder = expansions.Copy(options.bin, folder, os.path.join(scratch, 'asked')).at
+        mains = configured(folder, options.robot) or robots_of(rng, folder, options.robots)
+        asker = Asker(options.server, folder)
         copy = expansions.Copy(options.bin, folder, os.path.join(scratch, 'copy'))
         for number, main_file in enumerate(mains):
             wanted = (options.places * (number + 1)) // len(mains) - done
@@ -264,7 +280,7 @@ def main():
                     undecided += 1
             print('%s: %d files' % (os.path.relpath(main_file, folder), len(robot.texts)), flush=True)
         runs = copy.runs
-    asker.client.stop()
+        asker.client.stop()
     failed = False
     for feature in FEATURES:
         share, wrong, all_ = verdicts.share(feature)

@@ -74,7 +74,7 @@ class Judge:
 
     # ---- observing
 
-    def run(self, way, *more):
+    def run(self, way, *more, without=''):
         edits = {}
         for path, edit in [*way, *[edit for edits_ in more for edit in edits_]]:
             if edit not in edits.setdefault(path, []):
@@ -86,7 +86,9 @@ class Judge:
                 if change[0] < change[1]:
                     kept.setdefault(change[:2], change)
             edits[path] = [c for c in changes if c[0] == c[1] or kept[c[:2]] is c]
-        return self.copy.run(self.robot.main, self.args, edits)
+        # an argument that is given hides its default
+        args = [arg for arg in self.args if not without or not arg.startswith(without + ':=')]
+        return self.copy.run(self.robot.main, args, edits)
 
     def said(self, use):
         """The edit that has a use print what it sees."""
@@ -145,14 +147,14 @@ class Judge:
             macros, _ = self.seen(call, way)
             elements = [macro.element for macro in macros or ()]
             return {d for d in self.given.get(('value', use.name), ()) if d.element in elements} or None, []
-        said = [self.said(use)]
+        said, argument = [self.said(use)], use.name if use.kind == 'argument' else ''
         values = self.run(way, said).marks(str(SAID))
         if not values:
             return None, []
         kinds = ['number', 'text'] if all(number(value) for value in values) else ['text', 'number']
         for kind in kinds:
             marks, names = self.marks(use, kind)
-            printed = self.run(way, said, marks).marks(str(SAID))
+            printed = self.run(way, said, marks, without=argument).marks(str(SAID))
             if printed:
                 return {names[value] for value in printed if value in names}, values
         return None, values

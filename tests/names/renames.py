@@ -72,7 +72,8 @@ class Folder:
                 if kind != 'property' or any(e.name == 'xacro:property' and text.value(e, 'name') == use.name for e in text.elements):
                     found[kind].append((path, use.start, use.name))
             for element in text.elements:
-                for attribute, span in element.attributes.items():
+                # SRDF names the things of another file
+                for attribute, span in element.attributes.items() if '.srdf' not in path else ():
                     for kind in (k for k, slots in ROBOT_KINDS.items() if (element.name, attribute) in slots):
                         if element.name == 'material' and any(e.name == 'gazebo' for e in element.around()):
                             continue
@@ -85,9 +86,25 @@ class Folder:
         return found
 
 
+class Client(client.Client):
+    """One that keeps what is shown to the user."""
+
+    shown = ()
+
+    def take(self, message):
+        if message.get('method') == 'window/showMessage':
+            self.shown = (*self.shown, message['params']['message'])
+        super().take(message)
+
+
 class Server:
     def __init__(self, server, folder):
-        self.client = client.Client(os.path.abspath(server), folder, CAPABILITIES)
+        self.client = Client(os.path.abspath(server), folder, CAPABILITIES)
+
+    def warning(self):
+        """What the user was told since the last time: of a file that is renamed, what still has its old name."""
+        shown, self.client.shown = self.client.shown, ()
+        return ' '.join(shown)
 
     def ask(self, method, params):
         while True:
@@ -244,6 +261,7 @@ def main():
             if kind == 'file':
                 moved = {path: os.path.join(os.path.dirname(path), 'zq_' + name)}
                 edits, error = server.rename_file(path, moved[path])
+                error = error or server.warning()
                 old, new = name, 'zq_' + name
             else:
                 edits, old, new, error = server.rename(text, offset, lambda old: old + 'zq')

@@ -48,7 +48,7 @@ def first_difference(one, other):
 
 
 def renamed_difference(one, other, old, new):
-    pairs, stack, names, texts = [], [(one, other)], {}, []
+    pairs, stack, names, texts, either = [], [(one, other)], {}, [], []
     while stack:
         a, b = stack.pop()
         if a.tag != b.tag or a.attrib.keys() != b.attrib.keys() or len(a) != len(b):
@@ -57,24 +57,28 @@ def renamed_difference(one, other, old, new):
         pairs += [((a.tag, key), a.get(key), b.get(key)) for key in a.attrib]
         texts.append((a.tag, (a.text or '').strip(), (b.text or '').strip()))
     for slot, a, b in pairs:
-        if b.replace(new, old) != a:
+        # a name that follows another one, as that of a transmission, may change; a file or a number may not
+        if a != b and (b.replace(new, old) != a or slot not in SLOTS and slot[1] != 'name'):
             return '%s %s: %r became %r' % (*slot, a, b)
-        kinds = SLOTS.get(slot, ())
-        for kind in (kinds,) if isinstance(kinds, str) else kinds:
+        kind = SLOTS.get(slot)
+        if isinstance(kind, str):
             names.setdefault((kind, a), set()).add(b)
+        elif kind:
+            either.append((a, b))
     taken = {}
     for (kind, a), became in names.items():
-        if kind == LINK and len(became) > 1 or kind == JOINT and len(became) > 1:
-            both = {b for other in (LINK, JOINT) for b in names.get((other, a), ())}
-            if len(became - {a}) > 1 or not (names.get((LINK, a)) and names.get((JOINT, a))) or len(both) > 2:
-                return '%s %r became %s' % (kind, a, sorted(became))
-        elif len(became) > 1:
+        if len(became) > 1:
             return '%s %r became %s' % (kind, a, sorted(became))
         for b in became:
             if taken.setdefault((kind, b), a) != a:
                 return '%s %r is the name of two now' % (kind, b)
+    for a, b in either:
+        became = names.get((LINK, a), set()) | names.get((JOINT, a), set())
+        if b not in (became or {a}):
+            return 'reference %r became %r' % (a, b)
+    things = {a for kind, a in names if kind in (LINK, JOINT)}
     for tag, a, b in texts:
-        if b.replace(new, old) != a:
+        if a != b and (b.replace(new, old) != a or a not in things):
             return 'text of <%s>: %r became %r' % (tag, a[:80], b[:80])
     return None
 

@@ -213,17 +213,33 @@ class Robot:
     def named(self, filename, path):
         """The files that an include may mean; what is computed may be anything."""
         filename = re.sub(r'\$\(find\s+([\w\-]+)\s*\)', lambda m: self.packages.get(m[1], '/none'), filename)
+        starts_computed = filename.startswith('$')
         filename = filename if filename.startswith('/') else os.path.join(os.path.dirname(path), filename)
         if '$' not in filename:
             found = os.path.normpath(filename)
             return [found] if os.path.isfile(found) else []
+        pattern = ''.join('.*' if part.startswith('$') else re.escape(part) for part in re.split(r'(\$\{[^}]*\}|\$\([^)]*\))', filename))
         known = filename[:filename.index('$')]
         base = known if known.endswith('/') else os.path.dirname(known)
-        if not base.startswith(self.folder) or not os.path.isdir(base) or base.rstrip('/') == self.folder.rstrip('/'):
+        if base.rstrip('/') == self.folder.rstrip('/') or not base.startswith(self.folder):
             return []
-        pattern = ''.join('.*' if part.startswith('$') else re.escape(part) for part in re.split(r'(\$\{[^}]*\}|\$\([^)]*\))', filename))
-        files = (os.path.join(d, f) for d, _, names in os.walk(base) for f in names if f.endswith(('.xacro', '.urdf', '.xml')))
-        return sorted(f for f in files if re.fullmatch(pattern, f))[:8]
+        if starts_computed:
+            tail = re.split(r'\$\{[^}]*\}|\$\([^)]*\)', filename)[-1]
+            found = [f for f in descriptions(self.folder) if '/' in tail and f.endswith(tail)]
+            package = path[len(self.folder):].strip('/').split('/')[0]
+            return sorted(found, key=lambda f: (not f.startswith(os.path.join(self.folder, package) + '/'), f))[:8]
+        return sorted(f for f in descriptions(self.folder) if f.startswith(base) and re.fullmatch(pattern, f))[:8]
+
+
+KNOWN_DESCRIPTIONS = {}
+
+
+def descriptions(folder):
+    """The files below a folder that includes may name."""
+    if folder not in KNOWN_DESCRIPTIONS:
+        files = (os.path.join(d, f) for d, _, names in os.walk(folder) for f in names)
+        KNOWN_DESCRIPTIONS[folder] = sorted(f for f in files if f.endswith(('.xacro', '.urdf', '.xml')))
+    return KNOWN_DESCRIPTIONS[folder]
 
 
 KNOWN_PACKAGES = {}

@@ -1,5 +1,6 @@
 //! All uses of a name: in the robot that the file is shown under, in the others that share it, and in YAML files.
 
+use super::branches::inside;
 use super::navigation::asked;
 use crate::convert::places;
 use std::path::PathBuf;
@@ -25,7 +26,11 @@ pub fn references(
 ) -> Result<Option<Vec<Location>>, Failure> {
     // a robot that nobody has seen yet may use the name too
     scan_all(state, cancel)?;
-    let asked = asked(state, &params.text_document_position, cancel)?;
+    let mut asked = asked(state, &params.text_document_position, cancel)?;
+    let is_name = |asked: &Asked| ide::robot_name_at(&asked.cx(), asked.offset).is_some();
+    if ide::kind_at(&asked.cx(), &asked.names(state), asked.offset).is_none() && !is_name(&asked) {
+        asked = inside(state, &asked, cancel)?.unwrap_or(asked);
+    }
     let with_definition = params.context.include_declaration;
     let mut uses = ide::occurrences(&asked.cx(), &asked.names(state), asked.offset);
     let is_symbol = ide::kind_at(&asked.cx(), &asked.names(state), asked.offset).is_some();
