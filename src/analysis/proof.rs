@@ -285,7 +285,7 @@ fn is_in_expression(document: &Document, range: TextRange, new: &str) -> bool {
 }
 
 /// Other values of an argument that decides between two or few things.
-fn turned_over(value: &str) -> Vec<&'static str> {
+pub(super) fn turned_over(value: &str) -> Vec<&'static str> {
     match value.trim() {
         "true" | "True" => vec!["false"],
         "false" | "False" => vec!["true"],

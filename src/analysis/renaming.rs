@@ -1,7 +1,6 @@
 //! Proof that a rename leaves every robot as it is, but for the name.
 //!
-//! All robots that read a changed file are expanded before and after: as their arguments say, with their presets, and with each condition
-//! of a changed file taken and not, one at a time.
+//! All robots that read a changed file are expanded before and after: as their arguments say, with their presets, with each switch turned over, and with each condition of a changed file taken and not, one at a time.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -9,17 +8,20 @@ use std::sync::Arc;
 use super::analyzed::job_of;
 use super::context::RootChoice;
 use super::plan::apply;
-use super::proof::{CONDITIONS, Changed, Effort, Roots, Trial, enclosing};
+use super::proof::{CONDITIONS, Changed, Effort, Roots, Trial, enclosing, turned_over};
 use super::roots::Job;
 use super::runs::{Run, Setting};
 use super::session::Session;
 use base::{CancelFlag, TextRange};
+use ecow::EcoString;
 use expand::Forced;
 use model::{other_difference, same_robot};
 use xml::{Document, Node, NodeKind};
 
 /// Decisions of conditions that change something, tried for one rename.
 const MOST_FORCED: usize = 200;
+/// Arguments of one robot that are switches and are turned over.
+const MOST_SWITCHES: usize = 8;
 
 /// Texts of files replaced, each file once.
 pub type Replaced = Vec<(PathBuf, Vec<(TextRange, String)>)>;
@@ -78,13 +80,6 @@ impl Session {
         let mut left = MOST_FORCED;
         roots.iter().map(job_of).find_map(|job| trial.obstacle(&job, name, &mut left))
     }
-
-    /// The conditions of the texts around a place, all taken.
-    pub fn conditions_around(&self, path: &Path, at: TextRange) -> Vec<Forced> {
-        let Ok(source) = self.vfs.document(path) else { return Vec::new() };
-        let around = enclosing(&source.document, at, &CONDITIONS).into_iter();
-        around.map(|range| Forced { file: path.to_path_buf(), at: range.start, taken: true }).collect()
-    }
 }
 
 impl Trial<'_> {
@@ -98,6 +93,12 @@ impl Trial<'_> {
         };
         if let Err(difference) = self.is_same(&before, &self.renamed_run(job, &plain, name), name) {
             return found(None, difference);
+        }
+        for setting in switched(job, &before) {
+            let before = self.run(job, &self.session.vfs, &setting);
+            if let Err(difference) = self.is_same(&before, &self.renamed_run(job, &setting, name), name) {
+                return found(None, difference);
+            }
         }
         for (path, at, forced) in self.conditions(&before) {
             if *left == 0 || self.effort.cancel.is_cancelled() {
@@ -175,6 +176,19 @@ impl Trial<'_> {
         }
         found
     }
+}
+
+/// A robot with each of its switches turned over.
+fn switched(job: &Job, before: &Run) -> Vec<Setting> {
+    let turned = before.arguments.iter().filter_map(|(name, value)| match turned_over(value).as_slice() {
+        [other] => Some((name, *other)),
+        _ => None,
+    });
+    let with = |(name, value): (&EcoString, &str)| Setting {
+        args: job.args.iter().cloned().chain([(name.to_string(), value.to_owned())]).collect(),
+        forced: Vec::new(),
+    };
+    turned.take(MOST_SWITCHES).map(with).collect()
 }
 
 /// The conditions of a document; only those around includes, when nothing else matters.

@@ -271,6 +271,11 @@ impl World {
         self.graph.files().cloned().collect()
     }
 
+    /// The files that may include a description by a name that is computed.
+    pub fn computed_includers(&self, path: &Path) -> Vec<PathBuf> {
+        self.graph.computed_includers(path)
+    }
+
     /// The files that look like robots, with each preset that the configuration lists for them.
     pub fn robots(&self) -> Vec<RootChoice> {
         let robots = self.graph.files().filter(|file| self.graph.is_root(file));
@@ -359,7 +364,12 @@ impl World {
     }
 
     /// The expansion of a root with the outcome of conditions given. `None` when cancelled.
-    pub fn forced(&self, root: &RootChoice, forced: Vec<Forced>, cancel: &CancelFlag) -> Option<Arc<Analyzed>> {
+    pub fn forced(
+        &self,
+        root: &RootChoice,
+        forced: Vec<Forced>,
+        cancel: &CancelFlag,
+    ) -> Option<Arc<Analyzed>> {
         let expansion = job::forced(&self.session, cancel, &job_of(root), forced);
         (!cancel.is_cancelled()).then(|| Arc::new(Analyzed::new(root.clone(), expansion, self.epoch)))
     }

@@ -79,7 +79,9 @@ fn content_pieces(cx: &Cx<'_>, text: &Text) -> Option<(Origin, Vec<Piece>)> {
                 at += literal.len() as u32;
             }
             // where one expression follows another, nothing says where it begins
-            Token::Expr { .. } | Token::Subst { .. } if open.is_none() => open = Some(token.range().shift(start)),
+            Token::Expr { .. } | Token::Subst { .. } if open.is_none() => {
+                open = Some(token.range().shift(start))
+            }
             _ => return None,
         }
     }

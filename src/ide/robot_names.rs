@@ -83,9 +83,8 @@ fn named(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Text>, NameKind)> {
         asked.extend(own.map(|span| (name, span.range)));
     }
     let &(first, range) = asked.first()?;
-    let picked = |name: &RobotName| {
-        cx.pinned.is_some_and(|pin| is_within(cx.expansion, name.text.origin.frame, pin))
-    };
+    let picked =
+        |name: &RobotName| cx.pinned.is_some_and(|pin| is_within(cx.expansion, name.text.origin.frame, pin));
     if asked.iter().any(|(name, _)| picked(name)) {
         asked.retain(|(name, _)| picked(name));
     }

@@ -108,7 +108,9 @@ impl<'a> Names<'a> {
     fn conflict(&self) -> Option<String> {
         let mut taken: BTreeMap<(Kind, &str), &str> = BTreeMap::new();
         for ((kind, was), became) in &self.became {
-            let [is] = became.as_slice() else { return Some(format!("`{was}` would keep its name in places")) };
+            let [is] = became.as_slice() else {
+                return Some(format!("`{was}` would keep its name in places"));
+            };
             if taken.insert((*kind, is), was).is_some() {
                 return Some(format!("`{is}` would be the name of two"));
             }
@@ -170,7 +172,11 @@ mod tests {
     #[test]
     fn all_uses_of_a_name_follow_it() {
         check(("base_l", "base_l", ""), ("root_l", "root_l", ""), None);
-        check(("base_l", "base_l", ""), ("root_l", "base_l", ""), Some("`base_l` would keep its name in places"));
+        check(
+            ("base_l", "base_l", ""),
+            ("root_l", "base_l", ""),
+            Some("`base_l` would keep its name in places"),
+        );
         check(("base", "base", ""), ("🤖", "🤖", ""), Some("`name` of `<link>` would be `🤖`"));
         let (one, other) = ("<gazebo reference=\"base\"/>", "<gazebo reference=\"root\"/>");
         check(("base", "base", one), ("root", "root", other), None);
@@ -182,9 +188,15 @@ mod tests {
         let mesh = |name: &str| format!("<mesh filename=\"{name}.stl\"/>");
         let found = Some("`filename` of `<mesh>` would be `root.stl`");
         check(("base", "base", &mesh("base")), ("root", "root", &mesh("root")), found);
-        let frame = |name: &str| format!("<gazebo><plugin name=\"{name}_p\"><frameName>{name}</frameName></plugin></gazebo>");
+        let frame = |name: &str| {
+            format!("<gazebo><plugin name=\"{name}_p\"><frameName>{name}</frameName></plugin></gazebo>")
+        };
         check(("base", "base", &frame("base")), ("root", "root", &frame("root")), None);
-        check(("base", "base", &frame("base_t")), ("root", "root", &frame("root_t")), Some("an element would hold `root_t`"));
+        check(
+            ("base", "base", &frame("base_t")),
+            ("root", "root", &frame("root_t")),
+            Some("an element would hold `root_t`"),
+        );
         check(("base", "base", ""), ("root", "root", "<link name=\"x\"/>"), Some("`<robot>` would differ"));
     }
 

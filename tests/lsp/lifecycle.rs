@@ -137,7 +137,11 @@ fn the_progress_ends_when_an_answer_waits_for_the_whole_workspace() {
     let capabilities = json!({ "window": { "workDoneProgress": true } });
     let folder = pan_tilt();
     for number in 0..3000 {
-        write(&folder, &format!("src/many/{}/{number}.xacro", number % 50), "<robot><link name=\"🤖\"/></robot>");
+        write(
+            &folder,
+            &format!("src/many/{}/{number}.xacro", number % 50),
+            "<robot><link name=\"🤖\"/></robot>",
+        );
     }
     let mut client = Client::with(folder, Options { capabilities, ..Options::default() });
     client.open(ROBOT);

@@ -14,8 +14,8 @@ mod ways;
 use ecow::EcoString;
 
 pub use answers::{definitions_by_text, occurrences};
-pub use ways::{Documents, further_places};
 pub(super) use files::included;
+pub use ways::{Documents, further_places};
 
 use base::{FastMap, FastSet, FileId, Span};
 use expand::{SymbolKind, UseKind};

@@ -47,9 +47,9 @@ impl TextNames {
             _ => {
                 let (mut seen, mut found) = (FastSet::default(), BTreeSet::new());
                 let order = order.filter(|_| !used.is_lazy);
-                used.scopes
-                    .iter()
-                    .for_each(|&scope| self.visible((scope, used.guard), named, order, &mut seen, &mut found));
+                used.scopes.iter().for_each(|&scope| {
+                    self.visible((scope, used.guard), named, order, &mut seen, &mut found)
+                });
                 found
             }
         }
@@ -77,8 +77,9 @@ impl TextNames {
                 continue;
             };
             found.insert(id);
-            is_hidden |=
-                self.is_sure(given, guard) && !given.handed_out && order.is_none_or(|order| given.order < order);
+            is_hidden |= self.is_sure(given, guard)
+                && !given.handed_out
+                && order.is_none_or(|order| given.order < order);
         }
         if !is_hidden {
             let outer = self.around(scope).into_iter();

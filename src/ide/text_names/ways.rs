@@ -53,14 +53,12 @@ impl TextNames {
     /// The call of a macro that the fewest conditions stand around.
     fn call_of(&self, documents: Documents<'_>, of: u32, whole: Span) -> Option<Span> {
         let name = &self.given.get(of as usize)?.name;
-        let is_outside =
-            |span: Span| span.file != whole.file || !whole.range.contains_range(span.range);
+        let is_outside = |span: Span| span.file != whole.file || !whole.range.contains_range(span.range);
         let calls = self.used.iter().filter(|used| used.class == Class::Macro && !used.is_end);
         let calls = calls.filter(|used| used.name == *name && is_outside(used.span));
         let calls = calls.filter(|used| self.macros(&used.called(), &used.scopes).contains(&of));
-        let around = |span: Span| {
-            documents(span.file).map_or(0, |file| conditions(&file.document, span.range).len())
-        };
+        let around =
+            |span: Span| documents(span.file).map_or(0, |file| conditions(&file.document, span.range).len());
         calls.map(|used| used.span).min_by_key(|span| around(*span))
     }
 }
@@ -90,7 +88,8 @@ pub fn further_places(names: &TextNames, documents: Documents<'_>, text: &str, k
             if !item.text().contains(text) {
                 continue;
             }
-            let attrs = item.all_nodes().flat_map(|node| node.attrs()).filter(|attr| attr.raw().contains(text));
+            let attrs =
+                item.all_nodes().flat_map(|node| node.attrs()).filter(|attr| attr.raw().contains(text));
             let spans = attrs.map(|attr| Span { file, range: attr.value_range().shift(base) });
             let is_known = |span: &Span| {
                 known.iter().any(|known| known.file == file && span.range.contains_range(known.range))

@@ -129,7 +129,9 @@ fn spread(analyzed: &Analyzed, new: &str, spans: &mut Vec<Span>) -> Result<(), S
     let mut covered: Vec<Span> = Vec::new();
     for span in spans.clone() {
         let file = expansion.files.iter().find(|file| file.source.id == span.file);
-        let Some(source) = file.map(|file| &*file.source).filter(|_| !covered.contains(&span)) else { continue };
+        let Some(source) = file.map(|file| &*file.source).filter(|_| !covered.contains(&span)) else {
+            continue;
+        };
         let cx = Cx { source, expansion, robot, kinematics, pinned: None };
         if ide::renameable_part(&cx, span.range.start).is_some_and(|(range, _)| range == span.range) {
             covered.extend(ide::rename_part(&cx, span.range.start, new)?);

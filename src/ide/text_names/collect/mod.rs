@@ -48,8 +48,7 @@ impl TextNames {
 
     /// Work out what the bodies of macros and blocks see.
     fn connect(&mut self) {
-        let calls =
-            (0..).zip(&self.used).filter(|(_, used)| used.class == Class::Macro && !used.is_end);
+        let calls = (0..).zip(&self.used).filter(|(_, used)| used.class == Class::Macro && !used.is_end);
         let mut entered: FastMap<Scope, Vec<ScopeId>> = FastMap::default();
         let mut calls_of: FastMap<u32, Vec<u32>> = FastMap::default();
         for (call, used) in calls {
