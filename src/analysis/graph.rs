@@ -83,6 +83,15 @@ impl Graph {
         self.nodes.get(path).is_some_and(|node| node.is_root)
     }
 
+    /// The files with an include that may mean this one by a name that is computed.
+    pub fn computed_includers(&self, path: &Path) -> Vec<PathBuf> {
+        let may_mean = |from: &&PathBuf| {
+            let includes = self.nodes.get(*from).into_iter().flat_map(|node| &node.includes);
+            includes.filter(|pattern| !pattern.start().1).any(|pattern| pattern.matches(path))
+        };
+        self.computed.iter().filter(|from| **from != *path).filter(may_mean).cloned().collect()
+    }
+
     /// The files that may include `path`.
     fn includers(&self, path: &Path) -> BTreeSet<&PathBuf> {
         let written = path.ancestors().filter_map(|path| self.literal.get(path)).flatten();

@@ -11,7 +11,7 @@ use super::roles::Checked;
 use super::roots::{Job, Reason};
 use super::session::Session;
 use base::{CancelFlag, FastSet, FileId, Span, TextRange};
-use expand::{Expansion, FileUse, FrameKind, Limits, Origin, Read, Request, World, expand};
+use expand::{Expansion, FileUse, Forced, FrameKind, Limits, Origin, Read, Request, World, expand};
 use model::Robot;
 use rules::{
     Activation, Chosen, Finding, RootKind, Rule, Selector, Suppressions, all, by_code, check_expansion,
@@ -58,6 +58,11 @@ pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcom
 /// Expand a file, for somebody who keeps the result.
 pub(super) fn expansion(session: &Session, options: &CheckOptions, job: &Job) -> Expansion {
     expanded(session, job, &Request { keep: true, ..request(session, &options.cancel, job) })
+}
+
+/// Expand a file with the outcome of conditions given.
+pub(super) fn forced(session: &Session, cancel: &CancelFlag, job: &Job, forced: Vec<Forced>) -> Expansion {
+    expanded(session, job, &Request { keep: true, forced, ..request(session, cancel, job) })
 }
 
 fn expanded(session: &Session, job: &Job, request: &Request) -> Expansion {

@@ -8,9 +8,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::analyzed::job_of;
 use super::candidates::Candidates;
-use super::context::RootChoice;
 use super::plan::apply;
 use super::roots::{Job, Reason};
 use super::runs::{Run, Runs, Setting};
@@ -23,9 +21,7 @@ use vfs::{SourceFile, Vfs};
 use xml::{Document, Node, NodeKind};
 
 /// The tags of conditions.
-const CONDITIONS: [&str; 2] = ["xacro:if", "xacro:unless"];
-/// Decisions of conditions that change something, tried for one rename.
-const MOST_FORCED: usize = 200;
+pub(super) const CONDITIONS: [&str; 2] = ["xacro:if", "xacro:unless"];
 /// Arguments of one caller that are tried, at most so many callers.
 const MOST_CALLERS: usize = 4;
 /// Values that are tried for arguments when an edit is in an expression.
@@ -90,44 +86,6 @@ impl Session {
     }
 }
 
-/// Texts of files replaced, each file once.
-pub type Replaced = Vec<(PathBuf, Vec<(TextRange, String)>)>;
-
-/// A robot that would be another one.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Obstacle {
-    /// Its file.
-    pub robot: PathBuf,
-    /// The condition under which it is: file, line, and whether it is taken; none: as the arguments say.
-    pub condition: Option<(PathBuf, u32, bool)>,
-}
-
-impl Session {
-    /// The first of these robots that would be another one, or refused for other reasons, with texts replaced: as its
-    /// arguments say, or when a condition in a changed file is decided the one way or the other. An argument may get
-    /// another name (the old and the new one).
-    pub fn changed_robot(
-        &self,
-        replaced: Replaced,
-        roots: &[RootChoice],
-        argument: Option<(&str, &str)>,
-        cancel: &CancelFlag,
-    ) -> Option<Obstacle> {
-        let changed = replaced.into_iter().filter_map(|(path, mut edits)| {
-            edits.sort_by_key(|(range, _)| range.start);
-            let source = self.vfs.document(&path).ok()?;
-            let old = source.document.text();
-            let new = apply(&old, &edits);
-            Some(Changed { path: source.path.clone(), old, new, edits })
-        });
-        let changed: Vec<Changed> = changed.collect();
-        let effort = Effort { expansions: 0, roots: Roots::Known(Vec::new()), cancel: cancel.clone() };
-        let trial = Trial::new(self, changed.iter().collect(), &effort)?;
-        let mut left = MOST_FORCED;
-        roots.iter().map(job_of).find_map(|job| trial.obstacle(&job, argument, &mut left))
-    }
-}
-
 impl Changed {
     /// Whether the file says the same before and after, whatever its expressions give.
     pub fn is_same_by_text(&self) -> bool {
@@ -135,7 +93,7 @@ impl Changed {
     }
 
     /// Where a place of the old text stands in the new one; edits that begin there come behind it.
-    fn moved(&self, at: u32) -> u32 {
+    pub fn moved(&self, at: u32) -> u32 {
         let before = self.edits.iter().filter(|(range, _)| range.end <= at && range.start < at);
         let shift: i64 = before.map(|(range, new)| new.len() as i64 - i64::from(range.len())).sum();
         (i64::from(at) + shift) as u32
@@ -143,18 +101,18 @@ impl Changed {
 }
 
 /// Expansions before and after changes.
-struct Trial<'a> {
-    session: &'a Session,
-    changed: Vec<&'a Changed>,
+pub(super) struct Trial<'a> {
+    pub session: &'a Session,
+    pub changed: Vec<&'a Changed>,
     /// The changed files, parsed as they are.
     sources: Vec<Arc<SourceFile>>,
-    after: Vfs,
-    effort: &'a Effort,
+    pub after: Vfs,
+    pub effort: &'a Effort,
     runs: Arc<Runs>,
 }
 
 impl<'a> Trial<'a> {
-    fn new(session: &'a Session, changed: Vec<&'a Changed>, effort: &'a Effort) -> Option<Self> {
+    pub fn new(session: &'a Session, changed: Vec<&'a Changed>, effort: &'a Effort) -> Option<Self> {
         let sources = changed
             .iter()
             .map(|changed| session.vfs.document(&changed.path).ok())
@@ -228,87 +186,12 @@ impl<'a> Trial<'a> {
         holds.then_some(before)
     }
 
-    /// Whether a robot would be another one, and under which condition.
-    fn obstacle(&self, job: &Job, argument: Option<(&str, &str)>, left: &mut usize) -> Option<Obstacle> {
-        let plain = Setting { args: job.args.clone(), forced: Vec::new() };
-        let before = self.run(job, &self.session.vfs, &plain);
-        let found = |condition| Some(Obstacle { robot: job.file.clone(), condition });
-        if !self.is_same(&before, &self.renamed_run(job, &plain, argument)) {
-            return found(None).filter(|_| !self.effort.cancel.is_cancelled());
-        }
-        for (path, at, forced) in self.conditions(&before) {
-            if *left == 0 || self.effort.cancel.is_cancelled() {
-                break;
-            }
-            let taken = forced.last().is_some_and(|forced| forced.taken);
-            let setting = Setting { args: job.args.clone(), forced };
-            let forced = self.run(job, &self.session.vfs, &setting);
-            // what changes nothing is what was proved
-            if forced.text == before.text && forced.failures == before.failures {
-                continue;
-            }
-            *left -= 1;
-            if !self.is_same(&forced, &self.renamed_run(job, &setting, argument)) {
-                return found(Some((path, at, taken))).filter(|_| !self.effort.cancel.is_cancelled());
-            }
-        }
-        None
-    }
-
-    /// What a setting gives afterwards.
-    fn renamed_run(&self, job: &Job, setting: &Setting, argument: Option<(&str, &str)>) -> Arc<Run> {
-        let moved = |forced: &Forced| Forced { at: self.moved(forced), ..forced.clone() };
-        let args = setting.args.iter().map(|(name, value)| match argument {
-            Some((old, new)) if name == old => (new.to_owned(), value.clone()),
-            _ => (name.clone(), value.clone()),
-        });
-        let setting = Setting { args: args.collect(), forced: setting.forced.iter().map(moved).collect() };
-        self.run(job, &self.after, &setting)
-    }
-
-    /// Whether a robot is the same before and after, or is refused for the same reasons.
-    fn is_same(&self, before: &Run, after: &Run) -> bool {
-        if before.refused || after.refused {
-            let moved = before.failures.iter().map(|(code, path, at)| {
-                let changed = self.changed.iter().find(|changed| *changed.path == **path);
-                (*code, path.clone(), changed.map_or(*at, |changed| changed.moved(*at)))
-            });
-            return before.refused && after.refused && moved.eq(after.failures.iter().cloned());
-        }
-        before.text == after.text || same_robot(&before.text, &after.text) == Some(true)
-    }
-
-    /// The conditions that may matter, each taken and not, those around it taken: file, line, what is decided. They are
-    /// those of the changed files, and where such a file takes no part, those around includes.
-    fn conditions(&self, before: &Run) -> Vec<(PathBuf, u32, Vec<Forced>)> {
-        let is_changed = |path: &Path| self.changed.iter().any(|changed| *changed.path == *path);
-        let is_missing = self.changed.iter().any(|changed| !before.reads(&changed.path));
-        let changed = self.changed.iter().map(|changed| changed.path.to_path_buf());
-        let mut paths: Vec<PathBuf> = changed.collect();
-        paths.extend(before.files().iter().filter(|path| is_missing && !is_changed(path)).cloned());
-        let mut found = Vec::new();
-        for path in paths {
-            let Ok(source) = self.session.vfs.document(&path) else { continue };
-            for range in conditions_of(&source.document, !is_changed(&path)) {
-                let line = source.document.line_col(range.start, base::Encoding::Utf8).line + 1;
-                let around = enclosing(&source.document, range, &CONDITIONS);
-                let force = |at: u32, taken: bool| Forced { file: path.clone(), at, taken };
-                let outer: Vec<Forced> = around.iter().map(|range| force(range.start, true)).collect();
-                for taken in [true, false] {
-                    let own = outer.iter().cloned().chain([force(range.start, taken)]).collect();
-                    found.push((path.clone(), line, own));
-                }
-            }
-        }
-        found
-    }
-
-    fn moved(&self, forced: &Forced) -> u32 {
+    pub fn moved(&self, forced: &Forced) -> u32 {
         let changed = self.changed.iter().find(|changed| *changed.path == *forced.file);
         changed.map_or(forced.at, |changed| changed.moved(forced.at))
     }
 
-    fn run(&self, job: &Job, vfs: &Vfs, setting: &Setting) -> Arc<Run> {
+    pub fn run(&self, job: &Job, vfs: &Vfs, setting: &Setting) -> Arc<Run> {
         self.runs.get(self.session, vfs, &self.effort.cancel, job, setting)
     }
 
@@ -382,23 +265,6 @@ fn named(file: &Path) -> Job {
     Job { file: file.to_owned(), reason: Reason::Named, args: Vec::new(), preset: None }
 }
 
-/// The conditions of a document; only those around includes, when nothing else matters.
-fn conditions_of(document: &Document, around_includes: bool) -> Vec<TextRange> {
-    let mut found = Vec::new();
-    for (base, item) in document.parts() {
-        let elements = item.all_nodes().filter(|node| node.kind() == NodeKind::Element);
-        for node in elements.filter(|node| CONDITIONS.contains(&node.name())) {
-            let range = node.range();
-            let include =
-                |inner: Node<'_>| inner.name() == "xacro:include" && range.contains_range(inner.range());
-            if !around_includes || item.all_nodes().any(include) {
-                found.push(range.shift(base));
-            }
-        }
-    }
-    found
-}
-
 /// The elements of these names around a range, outermost first.
 pub(super) fn enclosing(document: &Document, range: TextRange, names: &[&str]) -> Vec<TextRange> {
     let place = document.item_at(range.start);
@@ -419,7 +285,7 @@ fn is_in_expression(document: &Document, range: TextRange, new: &str) -> bool {
 }
 
 /// Other values of an argument that decides between two or few things.
-fn turned_over(value: &str) -> Vec<&'static str> {
+pub(super) fn turned_over(value: &str) -> Vec<&'static str> {
     match value.trim() {
         "true" | "True" => vec!["false"],
         "false" | "False" => vec!["true"],

@@ -19,7 +19,7 @@ use super::session::{Session, Setup};
 use super::walk::{self, Listing};
 use base::limits::{GLOB_ENTRIES, SCAN_FILES};
 use base::{CancelFlag, FastMap, TextRange};
-use expand::Read;
+use expand::{Forced, Read};
 use rules::check_recovered;
 use vfs::{Environment, SourceFile, Vfs};
 use workspace::BUILD_FILES;
@@ -271,6 +271,11 @@ impl World {
         self.graph.files().cloned().collect()
     }
 
+    /// The files that may include a description by a name that is computed.
+    pub fn computed_includers(&self, path: &Path) -> Vec<PathBuf> {
+        self.graph.computed_includers(path)
+    }
+
     /// The files that look like robots, with each preset that the configuration lists for them.
     pub fn robots(&self) -> Vec<RootChoice> {
         let robots = self.graph.files().filter(|file| self.graph.is_root(file));
@@ -356,6 +361,17 @@ impl World {
         }
         self.cache.insert(root.clone(), made.clone());
         Some(made)
+    }
+
+    /// The expansion of a root with the outcome of conditions given. `None` when cancelled.
+    pub fn forced(
+        &self,
+        root: &RootChoice,
+        forced: Vec<Forced>,
+        cancel: &CancelFlag,
+    ) -> Option<Arc<Analyzed>> {
+        let expansion = job::forced(&self.session, cancel, &job_of(root), forced);
+        (!cancel.is_cancelled()).then(|| Arc::new(Analyzed::new(root.clone(), expansion, self.epoch)))
     }
 
     /// Expansions to take names from while somebody types in the file at `path`, the newest first. None is made

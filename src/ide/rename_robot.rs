@@ -4,9 +4,10 @@
 use std::collections::BTreeMap;
 
 use super::context::Cx;
-use super::names::{NameKind, RobotName, all_names};
+use super::robot_names::{NameKind, RobotName, all_names};
 use base::{Encoding, FastMap, FastSet, FileId, Span, TextRange};
-use expand::{FrameKind, Origin, SourceRange, argument};
+use expand::{FrameKind, Origin, Piece, SourceRange, argument};
+use expr::Token;
 use model::Text;
 use vfs::SourceFile;
 
@@ -23,12 +24,17 @@ struct NamePart {
 /// a parameter.
 fn parts(cx: &Cx<'_>, text: &Text) -> Vec<NamePart> {
     let mut found = Vec::new();
-    let mut at = (0, text.origin.range.start);
-    let end = (text.value.len() as u32, text.origin.range.end);
-    let own = |range: TextRange| Origin { range, ..text.origin };
-    for piece in &text.pieces {
+    let content = content_pieces(cx, text);
+    let (origin, pieces) = match &content {
+        Some((origin, pieces)) => (*origin, pieces.as_slice()),
+        None => (text.origin, &*text.pieces),
+    };
+    let mut at = (0, origin.range.start);
+    let end = (text.value.len() as u32, origin.range.end);
+    let own = |range: TextRange| Origin { range, ..origin };
+    for piece in pieces {
         let source = piece.source;
-        if source.src != text.origin.src || source.range.start < at.1 || source.range.end > end.1 {
+        if source.src != origin.src || source.range.start < at.1 || source.range.end > end.1 {
             return found;
         }
         let before = TextRange::new(at.0, piece.out.start.max(at.0));
@@ -42,6 +48,53 @@ fn parts(cx: &Cx<'_>, text: &Text) -> Vec<NamePart> {
     found
 }
 
+/// The pieces of an element's content, of which the expansion knows only as a whole that expressions made it: the texts
+/// between the expressions tell them apart, when each stands in the value once.
+fn content_pieces(cx: &Cx<'_>, text: &Text) -> Option<(Origin, Vec<Piece>)> {
+    let [whole] = &*text.pieces else { return None };
+    let source = cx.expansion.sources.get(text.origin.src.0 as usize)?;
+    let all = text.origin.range.slice(source.item.text());
+    if whole.source != text.origin || all.contains('&') {
+        return None;
+    }
+    let raw = all.trim();
+    let start = text.origin.range.start + (all.len() - all.trim_start().len()) as u32;
+    let range = TextRange::new(start, start + raw.len() as u32);
+    let tokens = expr::split(raw).tokens;
+    let mut pieces: Vec<Piece> = Vec::new();
+    let (mut at, mut open) = (0, None);
+    for (number, token) in tokens.iter().enumerate() {
+        match token {
+            Token::Text(literal) => {
+                let (literal, rest) = (literal.slice(raw), text.value.get(at as usize..)?);
+                let is_last = number + 1 == tokens.len();
+                let found = if is_last { rest.strip_suffix(literal)?.len() } else { rest.find(literal)? };
+                let is_first = open.is_none() && found != 0;
+                if is_first || !is_last && rest.rfind(literal) != Some(found) {
+                    return None;
+                }
+                let from = at;
+                at += found as u32;
+                pieces.extend(open.take().map(|source| piece(whole, from, at, source)));
+                at += literal.len() as u32;
+            }
+            // where one expression follows another, nothing says where it begins
+            Token::Expr { .. } | Token::Subst { .. } if open.is_none() => {
+                open = Some(token.range().shift(start))
+            }
+            _ => return None,
+        }
+    }
+    pieces.extend(open.map(|source| piece(whole, at, text.value.len() as u32, source)));
+    Some((Origin { range, ..text.origin }, pieces))
+}
+
+/// What an expression at `source` put into a value.
+fn piece(whole: &Piece, from: u32, to: u32, source: TextRange) -> Piece {
+    let source = Origin { range: source, ..whole.source };
+    Piece { out: TextRange::new(from, to), source, ..whole.clone() }
+}
+
 /// A part that is not empty, when the text says it letter by letter.
 fn part(cx: &Cx<'_>, text: &Text, of: TextRange, origin: Origin) -> Option<NamePart> {
     let source = cx.expansion.sources.get(origin.src.0 as usize)?;
@@ -52,7 +105,7 @@ fn part(cx: &Cx<'_>, text: &Text, of: TextRange, origin: Origin) -> Option<NameP
 }
 
 /// The part of a name at an offset of the file, with the names it is part of.
-fn asked<'a>(cx: &Cx<'a>, all: &[(RobotName<'a>, Vec<NamePart>)], offset: u32) -> Option<Span> {
+fn asked(cx: &Cx<'_>, all: &[(RobotName, Vec<NamePart>)], offset: u32) -> Option<Span> {
     let here = |part: &&NamePart| {
         let range = part.written.range;
         part.written.file == cx.source.id && range.start <= offset && offset <= range.end
@@ -61,19 +114,27 @@ fn asked<'a>(cx: &Cx<'a>, all: &[(RobotName<'a>, Vec<NamePart>)], offset: u32) -
     found.next().map(|part| part.written)
 }
 
-fn with_parts<'a>(cx: &Cx<'a>) -> Vec<(RobotName<'a>, Vec<NamePart>)> {
+fn with_parts(cx: &Cx<'_>) -> Vec<(RobotName, Vec<NamePart>)> {
     let known = all_names(cx).into_iter().filter(|name| name.text.is_known());
-    known.map(|name| (name, parts(cx, name.text))).collect()
+    known
+        .map(|name| {
+            let parts = parts(cx, &name.text);
+            (name, parts)
+        })
+        .collect()
 }
 
-/// The text at an offset that is a name, or a part of names.
-pub(super) fn renameable(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, String)> {
+/// The text at an offset that is a name of a link, joint or material, or a part of such names.
+pub fn renameable(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, String)> {
     let span = asked(cx, &with_parts(cx), offset)?;
     Some((span.range, cx.source.document.slice(span.range)))
 }
 
-/// The texts to be replaced when the part of names at an offset is to read `new`.
-pub(super) fn rename(cx: &Cx<'_>, offset: u32, new: &str) -> Result<Vec<Span>, String> {
+/// The texts to be replaced when the part of names of links, joints or materials at an offset is to read `new`.
+///
+/// # Errors
+/// Why it cannot be renamed, for the user.
+pub fn rename(cx: &Cx<'_>, offset: u32, new: &str) -> Result<Vec<Span>, String> {
     let is_plain = |c: char| !c.is_whitespace() && !matches!(c, '<' | '&' | '"' | '\'' | '$' | '{' | '}');
     if new.is_empty() || !new.chars().all(is_plain) {
         return Err(format!("invalid link or joint name `{new}`"));
@@ -96,7 +157,7 @@ pub(super) fn rename(cx: &Cx<'_>, offset: u32, new: &str) -> Result<Vec<Span>, S
 /// Names that change, and the texts that make them change.
 struct Work<'a, 'b> {
     cx: &'b Cx<'a>,
-    all: &'b [(RobotName<'a>, Vec<NamePart>)],
+    all: &'b [(RobotName, Vec<NamePart>)],
     /// Which bytes change, by the number of the name.
     changed: BTreeMap<usize, Vec<TextRange>>,
     spans: Vec<Span>,
@@ -109,7 +170,7 @@ struct Written {
 }
 
 impl Written {
-    fn of(all: &[(RobotName<'_>, Vec<NamePart>)]) -> Self {
+    fn of(all: &[(RobotName, Vec<NamePart>)]) -> Self {
         let mut places: BTreeMap<(FileId, u32, u32), Vec<(usize, NamePart)>> = BTreeMap::new();
         for (number, (_, parts)) in all.iter().enumerate() {
             for part in parts {
@@ -189,7 +250,7 @@ impl Work<'_, '_> {
         let Some((name, _)) = self.all.get(number) else {
             return "this name no longer exists".to_owned();
         };
-        let (cx, text) = (self.cx, name.text);
+        let (cx, text) = (self.cx, &name.text);
         let mut calls = cx.expansion.frames_of(text.origin).filter(|frame| frame.kind == FrameKind::Macro);
         let span = cx.span(SourceRange::from(text.origin));
         let file = span.and_then(|span| Some((span, cx.file_of(span.file)?)));

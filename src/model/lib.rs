@@ -7,6 +7,7 @@ mod kinematics;
 mod link;
 mod mesh;
 mod pose;
+mod renamed;
 mod robot;
 mod source;
 #[cfg(test)]
@@ -24,6 +25,7 @@ pub use mesh::{
     UpAxis, plain_stl,
 };
 pub use pose::{Pose, transform};
+pub use renamed::other_difference;
 pub use robot::Robot;
 pub use source::{attr_range, element_range, source_has_elements, source_mentions, tag_start};
 pub use text::{Text, decimal, is_decimal};

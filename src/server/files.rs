@@ -8,12 +8,13 @@ use std::path::{Path, PathBuf};
 
 use lsp_types::{
     CreateFilesParams, DeleteFilesParams, FileOperationFilter, FileOperationPattern,
-    FileOperationPatternKind, FileOperationRegistrationOptions, RenameFilesParams, TextDocumentIdentifier,
-    TextEdit, Url, WorkspaceEdit, WorkspaceFileOperationsServerCapabilities,
+    FileOperationPatternKind, FileOperationRegistrationOptions, MessageType, RenameFilesParams,
+    TextDocumentIdentifier, TextEdit, Url, WorkspaceEdit, WorkspaceFileOperationsServerCapabilities,
 };
 
 use crate::convert;
 use crate::failure::Failure;
+use crate::lifecycle::scan_all;
 use crate::requests::tokens::start_of;
 use crate::state::State;
 use base::CancelFlag;
@@ -57,10 +58,7 @@ pub fn will_rename_files(
         .iter()
         .filter_map(|file| Some(Move { old: path(&file.old_uri)?, new: path(&file.new_uri)? }))
         .collect();
-    state.world.scan(|| cancel.is_cancelled());
-    if !state.world.is_scanned() && !state.world.folders().is_empty() {
-        return Err(Failure::Cancelled);
-    }
+    scan_all(state, cancel)?;
     let mut files: Vec<PathBuf> = state.world.known_files();
     files.extend(state.documents.keys().cloned());
     files.sort();
@@ -80,7 +78,26 @@ pub fn will_rename_files(
             edits.insert(uri, found.into_iter().map(edit).collect());
         }
     }
+    warn_of_computed_includes(state, &moves, &edits);
     Ok((!edits.is_empty()).then(|| workspace_edit(state, edits)))
+}
+
+/// Tell the user which includes may mean a file that gets another name, and cannot follow it.
+fn warn_of_computed_includes(state: &State, moves: &[Move], edits: &BTreeMap<Url, Vec<TextEdit>>) {
+    let shown = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    for each in moves.iter().filter(|each| each.old.file_name() != each.new.file_name()) {
+        let follows = |file: &PathBuf| state.uri(file).is_some_and(|uri| edits.contains_key(&uri));
+        let mut left = state.world.computed_includers(&each.old);
+        left.retain(|file| !follows(file));
+        if let Some(first) = left.first() {
+            let message = format!(
+                "`{}` may include `{}` by a computed name, which is not changed",
+                shown(first),
+                shown(&each.old)
+            );
+            state.outbox.show(MessageType::WARNING, message);
+        }
+    }
 }
 
 /// Whether a file moves itself, or its text holds the name of something that does.

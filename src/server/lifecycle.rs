@@ -2,7 +2,7 @@
 
 use crate::documents::refresh;
 use std::path::PathBuf;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use lsp_types::{
     DidChangeConfigurationParams, InitializeParams, InitializeResult, MessageType, PositionEncodingKind,
@@ -175,15 +175,38 @@ pub fn progress_created(state: &mut State, made: bool) {
 /// Look at more files of the workspace, until a job comes in.
 pub fn scan(state: &mut State) {
     let status = state.status.clone();
-    match state.world.scan(|| status.has_waiting()) {
+    scan_until(state, &|| status.has_waiting());
+}
+
+/// Look at more files of the workspace, with progress, until `stop` says so; whether all were looked at.
+fn scan_until(state: &mut State, stop: &dyn Fn() -> bool) -> bool {
+    match state.world.scan(stop) {
         // still searching for them
-        Some((_, 0)) => {}
+        Some((_, 0)) => false,
         Some((done, total)) => {
             let message = format!("{done} of {total} files");
             report_progress(state, json!({ "kind": "report", "message": message }));
+            false
         }
-        None => scanned(state),
+        None => {
+            scanned(state);
+            true
+        }
     }
+}
+
+/// Look at all files of the workspace before an answer that would be wrong without one of them.
+///
+/// # Errors
+/// The request was cancelled.
+pub fn scan_all(state: &mut State, cancel: &CancelFlag) -> Result<(), Failure> {
+    while !state.world.is_scanned() {
+        let end = Instant::now() + State::SCAN_REPORT;
+        if !scan_until(state, &|| cancel.is_cancelled() || Instant::now() >= end) && cancel.is_cancelled() {
+            return Err(Failure::Cancelled);
+        }
+    }
+    Ok(())
 }
 
 /// Look at the workspace before an answer that depends on it, when that takes a moment only: who asks for

@@ -71,6 +71,8 @@ pub(super) struct State {
 impl State {
     /// How long an answer waits for a look at the workspace.
     pub const SCAN_FIRST: Duration = Duration::from_millis(200);
+    /// How often progress is reported while an answer waits for all of it.
+    pub const SCAN_REPORT: Duration = Duration::from_millis(100);
     /// The pause after the last edit unless configured: so long that letters of one stroke come together, too short to
     /// be noticed.
     pub const DELAY: Duration = Duration::from_millis(20);

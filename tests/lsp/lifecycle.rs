@@ -133,6 +133,36 @@ fn progress_that_was_made_begins_and_ends() {
 }
 
 #[test]
+fn the_progress_ends_when_an_answer_waits_for_the_whole_workspace() {
+    let capabilities = json!({ "window": { "workDoneProgress": true } });
+    let folder = pan_tilt();
+    for number in 0..3000 {
+        write(
+            &folder,
+            &format!("src/many/{}/{number}.xacro", number % 50),
+            "<robot><link name=\"🤖\"/></robot>",
+        );
+    }
+    let mut client = Client::with(folder, Options { capabilities, ..Options::default() });
+    client.open(ROBOT);
+    let kinds = |client: &Client| -> Vec<String> {
+        let told = client.notes.iter().filter(|note| note["method"] == "$/progress");
+        told.map(|note| note["params"]["value"]["kind"].as_str().unwrap_or_default().to_owned()).collect()
+    };
+    client.wait(|client| (!kinds(client).is_empty()).then_some(()), || "no progress".to_owned());
+    let found = client.request("workspace/symbol", json!({ "query": "🤖" }));
+    assert!(!found.as_array().unwrap().is_empty());
+    let mut params = client.at(ROBOT, "name=\"m|0\"");
+    params["newName"] = json!("mass");
+    assert!(client.request("textDocument/rename", params)["changes"].is_object());
+    let ended = |client: &mut Client| kinds(client).last().is_some_and(|last| last == "end").then_some(());
+    client.wait(ended, || "no end of the progress".to_owned());
+    let told = kinds(&client);
+    assert_eq!(told.first().map(String::as_str), Some("begin"), "{told:?}");
+    assert_eq!(told.iter().filter(|kind| *kind == "end").count(), 1, "{told:?}");
+}
+
+#[test]
 fn each_folder_has_its_own_settings() {
     let folder = fresh_folder();
     let robot = "<robot name=\"🤖\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n<link name=\"a\"/><link name=\"${m}\"/></robot>\n";

@@ -110,6 +110,25 @@ return function(test)
     assert(robot:find('turns_about="0 1 0"', 1, true), robot)
   end)
 
+  test('a rename reaches branches that are not taken', function(child)
+    child:edit(fixture.robot)
+    child:change(
+      '</robot>',
+      '<xacro:if value="false"><xacro:unit name="${m0}" parent="top"><origin/></xacro:unit></xacro:if></robot>'
+    )
+    child:at('<xacro:un|it name="${m0}"')
+    child:lua([[vim.lsp.buf.rename('motor')]])
+    child:wait([[vim.api.nvim_get_current_line():find('<xacro:motor name="${m0}"', 1, true)]])
+    assert(child:text():find('<origin/></xacro:motor></xacro:if>', 1, true), child:text())
+    child:wait([[vim.fn.bufnr('unit.xacro') > 0]])
+    local unit = child:text(child:value([[vim.fn.bufnr('unit.xacro')]]))
+    assert(unit:find('<xacro:macro name="motor"', 1, true), unit)
+    child:at('name="${m|0}"')
+    child:lua([[vim.lsp.buf.rename('weight')]])
+    child:wait([[vim.api.nvim_get_current_line():find('name="${weight}"', 1, true)]])
+    assert(child:text():find('<xacro:property name="weight"', 1, true), child:text())
+  end)
+
   test('a quick fix mends the text', function(child)
     child:edit(fixture.robot)
     child:change('${m0 / 3}', '${m_0 / 3}')

@@ -2,7 +2,7 @@
 
 use super::place::{enclosing, line_end, margin};
 use super::{Action, ActionKind, edit};
-use crate::names::all_names;
+use crate::robot_names::all_names;
 use crate::{Cx, indentation};
 use base::TextRange;
 use xml::{Node, NodeKind};

@@ -2,6 +2,7 @@
 
 use super::directives::directive;
 use super::item::{Completion, Completions, ItemKind, Topic, escaped};
+use super::learned;
 use super::scope::Scope;
 use super::tags::{is_required, spec_of};
 use crate::tag_reader::Open;
@@ -39,7 +40,10 @@ pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed, tag: &Open) -> Comple
         parameters(scope, tag)
     } else {
         let spec = spec_of_tag(typed, tag);
-        spec.map(of_urdf).unwrap_or_default()
+        let known = spec.map(of_urdf).unwrap_or_default();
+        let rank = if known.is_empty() { 1 } else { 4 };
+        let further = learned::attributes(scope, typed, &tag.name).into_iter().map(|item| item.rank(rank));
+        known.into_iter().chain(further).collect()
     };
     if typed.open.is_empty() {
         let text = format!("xmlns:xacro=\"{NAMESPACE}\"");

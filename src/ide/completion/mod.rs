@@ -12,6 +12,7 @@ mod docs;
 mod evaluate;
 mod expressions;
 mod item;
+mod learned;
 mod names;
 mod paths;
 mod scope;

@@ -50,6 +50,8 @@ pub(super) fn names(scope: &Scope<'_>, typed: &Typed, wanted: Wanted, is_end: bo
     for &(fact, kind) in wanted.kinds() {
         let patterns = scope.patterns(fact, typed.offset).into_iter().filter(|name| !name.is_empty());
         found.extend(patterns.map(|name| Completion::new(kind, name).note("here").rank(0)));
+        let beside = scope.patterns_beside(fact, typed.offset).into_iter();
+        found.extend(beside.map(|name| Completion::new(kind, name).note("in this file").rank(4)));
         if typed.in_macro().is_some() && kind == ItemKind::Link {
             found.extend(link_parameters(typed));
         }

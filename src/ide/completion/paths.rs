@@ -22,7 +22,9 @@ impl Wanted {
         match self {
             Wanted::Mesh => &["stl", "dae", "obj", "glb"],
             Wanted::Picture => &["png", "jpg", "jpeg"],
-            Wanted::Description => &["xacro", "urdf", "xml"],
+            Wanted::Description => {
+                &["xacro", "urdf", "xml", "gazebo", "transmission", "trans", "sdf", "srdf"]
+            }
             Wanted::Yaml => &["yaml", "yml"],
         }
     }

@@ -145,7 +145,7 @@ impl<'a> Scope<'a> {
     }
 
     /// All items with the index of their file.
-    fn items(&self) -> impl Iterator<Item = (usize, &InScope, &Arc<Item>)> {
+    pub(super) fn items(&self) -> impl Iterator<Item = (usize, &InScope, &Arc<Item>)> {
         let files = self.files.iter().enumerate();
         files.flat_map(|(index, file)| file.source.document.parts().map(move |(_, item)| (index, file, item)))
     }
@@ -249,6 +249,23 @@ impl<'a> Scope<'a> {
             let facts = facts_of(item);
             let plain = facts.of(kind).filter(|fact| !fact.in_macro && !fact.name.contains('$'));
             found.extend(plain.map(|fact| (fact.name.clone(), file.source.path.clone())));
+        }
+        found
+    }
+
+    /// The computed names of a kind in the other macros of the file: a library often names in one macro what another one made.
+    pub(super) fn patterns_beside(&self, kind: FactKind, offset: u32) -> Vec<EcoString> {
+        let document = &self.sources.source.document;
+        let place = document.item_at(offset.saturating_sub(1));
+        if macro_at(place.item, offset.saturating_sub(place.start)).is_none() {
+            return Vec::new();
+        }
+        let mut found = Vec::new();
+        for (base, item) in document.parts() {
+            let facts = facts_of(item);
+            let computed = facts.of(kind).filter(|fact| fact.in_macro && fact.name.contains('$'));
+            let others = computed.filter(|fact| !fact.range.shift(base).touches(offset));
+            found.extend(others.map(|fact| fact.name.clone()));
         }
         found
     }

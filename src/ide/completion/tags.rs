@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::directives::{DIRECTIVES, directive};
 use super::item::{Completion, Completions, ItemKind, Topic, escaped};
+use super::learned;
 use super::scope::{MacroInfo, Scope};
 use crate::typed::{Typed, is_name_char};
 use base::FastSet;
@@ -77,6 +78,12 @@ pub(super) fn tags(scope: &Scope<'_>, typed: &Typed, lead: &str) -> Completions 
     // a tag that is complete but for its name keeps what it has
     let bare = lead.is_empty() && typed.rest_of_tag().1;
     let mut items = children(typed);
+    let is_transparent = |name: &str| matches!(name, "xacro:if" | "xacro:unless");
+    let around = typed.open.iter().rev().find(|open| !is_transparent(&open.name));
+    if let Some(around) = around.filter(|open| !open.name.starts_with("xacro:") && open.name != "robot") {
+        let rank = if parent_of(typed).is_some() { 4 } else { 2 };
+        items.extend(learned::children(scope, typed, &around.name).into_iter().map(|item| item.rank(rank)));
+    }
     items.extend(DIRECTIVES.iter().map(|directive| {
         Completion::new(ItemKind::Directive, directive.name)
             .snippet(format!("{}{}", directive.name, directive.snippet))

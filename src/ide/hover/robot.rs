@@ -2,7 +2,7 @@
 
 use super::super::context::Cx;
 use super::super::locate::{At, Part};
-use super::super::names::{named_at, robot_names};
+use super::super::robot_names::{named_at, robot_names};
 use super::expression::call_label;
 use super::files::{lengths, three_digits};
 use super::numbers::{degrees, rounded};
@@ -54,7 +54,7 @@ fn is_joint_name(at: &At<'_>) -> bool {
 }
 
 /// The names that an argument of a call becomes as it is, when its text stands at `range`.
-fn passed<'a>(cx: &Cx<'a>, range: TextRange) -> Option<Vec<&'a Text>> {
+fn passed(cx: &Cx<'_>, range: TextRange) -> Option<Vec<Text>> {
     let place = cx.source_range(range)?;
     let mut given: FastSet<u32> = FastSet::default();
     let mut values: Vec<&str> = Vec::new();

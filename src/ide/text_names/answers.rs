@@ -2,8 +2,9 @@
 
 use super::TextNames;
 use crate::context::Cx;
-use crate::names::{NameUse, Target, evaluated_uses, robot_name_at, uses_of};
+use crate::names::{NameUse, Target, evaluated_uses};
 use crate::rename::definition_at;
+use crate::robot_names::{robot_name_at, uses_of};
 use base::{FastSet, Span, TextRange};
 
 /// The definitions that the name at an offset may mean, as far as the texts say, with the name's range.

@@ -9,11 +9,13 @@ mod answers;
 mod collect;
 mod files;
 mod resolve;
+mod ways;
 
 use ecow::EcoString;
 
 pub use answers::{definitions_by_text, occurrences};
 pub(super) use files::included;
+pub use ways::{Documents, further_places};
 
 use base::{FastMap, FastSet, FileId, Span};
 use expand::{SymbolKind, UseKind};
@@ -24,12 +26,18 @@ pub struct TextNames {
     given: Vec<Given>,
     used: Vec<Used>,
     scopes: Vec<Scope>,
+    /// The condition around each condition.
+    guards: Vec<Guard>,
     /// The files that were read.
     files: FastSet<FileId>,
+    /// By file, the tags of the includes that bring it in.
+    included_at: FastMap<FileId, Vec<Span>>,
     /// The definitions of a name.
     by_name: FastMap<(Class, EcoString), Vec<u32>>,
     /// Where macros are called, and blocks inserted: the scopes that their content sees.
     entered_from: FastMap<ScopeId, Vec<ScopeId>>,
+    /// When each macro is called, the first time and the last.
+    called_at: FastMap<u32, (u32, u32)>,
 }
 
 /// A definition.
@@ -51,8 +59,12 @@ pub struct Given {
     handed_out: bool,
     /// Its place in the order of evaluation.
     order: u32,
-    /// Whether it is made whenever its scope is: no condition around it, no `default`.
+    /// Whether it is made whenever the conditions around it are taken: no `default`, no second include.
     is_sure: bool,
+    /// The innermost condition around it.
+    guard: Guard,
+    /// Whether it is made when a macro is called.
+    is_in_body: bool,
 }
 
 /// A text that uses a name.
@@ -67,10 +79,22 @@ struct Used {
     /// Of `ns.name`: `ns`. Of what a call gives: the macro.
     of: EcoString,
     order: u32,
+    /// The innermost condition around it.
+    guard: Guard,
     /// Whether it is evaluated later than where it stands.
     is_lazy: bool,
     /// Whether it is the name in an end tag.
     is_end: bool,
+}
+
+impl Used {
+    /// Of a call: the name of the macro with its namespaces.
+    fn called(&self) -> EcoString {
+        match self.of.as_str() {
+            "" => self.name.clone(),
+            of => ecow::eco_format!("{of}.{}", self.name),
+        }
+    }
 }
 
 /// Names of different classes have nothing to do with each other.
@@ -96,6 +120,11 @@ impl Class {
 /// A scope: index of [`TextNames::scopes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 struct ScopeId(u32);
+
+/// A condition, with those around it and around the includes and macros that it stands in: index of [`TextNames::guards`],
+/// counted from one; zero: none.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Guard(u32);
 
 /// What holds names.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use ecow::EcoString;
 
-use super::{Class, Given, Meaning, NameText, Scope, ScopeId, TextNames, Used};
+use super::{Class, Given, Guard, Meaning, NameText, Scope, ScopeId, TextNames, Used};
 use base::{FastMap, FastSet, Span};
 use expand::{SymbolKind, UseKind};
 
@@ -31,7 +31,10 @@ impl TextNames {
     fn among(&self, named: &[u32], used: &Used, order: Option<u32>) -> BTreeSet<u32> {
         let given = |id: &u32| self.given.get(*id as usize);
         if used.kind == UseKind::Given {
-            let macros = self.macros(&used.of, &used.scopes);
+            let mut macros: BTreeSet<u32> = self.macros(&used.of, &used.scopes).into_iter().collect();
+            if order.is_some() {
+                macros = self.at_that_time(used, macros);
+            }
             let is_it = |given: &Given| {
                 given.kind == SymbolKind::Parameter && given.of.is_some_and(|of| macros.contains(&of))
             };
@@ -44,9 +47,9 @@ impl TextNames {
             _ => {
                 let (mut seen, mut found) = (FastSet::default(), BTreeSet::new());
                 let order = order.filter(|_| !used.is_lazy);
-                used.scopes
-                    .iter()
-                    .for_each(|&scope| self.visible(scope, named, order, &mut seen, &mut found));
+                used.scopes.iter().for_each(|&scope| {
+                    self.visible((scope, used.guard), named, order, &mut seen, &mut found)
+                });
                 found
             }
         }
@@ -59,7 +62,7 @@ impl TextNames {
     /// The ones of these definitions that can be seen from a scope.
     fn visible(
         &self,
-        scope: ScopeId,
+        (scope, guard): (ScopeId, Guard),
         named: &[u32],
         order: Option<u32>,
         seen: &mut FastSet<ScopeId>,
@@ -74,10 +77,13 @@ impl TextNames {
                 continue;
             };
             found.insert(id);
-            is_hidden |= given.is_sure && !given.handed_out && order.is_none_or(|order| given.order < order);
+            is_hidden |= self.is_sure(given, guard)
+                && !given.handed_out
+                && order.is_none_or(|order| given.order < order);
         }
         if !is_hidden {
-            self.around(scope).into_iter().for_each(|outer| self.visible(outer, named, None, seen, found));
+            let outer = self.around(scope).into_iter();
+            outer.for_each(|outer| self.visible((outer, guard), named, None, seen, found));
         }
     }
 
@@ -106,12 +112,17 @@ impl TextNames {
     /// may leave out.
     fn latest(&self, used: &Used, found: BTreeSet<u32>) -> BTreeSet<u32> {
         let given = |id: &u32| self.given.get(*id as usize);
+        let is_sure = |id: &u32| given(id).is_some_and(|given| self.is_sure(given, used.guard));
         if used.class == Class::Argument {
-            // the first one counts
-            let first = found.iter().copied().find(|id| given(id).is_some_and(|given| given.is_sure));
-            return first
-                .filter(|first| found.first() == Some(first))
-                .map_or(found, |first| BTreeSet::from([first]));
+            // the first one counts; macros are called later
+            let outside = found.iter().copied().find(|id| given(id).is_some_and(|given| !given.is_in_body));
+            return match outside.filter(is_sure) {
+                Some(first) => BTreeSet::from([first]),
+                None => found,
+            };
+        }
+        if used.class == Class::Macro {
+            return self.at_that_time(used, found);
         }
         let own =
             |given: &Given| !given.handed_out && given.scopes == used.scopes && given.order < used.order;
@@ -120,7 +131,7 @@ impl TextNames {
             return found;
         }
         let before: BTreeSet<u32> = found.iter().copied().filter(is_own).collect();
-        let sure = before.iter().filter(|id| given(id).is_some_and(|given| given.is_sure));
+        let sure = before.iter().filter(|id| is_sure(id));
         let last = sure.max_by_key(|id| given(id).map(|given| given.order)).copied();
         let since = last.and_then(|id| given(&id)).map_or(0, |given| given.order);
         let later =
@@ -131,6 +142,68 @@ impl TextNames {
                 .into_iter()
                 .filter(|id| given(id).is_none_or(|given| given.scopes != used.scopes) || is_own(id))
                 .collect(),
+        }
+    }
+
+    /// Whether a definition is made whenever what stands in a condition is evaluated.
+    fn is_sure(&self, given: &Given, guard: Guard) -> bool {
+        given.is_sure && self.is_within(guard, given.guard)
+    }
+
+    /// Whether a condition is one, or stands in it.
+    pub(super) fn is_within(&self, mut guard: Guard, outer: Guard) -> bool {
+        let around = |guard: Guard| self.guards.get(guard.0.checked_sub(1)? as usize).copied();
+        while guard != outer {
+            match around(guard) {
+                Some(next) => guard = next,
+                None => return false,
+            }
+        }
+        true
+    }
+
+    /// Of macros with one name, those that count when a use is evaluated: the last one that is sure to be defined then,
+    /// and those behind it.
+    fn at_that_time(&self, used: &Used, found: BTreeSet<u32>) -> BTreeSet<u32> {
+        let given = |id: &u32| self.given.get(*id as usize);
+        let (first, last) = self.time(used.order, &used.scopes);
+        let before = |id: &u32, time: u32| given(id).is_some_and(|given| given.order < time);
+        let sure = found.iter().filter(|id| before(id, first));
+        let sure = sure.filter(|id| given(id).is_some_and(|given| self.is_sure(given, used.guard)));
+        let Some(since) = sure.filter_map(|id| Some(given(id)?.order)).max() else { return found };
+        found.into_iter().filter(|id| before(id, last) && !before(id, since)).collect()
+    }
+
+    /// When something in these scopes is evaluated, the first time and the last, as places in the order of evaluation: what stands in
+    /// a macro when that is called.
+    fn time(&self, order: u32, scopes: &[ScopeId]) -> (u32, u32) {
+        let mut found = NEVER;
+        for scope in scopes {
+            let of = match self.scopes.get(scope.0 as usize) {
+                Some(Scope::Body(of) | Scope::Callers(of)) => Some(of),
+                _ => None,
+            };
+            let time = of.map_or(Some((order, order)), |of| self.called_at.get(of).copied());
+            found = wider(found, time.unwrap_or(NEVER));
+        }
+        if found == NEVER { (order, u32::MAX) } else { found }
+    }
+
+    /// Work out when macros are called, of which the calls are known.
+    pub(super) fn set_times(&mut self, calls: &FastMap<u32, Vec<u32>>) {
+        let macros: Vec<u32> = calls.keys().copied().collect();
+        // a call in a macro is made when that is called: what one round adds, the next hands on
+        for _ in 0..MOST_CALLS {
+            let mut found: FastMap<u32, (u32, u32)> = FastMap::default();
+            for of in &macros {
+                let own = calls.get(of).into_iter().flatten().filter_map(|id| self.used.get(*id as usize));
+                let times = own.map(|used| self.time(used.order, &used.scopes));
+                found.insert(*of, times.fold(NEVER, wider));
+            }
+            if found == self.called_at {
+                break;
+            }
+            self.called_at = found;
         }
     }
 
@@ -242,6 +315,14 @@ impl TextNames {
 }
 
 const MOST_STEPS: usize = 32;
+/// Calls inside of calls that are followed back.
+const MOST_CALLS: u32 = 8;
+/// The first time and the last of what is never evaluated.
+const NEVER: (u32, u32) = (u32::MAX, 0);
+
+fn wider(one: (u32, u32), other: (u32, u32)) -> (u32, u32) {
+    (one.0.min(other.0), one.1.max(other.1))
+}
 
 fn joined(outer: &str, inner: &str) -> EcoString {
     match (outer, inner) {

@@ -1,5 +1,6 @@
 //! Going to definitions, finding references.
 
+use super::branches::inside;
 use crate::convert::location;
 use std::sync::Arc;
 
@@ -89,6 +90,10 @@ pub fn definition(
         return Ok(file_target(state, &asked, origin, &place, state.client.links.definition));
     }
     let found = symbol.or_else(|| ide::definitions(&asked.cx(), asked.offset));
+    let found = match found {
+        Some(found) => Some(found),
+        None => inside(state, &asked, cancel)?.and_then(|asked| ide::definitions(&asked.cx(), asked.offset)),
+    };
     let Some((origin, targets)) = found else { return Ok(None) };
     let origin = convert::range(&asked.source.document, origin, state.encoding);
     Ok(places_of(state, origin, &targets, state.client.links.definition))

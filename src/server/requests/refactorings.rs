@@ -20,6 +20,7 @@ use super::actions::sentence_case;
 use super::navigation::Asked;
 use crate::convert;
 use crate::failure::Failure;
+use crate::lifecycle::scan_all;
 use crate::state::State;
 use base::limits::QUICK_PROOF_EXPANSIONS;
 use base::{CancelFlag, TextRange};
@@ -181,10 +182,7 @@ fn refactorings(
     let mut actions = ide::refactorings(&asked.cx(), world, selection);
     if let Some((_, name)) = ide::inlinable(&asked.cx(), selection.start) {
         // files of other robots may read the property
-        state.world.scan(|| cancel.is_cancelled());
-        if !state.world.is_scanned() {
-            return Err(Failure::Cancelled);
-        }
+        scan_all(state, cancel)?;
         let others = state.world.known_files().into_iter().filter(|file| !asked.analyzed.includes(file));
         let reads =
             |file: &Path| state.world.document(file).is_some_and(|own| mentions(&own.document, &name));

@@ -1,5 +1,6 @@
 //! All uses of a name: in the robot that the file is shown under, in the others that share it, and in YAML files.
 
+use super::branches::inside;
 use super::navigation::asked;
 use crate::convert::places;
 use std::path::PathBuf;
@@ -8,6 +9,7 @@ use lsp_types::{Location, ReferenceParams};
 
 use super::navigation::Asked;
 use crate::failure::Failure;
+use crate::lifecycle::scan_all;
 use crate::state::State;
 use analysis::Analyzed;
 use base::limits::RENAME_ROBOTS;
@@ -22,8 +24,13 @@ pub fn references(
     params: ReferenceParams,
     cancel: &CancelFlag,
 ) -> Result<Option<Vec<Location>>, Failure> {
-    whole_workspace(state, cancel)?;
-    let asked = asked(state, &params.text_document_position, cancel)?;
+    // a robot that nobody has seen yet may use the name too
+    scan_all(state, cancel)?;
+    let mut asked = asked(state, &params.text_document_position, cancel)?;
+    let is_name = |asked: &Asked| ide::robot_name_at(&asked.cx(), asked.offset).is_some();
+    if ide::kind_at(&asked.cx(), &asked.names(state), asked.offset).is_none() && !is_name(&asked) {
+        asked = inside(state, &asked, cancel)?.unwrap_or(asked);
+    }
     let with_definition = params.context.include_declaration;
     let mut uses = ide::occurrences(&asked.cx(), &asked.names(state), asked.offset);
     let is_symbol = ide::kind_at(&asked.cx(), &asked.names(state), asked.offset).is_some();
@@ -41,14 +48,6 @@ pub fn references(
     }
     let mut places = places(state);
     Ok(Some(spans.into_iter().filter_map(|span| places.location(span)).collect()))
-}
-
-/// Look at all files of the workspace: a robot that nobody has seen yet may use a name too.
-pub fn whole_workspace(state: &mut State, cancel: &CancelFlag) -> Result<(), Failure> {
-    match state.world.scan(|| cancel.is_cancelled()) {
-        Some(_) => Err(Failure::Cancelled),
-        None => Ok(()),
-    }
 }
 
 /// The other robots that read the text which gives a name; their uses are added.

@@ -1,5 +1,6 @@
 //! Renaming names in all files that use them.
 
+use super::branches::{in_all_robots, inside};
 use super::navigation::asked;
 use crate::convert::location;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -12,11 +13,11 @@ use lsp_types::{
 };
 
 use super::navigation::Asked;
-use super::references::whole_workspace;
 use crate::convert;
 use crate::failure::Failure;
+use crate::lifecycle::scan_all;
 use crate::state::State;
-use analysis::{Obstacle, RootChoice};
+use analysis::{NewName, Obstacle, RootChoice};
 use base::limits::{QUICK_PROOF_EXPANSIONS, RENAME_ROBOTS};
 use base::{CancelFlag, Span, TextRange};
 use expand::SymbolKind;
@@ -29,7 +30,7 @@ pub fn prepare_rename(
     params: TextDocumentPositionParams,
     cancel: &CancelFlag,
 ) -> Result<Option<PrepareRenameResponse>, Failure> {
-    let asked = asked(state, &params, cancel)?;
+    let asked = asked_for_name(state, &params, cancel)?;
     let found = ide::renameable(&asked.cx(), &asked.names(state), asked.offset);
     Ok(found.map(|(range, placeholder)| {
         let range = convert::range(&asked.source.document, range, state.encoding);
@@ -42,19 +43,25 @@ pub fn rename(
     params: RenameParams,
     cancel: &CancelFlag,
 ) -> Result<Option<WorkspaceEdit>, Failure> {
-    whole_workspace(state, cancel)?;
-    let asked = asked(state, &params.text_document_position, cancel)?;
+    scan_all(state, cancel)?;
+    let asked = asked_for_name(state, &params.text_document_position, cancel)?;
     let new = params.new_name.as_str();
     let names = asked.names(state);
     let mut spans = ide::rename(&asked.cx(), &names, asked.offset, new).map_err(Failure::Refused)?;
     let kind = ide::kind_at(&asked.cx(), &names, asked.offset);
+    let old = ide::renameable(&asked.cx(), &names, asked.offset).map(|(_, old)| old).unwrap_or_default();
+    let name = match kind {
+        None => NewName::Robot { old: &old, new },
+        Some(SymbolKind::Argument) => NewName::Argument { old: &old, new },
+        Some(_) => NewName::Xacro,
+    };
     match kind {
-        Some(_) => {
-            in_other_robots(state, &asked, &mut spans, cancel)?;
-            admit_new_name(state, &asked, kind, new, &spans, cancel)?;
-            spans.extend(in_presets(state, &asked));
-        }
-        None => in_further_robots(state, &asked, new, &mut spans, cancel)?,
+        Some(_) => in_other_robots(state, &asked, &mut spans, cancel)?,
+        None => in_all_robots(state, &asked, (&old, new), &mut spans, cancel)?,
+    }
+    admit_new_name(state, &asked, name, new, &spans, cancel)?;
+    if kind.is_some() {
+        spans.extend(in_presets(state, &asked));
     }
     spans.sort_by_key(|span| (span.file, span.range.start));
     spans.dedup();
@@ -69,20 +76,29 @@ pub fn rename(
     Ok(Some(annotated(state, edits)))
 }
 
-/// Whether robots stay what they are when a name of xacro is another one; names of links and joints are meant to change
-/// them.
+/// A place with a name; where nothing evaluated it, in the expansion that takes the branch around it.
+fn asked_for_name(
+    state: &mut State,
+    at: &TextDocumentPositionParams,
+    cancel: &CancelFlag,
+) -> Result<Asked, Failure> {
+    let asked = asked(state, at, cancel)?;
+    if ide::renameable(&asked.cx(), &asked.names(state), asked.offset).is_some() {
+        return Ok(asked);
+    }
+    Ok(inside(state, &asked, cancel)?.unwrap_or(asked))
+}
+
+/// Whether robots stay what they are but for the name.
 fn admit_new_name(
     state: &mut State,
     asked: &Asked,
-    kind: Option<SymbolKind>,
+    name: NewName<'_>,
     new: &str,
     spans: &[Span],
     cancel: &CancelFlag,
 ) -> Result<(), Failure> {
-    let Some(first) = spans.first() else { return Ok(()) };
     let vfs = state.world.session().vfs.clone();
-    let document = vfs.document(&vfs.path(first.file)).map_err(|_| Failure::Cancelled)?;
-    let old = document.document.slice(first.range);
     let mut replaced: BTreeMap<PathBuf, Vec<(TextRange, String)>> = BTreeMap::new();
     for span in spans {
         let path = vfs.path(span.file).to_path_buf();
@@ -94,23 +110,24 @@ fn admit_new_name(
         roots.extend(further.filter(|root| !roots.contains(root)).collect::<Vec<_>>());
     }
     roots.truncate(QUICK_PROOF_EXPANSIONS);
-    let argument = (kind == Some(SymbolKind::Argument)).then_some((old.as_str(), new));
     let replaced = replaced.into_iter().collect();
-    let changed = state.world.session().changed_robot(replaced, &roots, argument, cancel);
+    let changed = state.world.session().changed_robot(replaced, &roots, name, cancel);
     if cancel.is_cancelled() {
         return Err(Failure::Cancelled);
     }
-    let Some(Obstacle { robot, condition }) = changed else { return Ok(()) };
+    changed.map_or(Ok(()), |obstacle| Err(Failure::Refused(refusal(new, &obstacle))))
+}
+
+/// Why a name is refused: the robot that would be another one.
+fn refusal(new: &str, obstacle: &Obstacle) -> String {
     let shown = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let condition = condition.map(|(file, line, taken)| {
-        format!(
-            ", {} at {}:{line}",
-            if taken { "with the condition taken" } else { "without the condition" },
-            shown(&file)
-        )
+    let condition = obstacle.condition.as_ref().map(|(file, line, taken)| {
+        let how = if *taken { "with the condition taken" } else { "without the condition" };
+        format!(", {how} at {}:{line}", shown(file))
     });
-    let (robot, condition) = (shown(&robot), condition.unwrap_or_default());
-    Err(Failure::Refused(format!("the name `{new}` would change the robot `{robot}`{condition}")))
+    let (robot, condition) = (shown(&obstacle.robot), condition.unwrap_or_default());
+    let difference = obstacle.difference.as_ref().map(|what| format!(": {what}")).unwrap_or_default();
+    format!("the name `{new}` would change the robot `{robot}`{condition}{difference}")
 }
 
 /// Whether a file may be changed with the user's consent, which for files outside of the workspace the client has
@@ -127,44 +144,6 @@ fn admit_edit(state: &State, path: &Path) -> Result<(), Failure> {
         true => Ok(()),
         false => Err(Failure::Refused(format!("`{shown}` is not in the workspace and is not changed"))),
     }
-}
-
-/// The texts of links, joints and materials in the other robots that read the files to be changed.
-fn in_further_robots(
-    state: &mut State,
-    asked: &Asked,
-    new: &str,
-    spans: &mut Vec<Span>,
-    cancel: &CancelFlag,
-) -> Result<(), Failure> {
-    let first = spans.clone();
-    let files: BTreeSet<_> = first.iter().map(|span| span.file).collect();
-    let paths = files.into_iter().map(|file| state.world.session().vfs.path(file));
-    let paths: Vec<_> = paths.collect();
-    let mut roots = Vec::new();
-    for path in paths {
-        for (root, _) in state.world.context(&path).candidates {
-            if root != asked.analyzed.root && !roots.contains(&root) {
-                roots.push(root);
-            }
-        }
-    }
-    for root in roots.into_iter().take(RENAME_ROBOTS) {
-        let analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
-        let (expansion, robot) = (&analyzed.expansion, analyzed.robot.as_ref());
-        let session = state.world.session();
-        let settings = session.settings(&root.file);
-        let names = TextNames::of(expansion, session.surroundings(&settings.config));
-        for span in &first {
-            let file = expansion.files.iter().find(|file| file.source.id == span.file);
-            let Some(source) = file.map(|file| &*file.source) else { continue };
-            let cx = Cx { source, expansion, robot, kinematics: analyzed.kinematics.as_ref(), pinned: None };
-            if ide::renameable(&cx, &names, span.range.start).is_some_and(|(range, _)| range == span.range) {
-                spans.extend(ide::rename(&cx, &names, span.range.start, new).map_err(Failure::Refused)?);
-            }
-        }
-    }
-    Ok(())
 }
 
 /// Where configuration files, and comments that name a root, give the argument at a place a value, for robots that

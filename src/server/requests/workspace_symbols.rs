@@ -2,9 +2,9 @@
 
 use lsp_types::{Location, SymbolInformation, SymbolKind, WorkspaceSymbolParams};
 
-use super::references::whole_workspace;
 use crate::convert;
 use crate::failure::Failure;
+use crate::lifecycle::scan_all;
 use crate::state::State;
 use base::CancelFlag;
 use base::limits::WORKSPACE_SYMBOLS;
@@ -17,7 +17,7 @@ pub fn workspace_symbols(
     cancel: &CancelFlag,
 ) -> Result<Option<Vec<SymbolInformation>>, Failure> {
     // what was not looked at yet belongs to the answer too
-    whole_workspace(state, cancel)?;
+    scan_all(state, cancel)?;
     let mut found: Vec<(u32, SymbolInformation)> = Vec::new();
     for path in state.world.known_files() {
         if cancel.is_cancelled() {

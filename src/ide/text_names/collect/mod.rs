@@ -7,7 +7,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::files::Files;
-use super::{Class, Given, Scope, ScopeId, TextNames};
+use super::{Class, Given, Guard, Scope, ScopeId, TextNames};
 use base::{FastMap, FastSet, FileId, Span, TextRange};
 use expand::{Expansion, SymbolKind, UseKind, parse_params};
 use facts::{FactsOf, facts_of, is_keyword};
@@ -27,11 +27,17 @@ impl TextNames {
             let mut reader = Reader {
                 names: &mut names,
                 files: &files,
-                seen: FastSet::default(),
+                seen: FastMap::default(),
+                several: FastSet::default(),
                 known: FastMap::default(),
                 order: 0,
             };
-            reader.file(&root, ScopeId(0), true, 0);
+            let at = At { scope: ScopeId(0), guard: Guard::default(), is_sure: true, is_in_body: false };
+            reader.file(&root, at, 0);
+            let several = reader.several;
+            let of = |span: Span| several.contains(&span.file);
+            names.given.iter_mut().filter(|given| of(given.span)).for_each(|given| given.is_sure = false);
+            names.used.iter_mut().filter(|used| of(used.span)).for_each(|used| used.guard = Guard::default());
         }
         for (id, given) in (0..).zip(&names.given) {
             names.by_name.entry((Class::of(given.kind), given.name.clone())).or_default().push(id);
@@ -42,15 +48,12 @@ impl TextNames {
 
     /// Work out what the bodies of macros and blocks see.
     fn connect(&mut self) {
-        let calls = self.used.iter().filter(|used| used.class == Class::Macro && !used.is_end);
+        let calls = (0..).zip(&self.used).filter(|(_, used)| used.class == Class::Macro && !used.is_end);
         let mut entered: FastMap<Scope, Vec<ScopeId>> = FastMap::default();
-        for used in calls {
-            let name = if used.of.is_empty() {
-                used.name.clone()
-            } else {
-                ecow::eco_format!("{}.{}", used.of, used.name)
-            };
-            for of in self.macros(&name, &used.scopes) {
+        let mut calls_of: FastMap<u32, Vec<u32>> = FastMap::default();
+        for (call, used) in calls {
+            for of in self.macros(&used.called(), &used.scopes) {
+                calls_of.entry(of).or_default().push(call);
                 entered.entry(Scope::Callers(of)).or_default().extend(&used.scopes);
                 // a macro of a namespace sees that, and not who calls it
                 let own = self.given.get(of as usize).map_or(&[][..], |given| &given.scopes);
@@ -58,6 +61,7 @@ impl TextNames {
                 entered.entry(Scope::Body(of)).or_default().extend(seen);
             }
         }
+        self.set_times(&calls_of);
         self.set_entered(entered);
         let mut entered: FastMap<Scope, Vec<ScopeId>> = FastMap::default();
         for used in self.used.iter().filter(|used| used.kind == UseKind::Insert) {
@@ -82,8 +86,10 @@ impl TextNames {
 struct Reader<'a> {
     names: &'a mut TextNames,
     files: &'a Files<'a>,
-    /// Files with the scopes that they were read in.
-    seen: FastSet<(FileId, ScopeId)>,
+    /// Files with the scopes that they were read in, and the condition around that.
+    seen: FastMap<(FileId, ScopeId), Guard>,
+    /// Files that several conditions bring in.
+    several: FastSet<FileId>,
     /// Definitions and uses by place.
     known: FastMap<(Span, bool), u32>,
     order: u32,
@@ -93,7 +99,9 @@ struct Reader<'a> {
 #[derive(Clone, Copy)]
 struct At {
     scope: ScopeId,
-    /// Whether it is evaluated whenever its scope is.
+    /// The innermost condition around it.
+    guard: Guard,
+    /// Whether it is evaluated whenever the conditions around it are taken.
     is_sure: bool,
     is_in_body: bool,
 }
@@ -116,16 +124,24 @@ impl Part<'_> {
 }
 
 impl Reader<'_> {
-    fn file(&mut self, source: &Arc<SourceFile>, scope: ScopeId, is_sure: bool, depth: u32) {
-        if depth > MOST_DEEP || !self.seen.insert((source.id, scope)) {
+    fn file(&mut self, source: &Arc<SourceFile>, at: At, depth: u32) {
+        let key = (source.id, at.scope);
+        if let Some(&first) = self.seen.get(&key) {
+            if !self.names.is_within(at.guard, first) {
+                self.several.insert(source.id);
+            }
             return;
         }
+        if depth > MOST_DEEP {
+            return;
+        }
+        self.seen.insert(key, at.guard);
         self.names.files.insert(source.id);
         for (base, item) in source.document.parts() {
             if item.text().contains("xacro:") || item.text().contains('$') {
                 let facts = facts_of(item);
                 let part = Part { source, base, facts: &facts, depth };
-                self.item(&part, item, At { scope, is_sure, is_in_body: false });
+                self.item(&part, item, at);
             }
         }
     }
@@ -148,7 +164,7 @@ impl Reader<'_> {
                 open.extend(inside.map(|inside| (range.end, inside)));
             } else {
                 while let Some(site) = sites.next_if(|site| site.range.start < range.end) {
-                    self.mentions(part, site, at.scope, false);
+                    self.mentions(part, site, at, false);
                 }
             }
         }
@@ -157,7 +173,10 @@ impl Reader<'_> {
     /// Read an element; answers with what holds inside of it when that is something else.
     fn element(&mut self, part: &Part<'_>, node: Node<'_>, at: At) -> Option<At> {
         match node.name() {
-            "xacro:if" | "xacro:unless" => return Some(At { is_sure: false, ..at }),
+            "xacro:if" | "xacro:unless" => {
+                self.names.guards.push(at.guard);
+                return Some(At { guard: Guard(self.names.guards.len() as u32), ..at });
+            }
             "xacro:property" => return self.property(part, node, at),
             "xacro:macro" => return self.macro_definition(part, node, at),
             "xacro:arg" => {
@@ -172,7 +191,7 @@ impl Reader<'_> {
             "xacro:include" => self.include(part, node, at),
             "xacro:insert_block" => {
                 let name = named(node, "name")?;
-                self.uses(part, UseKind::Insert, Class::Block, name, at.scope, "");
+                self.uses(part, UseKind::Insert, Class::Block, name, at, "");
             }
             "xacro:call" => {
                 let (name, range) = named(node, "macro")?;
@@ -196,7 +215,7 @@ impl Reader<'_> {
     fn property(&mut self, part: &Part<'_>, node: Node<'_>, at: At) -> Option<At> {
         let name = named(node, "name")?;
         if node.attr("remove").is_some_and(|remove| matches!(remove.raw(), "true" | "True" | "1")) {
-            self.uses(part, UseKind::Read, Class::Value, name, at.scope, "");
+            self.uses(part, UseKind::Read, Class::Value, name, at, "");
             return None;
         }
         let has_value = node.attr("value").is_some() || node.attr("default").is_some();
@@ -211,8 +230,7 @@ impl Reader<'_> {
         if let Some(given) = self.names.given.get_mut(id as usize) {
             given.handed_out = scope == "parent";
         }
-        let body = || At { scope: ScopeId(0), is_sure: true, is_in_body: true };
-        (!has_value).then(|| At { scope: self.scope(Scope::Body(id)), ..body() })
+        (!has_value).then(|| At { scope: self.scope(Scope::Body(id)), is_sure: true, is_in_body: true, ..at })
     }
 
     fn macro_definition(&mut self, part: &Part<'_>, node: Node<'_>, at: At) -> Option<At> {
@@ -221,7 +239,7 @@ impl Reader<'_> {
         let range = TextRange::new(range.end - bare.len() as u32, range.end);
         let of = self.give(part, node, SymbolKind::Macro, (bare, range), at);
         let (body, callers) = (self.scope(Scope::Body(of)), self.scope(Scope::Callers(of)));
-        let inside = At { scope: body, is_sure: true, is_in_body: true };
+        let inside = At { scope: body, is_sure: true, is_in_body: true, ..at };
         if let Some(attr) = node.attr("params") {
             self.params(part, attr, of, inside, callers);
         }
@@ -248,10 +266,13 @@ impl Reader<'_> {
                 handed_out: false,
                 order: self.order,
                 is_sure: true,
+                guard: inside.guard,
+                is_in_body: true,
             });
             debug_assert!((id as usize) < self.names.given.len());
             if param.forward {
-                self.uses(part, UseKind::Read, Class::Value, (name, range), callers, "");
+                let at = At { scope: callers, ..inside };
+                self.uses(part, UseKind::Read, Class::Value, (name, range), at, "");
             }
         }
     }
@@ -271,7 +292,8 @@ impl Reader<'_> {
         let tag = part.span(TextRange::new(name.start - 1, name.end));
         let filename = filename.value(&Entities::default()).into_owned();
         for file in self.files.of(part.source, tag, &filename) {
-            self.file(&file, scope, at.is_sure, part.depth + 1);
+            self.names.included_at.entry(file.id).or_default().push(tag);
+            self.file(&file, At { scope, ..at }, part.depth + 1);
         }
     }
 }

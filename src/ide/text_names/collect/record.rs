@@ -2,7 +2,7 @@
 
 use ecow::EcoString;
 
-use super::super::{Class, Given, Scope, ScopeId, Used};
+use super::super::{Class, Given, Guard, Scope, ScopeId, Used};
 use super::{At, Part, Reader};
 use base::TextRange;
 use expand::{SymbolKind, UseKind};
@@ -18,7 +18,7 @@ impl Reader<'_> {
         });
         for attr in given {
             let name = (attr.name().into(), attr.name_range());
-            self.uses(part, UseKind::Given, Class::Value, name, at.scope, called);
+            self.uses(part, UseKind::Given, Class::Value, name, at, called);
         }
     }
 
@@ -26,12 +26,12 @@ impl Reader<'_> {
     pub(super) fn tag(&mut self, part: &Part<'_>, called: &str, range: TextRange, at: At) {
         let (path, last) = called.rsplit_once('.').unwrap_or(("", called));
         let own = TextRange::new(range.end - last.len() as u32, range.end);
-        self.uses(part, UseKind::Call, Class::Macro, (last.into(), own), at.scope, path);
+        self.uses(part, UseKind::Call, Class::Macro, (last.into(), own), at, path);
         let mut start = range.start;
         let mut before = String::new();
         for name in path.split('.').filter(|name| !name.is_empty()) {
             let own = TextRange::new(start, start + name.len() as u32);
-            self.uses(part, UseKind::Read, Class::Value, (name.into(), own), at.scope, &before);
+            self.uses(part, UseKind::Read, Class::Value, (name.into(), own), at, &before);
             start = own.end + 1;
             before = if before.is_empty() { name.to_owned() } else { format!("{before}.{name}") };
         }
@@ -49,30 +49,30 @@ impl Reader<'_> {
                     _ => None,
                 });
                 let callers = of.map_or(at.scope, |of| self.scope(Scope::Callers(of)));
-                self.mentions(part, site, callers, false);
+                self.mentions(part, site, At { scope: callers, ..at }, false);
             }
             "xacro:property" => {
                 let at_once = node.attr("lazy_eval").is_some() || node.attr("scope").is_some();
-                self.mentions(part, site, at.scope, !at_once && !is("name"));
+                self.mentions(part, site, at, !at_once && !is("name"));
             }
-            _ => self.mentions(part, site, at.scope, false),
+            _ => self.mentions(part, site, at, false),
         }
     }
 
-    pub(super) fn mentions(&mut self, part: &Part<'_>, site: &Site, scope: ScopeId, is_lazy: bool) {
+    pub(super) fn mentions(&mut self, part: &Part<'_>, site: &Site, at: At, is_lazy: bool) {
         let mut path = String::new();
         let first = self.names.used.len();
         for mention in &site.mentions {
             let name = (mention.name.clone(), mention.range);
             match mention.kind {
                 MentionKind::Package => {}
-                MentionKind::Argument => self.uses(part, UseKind::Read, Class::Argument, name, scope, ""),
+                MentionKind::Argument => self.uses(part, UseKind::Read, Class::Argument, name, at, ""),
                 MentionKind::Name => {
                     path = mention.name.to_string();
-                    self.uses(part, UseKind::Read, Class::Value, name, scope, "");
+                    self.uses(part, UseKind::Read, Class::Value, name, at, "");
                 }
                 MentionKind::Member => {
-                    self.uses(part, UseKind::Read, Class::Value, name, scope, &path);
+                    self.uses(part, UseKind::Read, Class::Value, name, at, &path);
                     path = format!("{path}.{}", mention.name);
                 }
             }
@@ -107,6 +107,8 @@ impl Reader<'_> {
             handed_out: false,
             order: self.order,
             is_sure: at.is_sure,
+            guard: at.guard,
+            is_in_body: at.is_in_body,
         })
     }
 
@@ -116,7 +118,10 @@ impl Reader<'_> {
         let next = self.names.given.len() as u32;
         let id = *self.known.entry((given.span, true)).or_insert(next);
         match self.names.given.get_mut(id as usize) {
-            Some(known) => add_scopes(&mut known.scopes, &given.scopes),
+            Some(known) => {
+                add_scopes(&mut known.scopes, &given.scopes);
+                known.is_sure &= known.guard == given.guard;
+            }
             None => self.names.given.push(given),
         }
         id
@@ -128,7 +133,7 @@ impl Reader<'_> {
         kind: UseKind,
         class: Class,
         (name, range): (EcoString, TextRange),
-        scope: ScopeId,
+        at: At,
         of: &str,
     ) {
         self.order += 1;
@@ -136,15 +141,19 @@ impl Reader<'_> {
         let next = self.names.used.len() as u32;
         let id = *self.known.entry((span, false)).or_insert(next);
         match self.names.used.get_mut(id as usize) {
-            Some(known) => add_scopes(&mut known.scopes, &[scope]),
+            Some(known) => {
+                add_scopes(&mut known.scopes, &[at.scope]);
+                known.guard = if known.guard == at.guard { at.guard } else { Guard::default() };
+            }
             None => self.names.used.push(Used {
                 kind,
                 class,
                 name,
                 span,
-                scopes: vec![scope],
+                scopes: vec![at.scope],
                 of: of.into(),
                 order: self.order,
+                guard: at.guard,
                 is_lazy: false,
                 is_end: false,
             }),

@@ -1,0 +1,209 @@
+//! Proof that a rename leaves every robot as it is, but for the name.
+//!
+//! All robots that read a changed file are expanded before and after: as their arguments say, with their presets, with each switch turned over, and with each condition of a changed file taken and not, one at a time.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::analyzed::job_of;
+use super::context::RootChoice;
+use super::plan::apply;
+use super::proof::{CONDITIONS, Changed, Effort, Roots, Trial, enclosing, turned_over};
+use super::roots::Job;
+use super::runs::{Run, Setting};
+use super::session::Session;
+use base::{CancelFlag, TextRange};
+use ecow::EcoString;
+use expand::Forced;
+use model::{other_difference, same_robot};
+use xml::{Document, Node, NodeKind};
+
+/// Decisions of conditions that change something, tried for one rename.
+const MOST_FORCED: usize = 200;
+/// Arguments of one robot that are switches and are turned over.
+const MOST_SWITCHES: usize = 8;
+
+/// Texts of files replaced, each file once.
+pub type Replaced = Vec<(PathBuf, Vec<(TextRange, String)>)>;
+
+/// What gets another name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NewName<'a> {
+    /// A name of xacro: robots stay what they are.
+    Xacro,
+    /// An argument: who gives it gives it under the new name.
+    Argument {
+        /// Its name as it is.
+        old: &'a str,
+        /// Its name as it would be.
+        new: &'a str,
+    },
+    /// A part of the names of links, joints and materials: these change, and nothing else.
+    Robot {
+        /// The part as it is.
+        old: &'a str,
+        /// The part as it would be.
+        new: &'a str,
+    },
+}
+
+/// A robot that would be another one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Obstacle {
+    /// Its file.
+    pub robot: PathBuf,
+    /// The condition under which it is: file, line, and whether it is taken; none: as the arguments say.
+    pub condition: Option<(PathBuf, u32, bool)>,
+    /// What would be different beside names, where that is known.
+    pub difference: Option<String>,
+}
+
+impl Session {
+    /// The first of these robots that would be another one, or refused for other reasons, with texts replaced.
+    pub fn changed_robot(
+        &self,
+        replaced: Replaced,
+        roots: &[RootChoice],
+        name: NewName<'_>,
+        cancel: &CancelFlag,
+    ) -> Option<Obstacle> {
+        let changed = replaced.into_iter().filter_map(|(path, mut edits)| {
+            edits.sort_by_key(|(range, _)| range.start);
+            let source = self.vfs.document(&path).ok()?;
+            let old = source.document.text();
+            let new = apply(&old, &edits);
+            Some(Changed { path: source.path.clone(), old, new, edits })
+        });
+        let changed: Vec<Changed> = changed.collect();
+        let effort = Effort { expansions: 0, roots: Roots::Known(Vec::new()), cancel: cancel.clone() };
+        let trial = Trial::new(self, changed.iter().collect(), &effort)?;
+        let mut left = MOST_FORCED;
+        roots.iter().map(job_of).find_map(|job| trial.obstacle(&job, name, &mut left))
+    }
+}
+
+impl Trial<'_> {
+    /// Whether a robot would be another one, and under which condition.
+    fn obstacle(&self, job: &Job, name: NewName<'_>, left: &mut usize) -> Option<Obstacle> {
+        let plain = Setting { args: job.args.clone(), forced: Vec::new() };
+        let before = self.run(job, &self.session.vfs, &plain);
+        let found = |condition, difference| Obstacle { robot: job.file.clone(), condition, difference };
+        let found = |condition, difference| {
+            Some(found(condition, difference)).filter(|_| !self.effort.cancel.is_cancelled())
+        };
+        if let Err(difference) = self.is_same(&before, &self.renamed_run(job, &plain, name), name) {
+            return found(None, difference);
+        }
+        for setting in switched(job, &before) {
+            let before = self.run(job, &self.session.vfs, &setting);
+            if let Err(difference) = self.is_same(&before, &self.renamed_run(job, &setting, name), name) {
+                return found(None, difference);
+            }
+        }
+        for (path, at, forced) in self.conditions(&before) {
+            if *left == 0 || self.effort.cancel.is_cancelled() {
+                break;
+            }
+            let taken = forced.last().is_some_and(|forced| forced.taken);
+            let setting = Setting { args: job.args.clone(), forced };
+            let forced = self.run(job, &self.session.vfs, &setting);
+            // what changes nothing is what was proved
+            if forced.text == before.text && forced.failures == before.failures {
+                continue;
+            }
+            *left -= 1;
+            if let Err(difference) = self.is_same(&forced, &self.renamed_run(job, &setting, name), name) {
+                return found(Some((path, at, taken)), difference);
+            }
+        }
+        None
+    }
+
+    /// What a setting gives afterwards.
+    fn renamed_run(&self, job: &Job, setting: &Setting, name: NewName<'_>) -> Arc<Run> {
+        let moved = |forced: &Forced| Forced { at: self.moved(forced), ..forced.clone() };
+        let args = setting.args.iter().map(|(given, value)| match name {
+            NewName::Argument { old, new } if given == old => (new.to_owned(), value.clone()),
+            _ => (given.clone(), value.clone()),
+        });
+        let setting = Setting { args: args.collect(), forced: setting.forced.iter().map(moved).collect() };
+        self.run(job, &self.after, &setting)
+    }
+
+    /// That a robot is the same before and after, or is refused for the same reasons; else what is different, if that is known.
+    fn is_same(&self, before: &Run, after: &Run, name: NewName<'_>) -> Result<(), Option<String>> {
+        let holds = |same: bool| if same { Ok(()) } else { Err(None) };
+        if before.refused || after.refused {
+            let moved = before.failures.iter().map(|(code, path, at)| {
+                let changed = self.changed.iter().find(|changed| *changed.path == **path);
+                (*code, path.clone(), changed.map_or(*at, |changed| changed.moved(*at)))
+            });
+            return holds(before.refused && after.refused && moved.eq(after.failures.iter().cloned()));
+        }
+        if before.text == after.text {
+            return Ok(());
+        }
+        match name {
+            NewName::Robot { old, new } => match other_difference(&before.text, &after.text, old, new) {
+                Some(difference) => Err(Some(difference)),
+                None => Ok(()),
+            },
+            _ => holds(same_robot(&before.text, &after.text) == Some(true)),
+        }
+    }
+
+    /// The conditions that may matter, each taken and not, those around it taken: file, line, what is decided. They are
+    /// those of the changed files, and where such a file takes no part, those around includes.
+    fn conditions(&self, before: &Run) -> Vec<(PathBuf, u32, Vec<Forced>)> {
+        let is_changed = |path: &Path| self.changed.iter().any(|changed| *changed.path == *path);
+        let is_missing = self.changed.iter().any(|changed| !before.reads(&changed.path));
+        let changed = self.changed.iter().map(|changed| changed.path.to_path_buf());
+        let mut paths: Vec<PathBuf> = changed.collect();
+        paths.extend(before.files().iter().filter(|path| is_missing && !is_changed(path)).cloned());
+        let mut found = Vec::new();
+        for path in paths {
+            let Ok(source) = self.session.vfs.document(&path) else { continue };
+            for range in conditions_of(&source.document, !is_changed(&path)) {
+                let line = source.document.line_col(range.start, base::Encoding::Utf8).line + 1;
+                let around = enclosing(&source.document, range, &CONDITIONS);
+                let force = |at: u32, taken: bool| Forced { file: path.clone(), at, taken };
+                let outer: Vec<Forced> = around.iter().map(|range| force(range.start, true)).collect();
+                for taken in [true, false] {
+                    let own = outer.iter().cloned().chain([force(range.start, taken)]).collect();
+                    found.push((path.clone(), line, own));
+                }
+            }
+        }
+        found
+    }
+}
+
+/// A robot with each of its switches turned over.
+fn switched(job: &Job, before: &Run) -> Vec<Setting> {
+    let turned = before.arguments.iter().filter_map(|(name, value)| match turned_over(value).as_slice() {
+        [other] => Some((name, *other)),
+        _ => None,
+    });
+    let with = |(name, value): (&EcoString, &str)| Setting {
+        args: job.args.iter().cloned().chain([(name.to_string(), value.to_owned())]).collect(),
+        forced: Vec::new(),
+    };
+    turned.take(MOST_SWITCHES).map(with).collect()
+}
+
+/// The conditions of a document; only those around includes, when nothing else matters.
+fn conditions_of(document: &Document, around_includes: bool) -> Vec<TextRange> {
+    let mut found = Vec::new();
+    for (base, item) in document.parts() {
+        let elements = item.all_nodes().filter(|node| node.kind() == NodeKind::Element);
+        for node in elements.filter(|node| CONDITIONS.contains(&node.name())) {
+            let range = node.range();
+            let include =
+                |inner: Node<'_>| inner.name() == "xacro:include" && range.contains_range(inner.range());
+            if !around_includes || item.all_nodes().any(include) {
+                found.push(range.shift(base));
+            }
+        }
+    }
+    found
+}

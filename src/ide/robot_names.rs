@@ -1,0 +1,174 @@
+//! Where the robot's links, joints and materials are named: in the expanded document, with the texts that say so.
+
+use super::context::Cx;
+use super::instances::is_within;
+use super::names::{NameUse, place};
+use base::{Span, TextRange};
+use expand::{XId, XKind, XTree, argument};
+use model::Text;
+
+/// The name of a link, joint or material.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RobotThing {
+    /// Its name in the expanded robot.
+    pub name: String,
+    kind: NameKind,
+}
+
+/// The link, joint or material that the text at an offset names.
+pub fn robot_name_at(cx: &Cx<'_>, offset: u32) -> Option<RobotThing> {
+    let (_, names, kind) = named(cx, offset)?;
+    let name = names.first()?.name()?.to_string();
+    Some(RobotThing { name, kind })
+}
+
+/// All places that give or use a name of the robot.
+pub fn uses_of(cx: &Cx<'_>, thing: &RobotThing) -> Vec<NameUse> {
+    let mut found: Vec<NameUse> = Vec::new();
+    for other in all_names(cx).into_iter().filter(|other| other.kind.is(thing.kind)) {
+        let same = other.text.name().is_some_and(|name| *name == *thing.name);
+        let span = written(cx, &other.text).filter(|_| same);
+        if let Some(span) = span
+            && !found.iter().any(|used| used.span == span)
+        {
+            found.push(NameUse { span, is_definition: other.is_definition });
+        }
+    }
+    found
+}
+
+/// What a name is the name of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum NameKind {
+    Link,
+    Joint,
+    /// `gazebo` says only that it means one of both.
+    LinkOrJoint,
+    Material,
+}
+
+impl NameKind {
+    /// Whether two names may mean one thing.
+    pub fn is(self, other: Self) -> bool {
+        let mixed = |a, b| a == Self::LinkOrJoint && b != Self::Material;
+        self == other || mixed(self, other) || mixed(other, self)
+    }
+}
+
+/// A text that gives or names a link, joint or material.
+#[derive(Clone)]
+pub(super) struct RobotName {
+    pub text: Text,
+    pub is_definition: bool,
+    pub kind: NameKind,
+}
+
+/// The names that the attribute value at an offset stands for (it may give several, when a macro is called often):
+/// texts that define them.
+pub(super) fn named_at(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Text>)> {
+    named(cx, offset).map(|(range, names, _)| (range, names))
+}
+
+fn named(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Text>, NameKind)> {
+    let all = all_names(cx);
+    let here = |span: Option<Span>| {
+        span.filter(|span| {
+            span.file == cx.source.id && span.range.start <= offset && offset <= span.range.end
+        })
+    };
+    let mut asked: Vec<(&RobotName, TextRange)> = Vec::new();
+    for name in &all {
+        // its own text, or what a call passes for it
+        let own = here(place(cx, name.text.origin)).or_else(|| here(written(cx, &name.text)));
+        asked.extend(own.map(|span| (name, span.range)));
+    }
+    let &(first, range) = asked.first()?;
+    let picked =
+        |name: &RobotName| cx.pinned.is_some_and(|pin| is_within(cx.expansion, name.text.origin.frame, pin));
+    if asked.iter().any(|(name, _)| picked(name)) {
+        asked.retain(|(name, _)| picked(name));
+    }
+    let given = all.iter().filter(|name| name.is_definition && name.kind.is(first.kind));
+    let is_asked = |text: &Text| asked.iter().any(|(asked, _)| asked.text.value == text.value);
+    let names: Vec<Text> = given.map(|name| &name.text).filter(|text| is_asked(text)).cloned().collect();
+    let names =
+        if names.is_empty() { asked.iter().map(|(name, _)| name.text.clone()).collect() } else { names };
+    Some((range, names, first.kind))
+}
+
+/// The names of links and joints, and the texts that refer to them; true: it is given there.
+pub(super) fn robot_names(cx: &Cx<'_>) -> Vec<(Text, bool)> {
+    let names = all_names(cx).into_iter().filter(|name| name.kind != NameKind::Material);
+    names.map(|name| (name.text, name.is_definition)).collect()
+}
+
+/// All names of links, joints and materials, and the texts that refer to them.
+pub(super) fn all_names(cx: &Cx<'_>) -> Vec<RobotName> {
+    use NameKind::{Joint, Link, LinkOrJoint, Material};
+    let Some(robot) = cx.robot else { return Vec::new() };
+    let tree = &cx.expansion.tree;
+    let mut found: Vec<RobotName> = Vec::new();
+    let mut add = |text: &Option<Text>, is_definition: bool, kind: NameKind| {
+        found.extend(text.iter().map(|text| RobotName { text: text.clone(), is_definition, kind }));
+    };
+    for link in &robot.links {
+        add(&link.name, true, Link);
+        for material in materials(tree, link.element) {
+            let is_given = tree.children(material).any(|child| tree.get(child).kind == XKind::Element);
+            add(&Text::attr(tree, material, "name"), is_given, Material);
+        }
+    }
+    for joint in &robot.joints {
+        add(&joint.name, true, Joint);
+        add(&joint.parent, false, Link);
+        add(&joint.child, false, Link);
+        joint.mimic.iter().for_each(|mimic| add(&mimic.joint, false, Joint));
+    }
+    for gazebo in &robot.gazebo {
+        add(&gazebo.reference, false, LinkOrJoint);
+        let own = contents(tree, gazebo.element).into_iter();
+        own.for_each(|(text, kind)| add(&Some(text), false, kind));
+    }
+    let controlled = robot.controls.iter().flat_map(|control| &control.joints);
+    controlled.for_each(|joint| add(&joint.name, false, Joint));
+    for (_, name) in robot.transmissions.iter().flat_map(|transmission| &transmission.joints) {
+        add(name, false, Joint);
+    }
+    robot.materials.iter().for_each(|material| add(&material.name, true, Material));
+    found
+}
+
+/// The materials in what one sees of a link, and in what it collides with.
+fn materials(tree: &XTree, link: XId) -> impl Iterator<Item = XId> + '_ {
+    let named = move |of: XId, names: &'static [&str]| {
+        tree.children(of).filter(move |child| names.contains(&tree.get(*child).text.as_str()))
+    };
+    named(link, &["visual", "collision"]).flat_map(move |shape| named(shape, &["material"]))
+}
+
+/// What elements in a `gazebo` element say that are there to name a link or joint, as `frameName` of a plugin is.
+fn contents(tree: &XTree, gazebo: XId) -> Vec<(Text, NameKind)> {
+    let mut found = Vec::new();
+    let mut open = vec![gazebo];
+    while let Some(element) = open.pop() {
+        open.extend(tree.children(element).filter(|child| tree.get(*child).kind == XKind::Element));
+        let Some(kind) = meant_by(&tree.get(element).text) else { continue };
+        found.extend(Text::content(tree, element).map(|text| (text, kind)));
+    }
+    found
+}
+
+/// What the content of an element in a plugin names, as its tag says.
+fn meant_by(tag: &str) -> Option<NameKind> {
+    let tag = tag.to_lowercase();
+    let is_link = ["frame", "body", "link"].iter().any(|word| tag.contains(word));
+    match tag.contains("joint") {
+        true => Some(NameKind::Joint),
+        false => is_link.then_some(NameKind::Link),
+    }
+}
+
+/// Where a name is written: in the text itself, or, when that is a parameter of a macro, in the call.
+fn written(cx: &Cx<'_>, text: &Text) -> Option<Span> {
+    place(cx, argument(cx.expansion, text.origin).unwrap_or(text.origin))
+}
