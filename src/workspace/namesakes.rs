@@ -15,6 +15,15 @@ use vfs::Vfs;
 pub(super) struct Index(FastMap<String, Vec<PathBuf>>);
 
 impl Packages {
+    /// The files of a name in the sources around a file, whatever the case of its letters, sorted.
+    pub fn files_named(&self, name: &str, from: &Path) -> Vec<PathBuf> {
+        let Some(top) = self.sources_around(from) else { return Vec::new() };
+        let index = self.indexes.get(top.clone(), || Arc::new(Index::of(&self.vfs, &top)));
+        let mut found = index.0.get(&name.to_lowercase()).cloned().unwrap_or_default();
+        found.sort();
+        found
+    }
+
     /// A file of the name of `missing`, whatever the case of its letters, in `package` (a folder), else in the
     /// workspace around `from`: the one whose folders are most like those of `missing`, if there is only one.
     pub fn namesake(&self, missing: &Path, package: Option<&Path>, from: &Path) -> Option<PathBuf> {
