@@ -137,7 +137,7 @@ impl Runner<'_> {
         let kept = first.values().take(DRAWN_PROBLEMS).filter_map(|(finding, _)| report.findings.get(*finding));
         let drawn = drawings(kept, report, packages, &self.env.cwd, io.color_out);
         for (drawing, (_, cases)) in drawn.iter().zip(first.values()) {
-            io.out(&format!("\n{drawing}\n  = {}\n", visible_name(&self.in_tests(cases))));
+            io.out(&format!("\n{drawing}\n{}\n", visible_name(&self.in_tests(cases))));
         }
         if first.len() > drawn.len() {
             io.out(&format!("\n{} not shown\n", counted(first.len() - drawn.len(), "more failure")));

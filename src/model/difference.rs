@@ -115,7 +115,22 @@ impl Comparer<'_> {
     }
 
     fn difference(&self, a: &Element, b: &Element, attr: Option<&str>, what: What) -> Difference {
-        Difference { one: place(self.one, a, attr), other: place(self.other, b, attr), what }
+        let (one, other) = (place(self.one, a, attr), place(self.other, b, attr));
+        let is_value = matches!(&what, What::Value { one: Some(_), other: Some(_), .. });
+        match self.word(&one, &other).filter(|_| is_value) {
+            Some((one, other)) => Difference { one, other, what },
+            None => Difference { one, other, what },
+        }
+    }
+
+    /// The first words of two values that differ.
+    fn word(&self, one: &Range<usize>, other: &Range<usize>) -> Option<(Range<usize>, Range<usize>)> {
+        let (a, b) = (words(self.one, one), words(self.other, other));
+        let differs = |(a, b): &(Range<usize>, Range<usize>)| {
+            let pair = self.one.get(a.clone()).zip(self.other.get(b.clone()));
+            pair.is_some_and(|(a, b)| !is_same_word(a, b))
+        };
+        a.zip(b).find(differs)
     }
 }
 
@@ -161,13 +176,27 @@ fn value_in(tag: &str, name: &str) -> Option<Range<usize>> {
     named.map(|(start, length)| start..start + length)
 }
 
+/// The places of the words in a part of a text.
+fn words<'t>(text: &'t str, part: &Range<usize>) -> impl Iterator<Item = Range<usize>> + use<'t> {
+    let start = text.as_ptr() as usize;
+    let words = text.get(part.clone()).unwrap_or_default().split_ascii_whitespace();
+    words.map(move |word| {
+        let at = word.as_ptr() as usize - start;
+        at..at + word.len()
+    })
+}
+
+fn is_same_word(one: &str, other: &str) -> bool {
+    one == other || is_same_number(one, other) || is_same_file(one, other)
+}
+
 /// Whether two values mean the same, word by word.
 fn is_same_value(one: &str, other: &str) -> bool {
     let (mut a, mut b) = (one.split_ascii_whitespace(), other.split_ascii_whitespace());
     loop {
         match (a.next(), b.next()) {
             (None, None) => return true,
-            (Some(a), Some(b)) if a == b || is_same_number(a, b) || is_same_file(a, b) => {}
+            (Some(a), Some(b)) if is_same_word(a, b) => {}
             _ => return false,
         }
     }
@@ -232,6 +261,11 @@ mod tests {
             "<link name='a'><mass value='2'/></link>",
             "<link name='a'> <mass  value = \"3\"/></link>",
             ("2", "3", "`value` of `mass`: Some(\"2.0\") Some(\"3.0\")"),
+        );
+        check_difference(
+            "<a xyz='0 0.2 0'/>",
+            "<a xyz='0.0  0.25 0'/>",
+            ("0.2", "0.25", "`xyz` of `a`: Some(\"0.0 0.2 0.0\") Some(\"0.0 0.25 0.0\")"),
         );
         check_difference("<a/><b/>", "<a/>", ("<b", "<robot", "+`b`"));
         check_difference("<a/>", "<a/><link name='c'/>", ("<robot", "<link", "-link `c`"));

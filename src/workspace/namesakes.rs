@@ -17,10 +17,17 @@ pub(super) struct Index(FastMap<String, Vec<PathBuf>>);
 impl Packages {
     /// The files of a name in the sources around a file, whatever the case of its letters, sorted.
     pub fn files_named(&self, name: &str, from: &Path) -> Vec<PathBuf> {
-        let Some(top) = self.sources_around(from) else { return Vec::new() };
-        let index = self.indexes.get(top.clone(), || Arc::new(Index::of(&self.vfs, &top)));
-        let mut found = index.0.get(&name.to_lowercase()).cloned().unwrap_or_default();
+        // of a very large workspace, not all files are in the index
+        let package = self.containing(from).map(|package| package.folder);
+        let folders = package.into_iter().chain(self.sources_around(from));
+        let mut found: Vec<PathBuf> = folders
+            .flat_map(|folder| {
+                let index = self.indexes.get(folder.clone(), || Arc::new(Index::of(&self.vfs, &folder)));
+                index.0.get(&name.to_lowercase()).cloned().unwrap_or_default()
+            })
+            .collect();
         found.sort();
+        found.dedup();
         found
     }
 
@@ -59,7 +66,12 @@ impl Index {
             if !is_new || files > NAMESAKE_FILES {
                 continue;
             }
-            for entry in vfs.list_dir(&folder).iter() {
+            let entries = vfs.list_dir(&folder);
+            // what a tool made and can make again says so
+            if entries.iter().any(|entry| entry.name == "CACHEDIR.TAG") {
+                continue;
+            }
+            for entry in entries.iter() {
                 let path = folder.join(&entry.name);
                 match entry.is_dir {
                     true if entry.name.starts_with('.')

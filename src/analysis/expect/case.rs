@@ -97,14 +97,17 @@ impl Case {
         let start = Span { file: session.vfs.file_id(&self.root.file), range: TextRange::default() };
         if let Some(error) = &expansion.root_error {
             let message = format!("cannot read the file: {}", error.reason());
-            return vec![Finding::new(&RULE, start, message)];
+            let help = Some("check the path and the permissions of the file".to_owned());
+            return vec![Finding { help, ..Finding::new(&RULE, start, message) }];
         }
         let mut findings = rejections(expansion, &session.vfs);
         if findings.is_empty() && expansion.has_errors() {
-            findings.push(Finding::new(&RULE, start, "xacro rejects the file"));
+            let help = Some("run `xacro-lint check` on it".to_owned());
+            findings.push(Finding { help, ..Finding::new(&RULE, start, "xacro rejects the file") });
         }
         if robot.is_none() && findings.is_empty() {
-            findings.push(Finding::new(&RULE, start, "the root element is not `robot`"));
+            let help = Some("list a robot description in `roots`".to_owned());
+            findings.push(Finding { help, ..Finding::new(&RULE, start, "the root element is not `robot`") });
         }
         if findings.is_empty() {
             let is_of_tree = |rule: &&Rule| rule.category == Category::Structure && rule.severity == Severity::Error;

@@ -110,7 +110,7 @@ impl<'a> Evaluation<'a> {
             None => "expected here".to_owned(),
         };
         finding.related.push(Related { span: self.place(), message: label, is_call: false });
-        finding.help = help;
+        finding.help = Some(help.unwrap_or_else(|| "correct the robot or the expectation".to_owned()));
         self.findings.push(finding);
     }
 

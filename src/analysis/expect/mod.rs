@@ -22,7 +22,7 @@ use super::context::RootChoice;
 use super::report::{Report, Unreadable};
 use super::session::Session;
 use base::limits::MATRIX_RUNS;
-use base::{FastMap, Span};
+use base::{FastMap, FastSet, Span};
 use expand::large_stacks;
 use rules::{Activation, Category, Check, Finding, Rule, Severity};
 use workspace::config::{Axes, ConfigWarning, Place};
@@ -216,15 +216,20 @@ impl Session {
     /// Snapshots to be written. One that several different robots are to have is a failure of these.
     fn updates(&self, ran: &mut [Ran]) -> Vec<Update> {
         let mut wanted: BTreeMap<PathBuf, Snapshot> = BTreeMap::new();
+        let mut unclear: FastSet<PathBuf> = FastSet::default();
         for ran in ran.iter_mut() {
             for snapshot in std::mem::take(&mut ran.snapshots) {
                 match wanted.get(&snapshot.path) {
-                    Some(known) if !known.is_same(&snapshot) => ran.findings.push(snapshot.conflict(&known.owner)),
+                    Some(known) if !known.is_same(&snapshot) => {
+                        ran.findings.push(snapshot.conflict(&known.owner));
+                        unclear.insert(snapshot.path);
+                    }
                     Some(_) => {}
                     None => drop(wanted.insert(snapshot.path.clone(), snapshot)),
                 }
             }
         }
+        wanted.retain(|path, _| !unclear.contains(path));
         let update = |snapshot: Snapshot| {
             let old = self.vfs.text(&snapshot.path);
             let is_current = old.as_ref().is_ok_and(|old| snapshot.is_written_in(&old.text));
@@ -237,17 +242,19 @@ impl Session {
     /// One report of all findings, in the order of the tests.
     fn gather(&self, ran: Vec<Ran>, tests: &mut Tests) {
         let report = &mut tests.report;
+        let mut findings: Vec<Finding> = Vec::new();
         for mut ran in ran {
-            let start = report.findings.len();
+            let start = findings.len();
             report.roots.push(ran.root.file.clone());
-            self.conceal(report, &mut ran.findings);
             report.files.extend(ran.files.into_iter().map(|file| (file.id, file)));
-            report.findings.append(&mut ran.findings);
-            let failures = start..report.findings.len();
+            findings.append(&mut ran.findings);
+            let failures = start..findings.len();
             tests.cases.push(TestCase { root: ran.root, expectations: ran.applied.len(), failures });
         }
         report.roots.sort();
         report.roots.dedup();
+        self.conceal(report, &mut findings);
+        report.findings = findings;
         for finding in &report.findings {
             let related = finding.related.iter().map(|related| related.span.file);
             let files = related.chain([finding.span.file]);

@@ -49,7 +49,10 @@ impl Evaluation<'_> {
         let Some(name) = self.filled(name) else { return };
         let path = match self.session.snapshot_path(&self.expected.place.path, &name) {
             Ok(path) => path,
-            Err(why) => return self.fail_snapshot(format!("cannot use file `{name}`: {why}"), None),
+            Err(why) => {
+                let help = "use a path inside the workspace that ends with `.urdf` or `.xml`".to_owned();
+                return self.fail_snapshot(format!("cannot use file `{name}`: {why}"), help);
+            }
         };
         let place = self.session.span_of_place(&self.expected.place);
         if update {
@@ -60,22 +63,22 @@ impl Evaluation<'_> {
             Ok(file) => file,
             Err(error) => {
                 let help = "write it with `xacro-lint test --update`".to_owned();
-                return self.fail_snapshot(format!("cannot read `{name}`: {}", error.reason()), Some(help));
+                return self.fail_snapshot(format!("cannot read `{name}`: {}", error.reason()), help);
             }
         };
         match compare(&self.written().text, &file.text) {
             Comparison::Same => {}
             Comparison::Unknown => {
                 let help = "correct it, or write it again with `xacro-lint test --update`".to_owned();
-                self.fail_snapshot(format!("`{name}` is not a well-formed robot description"), Some(help));
+                self.fail_snapshot(format!("`{name}` is not a well-formed robot description"), help);
             }
             Comparison::Different(difference) => self.fail_difference(&name, &path, &difference),
         }
     }
 
-    fn fail_snapshot(&mut self, message: String, help: Option<String>) {
+    fn fail_snapshot(&mut self, message: String, help: String) {
         let span = self.session.span_of_place(&self.expected.place);
-        self.findings.push(Finding { help, ..Finding::new(&RULE, span, message) });
+        self.findings.push(Finding { help: Some(help), ..Finding::new(&RULE, span, message) });
     }
 
     /// The first difference, at the source that makes it.
@@ -133,7 +136,7 @@ impl Session {
         let top = self.packages.workspace(&folder).unwrap_or(folder);
         let top = self.vfs.canonical(&top);
         if !self.vfs.canonical(existing).starts_with(&top) {
-            return Err(format!("it is outside of the workspace `{}`", top.display()));
+            return Err("it is outside of the workspace".to_owned());
         }
         Ok(path)
     }
