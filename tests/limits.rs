@@ -645,7 +645,7 @@ fn is_out_of_date(folders: usize, size: usize, config: &str) -> bool {
     for n in 0..folders {
         // the last one alone gives what was generated
         let default = if n + 1 == folders { size.to_string() } else { "0".to_owned() };
-        let source = if folders > 1 { source.replace("'0'", &format!("'{default}'")) } else { source.to_owned() };
+        let source = if folders > 1 { source.replace("$(arg size)", &default) } else { source.to_owned() };
         write(&folder, &format!("{n}/arm.xacro"), source);
     }
     write(&folder, "made.urdf", generated(size));

@@ -6,14 +6,14 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::check::CheckOptions;
-use super::expect::{filled, source_of, worded};
+use super::expect::{entry_at, filled, worded};
 use super::job::{self, Outcome};
 use super::roots::{Job, Reason};
 use super::runs::{Run, Setting};
 use super::session::Session;
 use base::limits::{DRIFT_RUNS, DRIFT_SOURCES};
 use base::{CancelFlag, FastSet, Span, TextRange};
-use expand::{Request, expand, large_stacks, write, write_mapped};
+use expand::{BindingKind, Request, expand, large_stacks, write, write_mapped};
 use model::{Comparison, Difference, compare};
 use rules::{Edit, Finding, Fix, Related, Safety, Severity, by_code, generated_urdf_out_of_date, span_of};
 use vfs::SourceFile;
@@ -82,7 +82,7 @@ impl Session {
             ways.retain(|(way, _)| way.is_meant);
         }
         let mut tried = Vec::new();
-        for (way, run) in ways.into_iter().filter(|(_, run)| !run.refused) {
+        for (way, run) in ways.into_iter().filter(|(_, run)| !run.refused && !is_for_old_xacro(&run.text)) {
             match compare(&run.text, &text) {
                 Comparison::Same => return None,
                 Comparison::Different(difference) => tried.push(Tried { way, run, difference }),
@@ -188,7 +188,8 @@ impl Session {
         Some(finding)
     }
 
-    /// What the file is to hold, and the source of the first difference.
+    /// What the file is to hold, and the source of the first difference. None where an argument makes the difference and the
+    /// configuration does not say with which arguments the file was generated.
     fn regenerated(&self, way: &Way, name: &str, difference: &Difference) -> Option<(String, Option<Span>)> {
         let request = Request {
             probe: false,
@@ -197,8 +198,16 @@ impl Session {
         };
         let expansion = expand(job::world(self), &request);
         // what was compared has no name in its banner
-        let origin = source_of(&write_mapped(&expansion.tree, "").map, &difference.one);
-        Some((write(&expansion.tree, name).text, span_of(&expansion, origin)))
+        let written = write_mapped(&expansion.tree, "");
+        let entry = entry_at(&written.map, &difference.one);
+        let mut read = entry.into_iter().flat_map(|entry| expansion.read_in(entry.reads)).filter_map(|&binding| {
+            expansion.bindings.get(binding as usize)
+        });
+        if !way.is_configured && read.any(|binding| binding.kind == BindingKind::Argument) {
+            return None;
+        }
+        let place = entry.and_then(|entry| span_of(&expansion, entry.origin));
+        Some((write(&expansion.tree, name).text, place))
     }
 
     /// The command that generates a file again.
@@ -207,6 +216,13 @@ impl Session {
         let source = super::contexts::label(shown(&way.source), &way.args);
         format!("xacro-lint expand {source} -o {}", shown(file))
     }
+}
+
+/// Whether a printed document has tags that xacro took without their prefix before ROS Jade: what generated the file then
+/// gave another robot.
+fn is_for_old_xacro(text: &str) -> bool {
+    const TAGS: [&str; 3] = ["  <property ", "  <macro ", "  <include "];
+    text.lines().any(|line| TAGS.iter().any(|tag| line.starts_with(tag)))
 }
 
 impl Way {
@@ -222,7 +238,9 @@ mod tests {
     use vfs::testing::Tree;
 
     const SOURCE: &str = "<robot name='r' xmlns:xacro='x'><xacro:arg name='size' default='1'/>\
-                          <link name='base'><inertial><mass value='$(arg size)'/></inertial></link></robot>";
+                          <xacro:property name='size' value='1'/>\
+                          <xacro:unless value='${$(arg size) == 1}'><xacro:property name='size' value='$(arg size)'/></xacro:unless>\
+                          <link name='base'><inertial><mass value='${size}'/></inertial></link></robot>";
 
     fn generated(source: &str, size: &str) -> String {
         format!(
@@ -296,8 +314,21 @@ mod tests {
     }
 
     #[test]
+    fn files_of_other_arguments() {
+        let source = SOURCE.replace("${size}", "$(arg size)");
+        let made = generated("r.urdf.xacro", "5");
+        assert!(found(&[("r.urdf.xacro", &source), ("r.urdf", &made)]).1.is_empty());
+        let roots = "[[roots]]\nfile = 'r.urdf.xacro'";
+        let files = [("r.urdf.xacro", source.as_str()), ("r.urdf", &made), ("xacro-lint.toml", roots)];
+        assert_eq!(found(&files).1.len(), 1);
+        // a source for a version of xacro that took tags without their prefix
+        let old = SOURCE.replace("<link", "<property name='a' value='1'/><link");
+        assert!(found(&[("r.urdf.xacro", &old), ("r.urdf", &made)]).1.is_empty());
+    }
+
+    #[test]
     fn the_nearest_source_is_meant() {
-        let other = SOURCE.replace("default='1'", "default='5'");
+        let other = SOURCE.replace("name='size' value='1'", "name='size' value='5'");
         let made = generated("urdf/r.urdf.xacro", "5");
         let files = |name: &'static str| [("r.urdf", made.as_str()), (name, other.as_str())];
         check_drift(&files("old/r.urdf.xacro"), Some(("info", "`value` of `mass` is `1.0`, but `5.0` in `r.urdf`")));

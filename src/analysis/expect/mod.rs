@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use self::case::{Case, Ran};
 use self::snapshot::Snapshot;
 pub(super) use self::evaluate::filled;
-pub(super) use self::snapshot::{source_of, worded};
+pub(super) use self::snapshot::{entry_at, worded};
 use super::check::CheckOptions;
 use super::context::RootChoice;
 use super::report::{Report, Unreadable};

@@ -83,7 +83,7 @@ impl Evaluation<'_> {
 
     /// The first difference, at the source that makes it.
     fn fail_difference(&mut self, name: &str, path: &Path, difference: &Difference) {
-        let origin = source_of(&self.written().map, &difference.one);
+        let origin = entry_at(&self.written().map, &difference.one).map_or(Origin::NOWHERE, |entry| entry.origin);
         let help = "if the change is intended, run `xacro-lint test --update`".to_owned();
         self.fail(origin, worded(&difference.what, name), Some(help));
         let range = TextRange::new(difference.other.start as u32, difference.other.end as u32);
@@ -107,12 +107,11 @@ pub(crate) fn worded(what: &What, file: &str) -> String {
     }
 }
 
-/// The source of a stretch of the printed document: the innermost that holds its start.
-pub(crate) fn source_of(map: &[MapEntry], range: &std::ops::Range<usize>) -> Origin {
+/// What a stretch of the printed document came from: the innermost entry of the map that holds its start.
+pub(crate) fn entry_at<'m>(map: &'m [MapEntry], range: &std::ops::Range<usize>) -> Option<&'m MapEntry> {
     let at = range.start as u32;
     let holds = |entry: &&MapEntry| entry.out.start <= at && at < entry.out.end.max(entry.out.start + 1);
-    let inner = map.iter().filter(holds).min_by_key(|entry| entry.out.len());
-    inner.map_or(Origin::NOWHERE, |entry| entry.origin)
+    map.iter().filter(holds).min_by_key(|entry| entry.out.len())
 }
 
 impl Session {

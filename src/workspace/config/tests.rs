@@ -139,6 +139,15 @@ fn combinations_of_arguments() {
 }
 
 #[test]
+fn places_that_name_an_argument() {
+    let text = "[[roots]]\nfile = 'a'\nargs = { side = ['l', 'r'] }\nexclude = [{ side = 'l' }]\npresets.p = { side = 'r' }\n\
+                [[roots.expect]]\nname = 'side'\nwhen = { side = 'l' }\n";
+    let places = super::argument_places(text, "side", |_| true);
+    assert_eq!(places.len(), 4);
+    assert!(places.iter().all(|place| place.slice(text) == "side"));
+}
+
+#[test]
 fn a_matrix_without_end() {
     let digits = "[0, 1, 2, 3, 4, 5, 6, 7, 8, 9]";
     let args: Vec<String> = (0..30).map(|n| format!("a{n} = {digits}")).collect();
@@ -395,7 +404,7 @@ fn settings_of_an_editor_win() {
     assert_eq!((config.format.line_width, config.format.self_close), (90, true));
     assert_eq!((config.limits.file_mb, config.limits.expand_ms, config.limits.eval_steps), (9, 8, 5));
     assert_eq!(config.thresholds["max-extent-m"], 3.0);
-    assert_eq!(config.roots[0].args, [("someArg".to_owned(), "x".to_owned())]);
+    assert_eq!(config.roots[0].args, [("someArg".to_owned(), vec!["x".to_owned()])]);
 }
 
 #[test]
