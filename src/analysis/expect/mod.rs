@@ -94,6 +94,9 @@ impl Session {
         let _held = self.vfs.hold();
         let mut tests = Tests::default();
         let cases = self.cases(&options.check, &mut tests);
+        if !tests.invalid.is_empty() {
+            return tests;
+        }
         let all = cases.len();
         let is_wanted = |case: &Case| {
             options.filter.as_ref().is_none_or(|part| self.test_name(&case.root).contains(part.as_str()))
