@@ -178,10 +178,13 @@ fn messages_follow_the_style_guide() {
         }
         judge(&place, findings(&folder, vec![folder.join("input.xacro")]));
     }
-    for examples in ["docs/examples", "tests/cli/beginner", "tests/cli/five", "tests/cli/guard", "tests/cli/walk"] {
+    for examples in
+        ["docs/examples", "tests/cli/beginner", "tests/cli/five", "tests/cli/guard", "tests/cli/walk"]
+    {
         judge(examples, findings(&root().join(examples), vec![root().join(examples)]));
     }
-    let silent: Vec<&str> = rules::all().map(|rule| rule.name).filter(|name| !judged.contains(name)).collect();
+    let silent: Vec<&str> =
+        rules::all().map(|rule| rule.name).filter(|name| !judged.contains(name)).collect();
     assert!(silent.is_empty(), "no message of {silent:?}");
     assert!(count > 500, "only {count} messages");
     let complaints: Vec<String> = complaints.into_iter().collect();

@@ -200,9 +200,10 @@ impl Session {
         // what was compared has no name in its banner
         let written = write_mapped(&expansion.tree, "");
         let entry = entry_at(&written.map, &difference.one);
-        let mut read = entry.into_iter().flat_map(|entry| expansion.read_in(entry.reads)).filter_map(|&binding| {
-            expansion.bindings.get(binding as usize)
-        });
+        let mut read = entry
+            .into_iter()
+            .flat_map(|entry| expansion.read_in(entry.reads))
+            .filter_map(|&binding| expansion.bindings.get(binding as usize));
         if !way.is_configured && read.any(|binding| binding.kind == BindingKind::Argument) {
             return None;
         }
@@ -268,7 +269,8 @@ mod tests {
     fn check_drift(files: &[(&str, &str)], expected: Option<(&str, &str)>) {
         let files = [&[("urdf/r.urdf.xacro", SOURCE)], files].concat();
         let (_tree, findings) = found(&files);
-        let first = findings.first().map(|finding| (finding.severity.name(), finding.related[0].message.as_str()));
+        let first =
+            findings.first().map(|finding| (finding.severity.name(), finding.related[0].message.as_str()));
         assert_eq!(first, expected, "{files:?}");
     }
 
@@ -331,7 +333,10 @@ mod tests {
         let other = SOURCE.replace("name='size' value='1'", "name='size' value='5'");
         let made = generated("urdf/r.urdf.xacro", "5");
         let files = |name: &'static str| [("r.urdf", made.as_str()), (name, other.as_str())];
-        check_drift(&files("old/r.urdf.xacro"), Some(("info", "`value` of `mass` is `1.0`, but `5.0` in `r.urdf`")));
+        check_drift(
+            &files("old/r.urdf.xacro"),
+            Some(("info", "`value` of `mass` is `1.0`, but `5.0` in `r.urdf`")),
+        );
         check_drift(&files("a/urdf/r.urdf.xacro"), None);
     }
 
@@ -343,8 +348,11 @@ mod tests {
         assert_eq!(fix.edits[0].span.range.len() as usize, made.len());
         let text = &fix.edits[0].content;
         assert!(text.contains("from urdf/r.urdf.xacro ") && text.contains("<mass value=\"1\"/>"), "{text}");
-        assert_eq!(findings[0].help.as_deref(), Some(
-            "if it is in use, generate it again, for example with `xacro-lint expand urdf/r.urdf.xacro -o r.urdf`"
-        ));
+        assert_eq!(
+            findings[0].help.as_deref(),
+            Some(
+                "if it is in use, generate it again, for example with `xacro-lint expand urdf/r.urdf.xacro -o r.urdf`"
+            )
+        );
     }
 }

@@ -152,8 +152,10 @@ fn long_option<'a>(
             return Err(UsageError::Usage(format!("ambiguous option: {given} ({list}?)")));
         }
     };
-    let takes_value =
-        matches!(name, "--check" | "--root-dir" | "--verbosity" | "--package-path" | "--source-map" | "--output");
+    let takes_value = matches!(
+        name,
+        "--check" | "--root-dir" | "--verbosity" | "--package-path" | "--source-map" | "--output"
+    );
     if !takes_value && value.is_some() {
         return Err(UsageError::Usage(format!("{name} option does not take a value")));
     }

@@ -13,8 +13,8 @@ use super::render::{shown_path, visible, visible_name};
 use super::services::quoted;
 use super::text::{counted, drawings};
 use analysis::{CheckOptions, Overrides, Report, Session, Setup, TestCase, TestOptions, Tests};
-use base::limits::DRAWN_PROBLEMS;
 use base::Span;
+use base::limits::DRAWN_PROBLEMS;
 use rules::Finding;
 use vfs::{Environment, write_atomically};
 
@@ -134,7 +134,8 @@ impl Runner<'_> {
             }
         }
         let (report, packages) = (&self.tests.report, &self.session.packages);
-        let kept = first.values().take(DRAWN_PROBLEMS).filter_map(|(finding, _)| report.findings.get(*finding));
+        let kept =
+            first.values().take(DRAWN_PROBLEMS).filter_map(|(finding, _)| report.findings.get(*finding));
         let drawn = drawings(kept, report, packages, &self.env.cwd, io.color_out);
         for (drawing, (_, cases)) in drawn.iter().zip(first.values()) {
             io.out(&format!("\n{drawing}\n{}\n", visible_name(&self.in_tests(cases))));
@@ -169,12 +170,8 @@ impl Runner<'_> {
 
     fn json(&self) -> Value {
         let case = |case: &TestCase| {
-            let args: Vec<Value> = case
-                .root
-                .args
-                .iter()
-                .map(|(name, value)| json!({"name": name, "value": value}))
-                .collect();
+            let args: Vec<Value> =
+                case.root.args.iter().map(|(name, value)| json!({"name": name, "value": value})).collect();
             let failures = self.failures(case).iter();
             json!({
                 "name": self.name(case),

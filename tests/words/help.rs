@@ -60,8 +60,7 @@ fn every_finding_that_is_put_together_has_a_help() {
     let (mut wrong, mut count) = (Vec::new(), 0);
     for folder in ["src/rules", "src/analysis"] {
         for (place, function) in functions(folder) {
-            let is_put_together =
-                function.contains("Finding::new(") && !function.contains("draft(&mut self");
+            let is_put_together = function.contains("Finding::new(") && !function.contains("draft(&mut self");
             if is_put_together {
                 count += 1;
                 if !function.contains("help") {
@@ -86,8 +85,11 @@ fn codes<'a>(text: &'a str, calls: &'a [&str]) -> impl Iterator<Item = &'a str> 
 #[test]
 fn every_problem_of_the_expander_has_a_help() {
     let advice = fs::read_to_string(root().join("src/expand/advice.rs")).unwrap();
-    let general: BTreeSet<&str> =
-        advice.lines().filter_map(|line| line.trim().strip_prefix('"')?.split_once("\" =>")).map(|(code, _)| code).collect();
+    let general: BTreeSet<&str> = advice
+        .lines()
+        .filter_map(|line| line.trim().strip_prefix('"')?.split_once("\" =>"))
+        .map(|(code, _)| code)
+        .collect();
     let (mut wrong, mut count) = (Vec::new(), 0);
     for (place, function) in functions("src/expand") {
         for code in codes(&function, &["problem(", "error(", "warn(", "Problem::new("]) {
@@ -108,7 +110,11 @@ fn every_syntax_error_has_a_help() {
     for (place, function) in functions("src/xml/parse") {
         for text in super::literals(&function).into_iter().map(|(_, text)| text) {
             let is_message = text.starts_with(char::is_lowercase) || text.starts_with('`');
-            if is_message && !text.contains("\\n") && !text.ends_with("before this") && !text.ends_with("here") {
+            if is_message
+                && !text.contains("\\n")
+                && !text.ends_with("before this")
+                && !text.ends_with("here")
+            {
                 wrong.push(format!("{place}: `{text}` has no help"));
             }
         }

@@ -14,7 +14,8 @@ use base::{Span, TextRange};
 use expand::{Expansion, Limits, Request, expand};
 use model::{Kinematics, Robot};
 use rules::{
-    Category, Chosen, Finding, Related, RootKind, Rule, Severity, all, check_expansion, include_tags, rejections,
+    Category, Chosen, Finding, Related, RootKind, Rule, Severity, all, check_expansion, include_tags,
+    rejections,
 };
 use vfs::SourceFile;
 use workspace::config::{Axes, Expectation};
@@ -60,7 +61,8 @@ impl Case {
         if let Some(robot) = robot.filter(|_| findings.is_empty()) {
             let kinematics = Kinematics::of(&robot);
             for (_, expected) in &applying {
-                let mut evaluation = Evaluation::new(self, session, (&expansion, &robot, &kinematics), expected);
+                let mut evaluation =
+                    Evaluation::new(self, session, (&expansion, &robot, &kinematics), expected);
                 evaluation.run(options.update);
                 findings.append(&mut evaluation.findings);
                 snapshots.append(&mut evaluation.snapshots);
@@ -110,7 +112,8 @@ impl Case {
             findings.push(Finding { help, ..Finding::new(&RULE, start, "the root element is not `robot`") });
         }
         if findings.is_empty() {
-            let is_of_tree = |rule: &&Rule| rule.category == Category::Structure && rule.severity == Severity::Error;
+            let is_of_tree =
+                |rule: &&Rule| rule.category == Category::Structure && rule.severity == Severity::Error;
             let rules: Vec<&'static Rule> = all().filter(is_of_tree).collect();
             let chosen = Chosen { rules: &rules, cancel: &options.check.cancel };
             let around = session.surroundings(&self.settings.config);

@@ -87,8 +87,11 @@ impl<'a> Evaluation<'a> {
                     Some(near) => format!("did you mean `{near}`?"),
                     None => "use an argument that the robot declares".to_owned(),
                 };
-                let mut finding =
-                    Finding::new(&RULE, self.place(), format!("unknown argument `{name}` in the expectation"));
+                let mut finding = Finding::new(
+                    &RULE,
+                    self.place(),
+                    format!("unknown argument `{name}` in the expectation"),
+                );
                 finding.help = Some(help);
                 self.findings.push(finding);
                 None
@@ -136,7 +139,11 @@ impl<'a> Evaluation<'a> {
         for name in &expected.no_links {
             let Some(name) = self.filled(name) else { continue };
             if let Some(link) = self.robot.link(&name) {
-                self.fail(self.name_of(link.element, &link.name), format!("link `{name}` is not expected"), None);
+                self.fail(
+                    self.name_of(link.element, &link.name),
+                    format!("link `{name}` is not expected"),
+                    None,
+                );
             }
         }
         for name in &expected.no_joints {
@@ -236,8 +243,12 @@ impl<'a> Evaluation<'a> {
         let shown = heaviest.iter().take(SHOWN).map(|(mass, name)| format!("`{name}` {} kg", short(*mass)));
         let shown = shown.collect::<Vec<_>>().join(", ");
         let help = (!shown.is_empty()).then(|| format!("the links with the most mass are {shown}"));
-        let message =
-            format!("total mass is {} kg, expected {} kg{}", short(total), short(expected), within(tolerance));
+        let message = format!(
+            "total mass is {} kg, expected {} kg{}",
+            short(total),
+            short(expected),
+            within(tolerance)
+        );
         self.fail_robot(message, help);
     }
 
@@ -275,7 +286,8 @@ impl<'a> Evaluation<'a> {
             }
             let element = limit.map_or(joint.element, |limit| limit.element);
             let at = own.map_or_else(|| self.tag(element), whole);
-            let shown = value.map_or_else(|| "missing".to_owned(), |value| format!("{} {unit}", short(value)));
+            let shown =
+                value.map_or_else(|| "missing".to_owned(), |value| format!("{} {unit}", short(value)));
             let wanted = format!("{} {unit}{}", short(wanted), within(expected.tolerance));
             self.fail(at, format!("{what} of joint `{name}` is {shown}, expected {wanted}"), None);
         }
@@ -288,7 +300,8 @@ impl<'a> Evaluation<'a> {
         let Some(mut expected): Option<Vec<String>> = expected.into_iter().collect() else { return };
         let all = self.robot.controls.iter().flat_map(|control| &control.joints);
         let own: Vec<&ControlJoint> = all.filter(|own| own.shown() == joint).collect();
-        let interfaces = own.iter().flat_map(|own| if kind == "command" { &own.commands } else { &own.states });
+        let interfaces =
+            own.iter().flat_map(|own| if kind == "command" { &own.commands } else { &own.states });
         let name = |text: &Text| text.value.to_string();
         let mut names: Vec<String> =
             interfaces.filter_map(|interface| interface.name.as_ref().map(name)).collect();

@@ -14,8 +14,8 @@ use std::path::PathBuf;
 use rayon::prelude::*;
 
 use self::case::{Case, Ran};
-use self::snapshot::Snapshot;
 pub(super) use self::evaluate::filled;
+use self::snapshot::Snapshot;
 pub(super) use self::snapshot::{entry_at, worded};
 use super::check::CheckOptions;
 use super::context::RootChoice;
@@ -198,7 +198,8 @@ impl Session {
         }
         places.retain(|(place, _)| applied.get(&(place.path.clone(), place.range.start)) == Some(&false));
         let unused = places.into_iter().map(|(place, when)| {
-            let args: Vec<String> = when.iter().map(|(name, values)| format!("{name}:={}", values.join("|"))).collect();
+            let args: Vec<String> =
+                when.iter().map(|(name, values)| format!("{name}:={}", values.join("|"))).collect();
             let message = format!("no robot has the arguments `{}`", args.join(" "));
             let mut finding = Finding::new(&RULE, self.span_of_place(place), message);
             finding.help = Some("correct `when`, or add the values to `args` of the root".to_owned());

@@ -38,7 +38,9 @@ impl Snapshot {
     pub(super) fn conflict(&self, owner: &str) -> Finding {
         let message = format!("`{}` is also the file of `{owner}`, a different robot", self.shown);
         let mut finding = Finding::new(&RULE, self.place, message);
-        finding.help = Some("add `$(arg NAME)` to the name of the file, or limit the expectation with `when`".to_owned());
+        finding.help = Some(
+            "add `$(arg NAME)` to the name of the file, or limit the expectation with `when`".to_owned(),
+        );
         finding
     }
 }
@@ -83,7 +85,8 @@ impl Evaluation<'_> {
 
     /// The first difference, at the source that makes it.
     fn fail_difference(&mut self, name: &str, path: &Path, difference: &Difference) {
-        let origin = entry_at(&self.written().map, &difference.one).map_or(Origin::NOWHERE, |entry| entry.origin);
+        let origin =
+            entry_at(&self.written().map, &difference.one).map_or(Origin::NOWHERE, |entry| entry.origin);
         let help = "if the change is intended, run `xacro-lint test --update`".to_owned();
         self.fail(origin, worded(&difference.what, name), Some(help));
         let range = TextRange::new(difference.other.start as u32, difference.other.end as u32);
@@ -97,7 +100,8 @@ impl Evaluation<'_> {
 
 /// What differs between the robot and a file.
 pub(crate) fn worded(what: &What, file: &str) -> String {
-    let shown = |text: &Option<String>| text.as_ref().map_or("missing".to_owned(), |text| format!("`{text}`"));
+    let shown =
+        |text: &Option<String>| text.as_ref().map_or("missing".to_owned(), |text| format!("`{text}`"));
     match what {
         What::Value { of, one, other } => {
             format!("{of} is {}, but {} in `{file}`", shown(one), shown(other))

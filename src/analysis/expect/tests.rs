@@ -23,7 +23,8 @@ fn test(root: &str, files: &[(&str, &str)], update: bool) -> (Tree, Tests) {
     for (name, text) in files {
         tree.write(name, text);
     }
-    let session = Session::new(&tree.environment(&[]), Setup { about: tree.root().to_owned(), ..Setup::default() });
+    let session =
+        Session::new(&tree.environment(&[]), Setup { about: tree.root().to_owned(), ..Setup::default() });
     let check = CheckOptions { paths: vec![tree.root().to_owned()], ..CheckOptions::default() };
     let tests = session.unwrap().test(&TestOptions { check, filter: None, update });
     (tree, tests)
@@ -86,20 +87,25 @@ fn what_fails() {
         "command-interfaces = { elbow = ['position'] }",
         &["command interfaces of joint `elbow` are none, expected `position` @<robot"],
     );
-    check_failures("links = ['$(arg sid)_arm']", &["unknown argument `sid` in the expectation @[[roots.expect]]"]);
+    check_failures(
+        "links = ['$(arg sid)_arm']",
+        &["unknown argument `sid` in the expectation @[[roots.expect]]"],
+    );
     check_failures("when = { side = 'up' }", &["no robot has the arguments `side:=up` @[[roots.expect]]"]);
 }
 
 #[test]
 fn failures_lead_to_the_call() {
     let (_tree, tests) = test("[[roots.expect]]\njoint.elbow.upper = 2", &[], false);
-    let messages: Vec<&str> = tests.report.findings[0].related.iter().map(|related| related.message.as_str()).collect();
+    let messages: Vec<&str> =
+        tests.report.findings[0].related.iter().map(|related| related.message.as_str()).collect();
     assert_eq!(messages, ["in this call of macro `arm`", "expected here"]);
 }
 
 #[test]
 fn robots_that_are_rejected() {
-    let with = |text: &str| failures(&test("[[roots.expect]]\nlinks = ['gone']", &[("r.xacro", text)], false));
+    let with =
+        |text: &str| failures(&test("[[roots.expect]]\nlinks = ['gone']", &[("r.xacro", text)], false));
     let robot = |inner: &str| format!("<robot name='r' xmlns:xacro='x'>{inner}</robot>");
     assert_eq!(with(&robot("<link name='${a}'/>")), ["property `a` is not defined @a"]);
     assert_eq!(with("<sdf/>"), ["the root element is not `robot` @"]);
@@ -124,8 +130,11 @@ fn snapshots() {
     assert!(found[0].starts_with("cannot read `kept/left.urdf`"), "{found:?}");
     let (tree, tests) = test(root, &[], true);
     assert!(tests.report.findings.is_empty());
-    let updates: Vec<(&std::path::Path, bool)> =
-        tests.updates.iter().map(|update| (update.path.strip_prefix(tree.root()).unwrap(), update.exists)).collect();
+    let updates: Vec<(&std::path::Path, bool)> = tests
+        .updates
+        .iter()
+        .map(|update| (update.path.strip_prefix(tree.root()).unwrap(), update.exists))
+        .collect();
     assert_eq!(updates, [("kept/left.urdf".as_ref(), false), ("kept/right.urdf".as_ref(), false)]);
     let written: Vec<&str> = tests.updates.iter().map(|update| update.text.as_str()).collect();
     let files = [("kept/left.urdf", written[0]), ("kept/right.urdf", written[1])];
@@ -157,7 +166,8 @@ fn files_that_are_no_snapshots() {
         let found = failures(&(tree, tests));
         found.first().map(|found| found.split(" @").next().unwrap_or_default().to_owned())
     };
-    let outside = |name: &str| refused(name).is_some_and(|why| why.contains("it is outside of the workspace"));
+    let outside =
+        |name: &str| refused(name).is_some_and(|why| why.contains("it is outside of the workspace"));
     assert!(outside("../../../../../../../../../../tmp/other.urdf"));
     assert!(outside("/tmp/other.urdf"));
     assert_eq!(

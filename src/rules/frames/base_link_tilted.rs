@@ -34,9 +34,12 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let Some(rotation) = tilt(cx, joint) else { continue };
-        out.report(rotation.origin, format!("`{}` is tilted by 90 degrees in `{}`", child.value, parent.value))
-            .help("set roll and pitch to 0; `base_link` has z up unless the robot is mounted on a wall")
-            .done();
+        out.report(
+            rotation.origin,
+            format!("`{}` is tilted by 90 degrees in `{}`", child.value, parent.value),
+        )
+        .help("set roll and pitch to 0; `base_link` has z up unless the robot is mounted on a wall")
+        .done();
     }
 }
 

@@ -22,7 +22,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let turned =
             text.numbers::<3>().map_or(0, |angles| angles.iter().filter(|angle| angle.abs() > 1e-6).count());
         if turned > 1 {
-            let message = format!("frame of joint `{}` is rotated about {turned} axes instead of one", joint.shown());
+            let message =
+                format!("frame of joint `{}` is rotated about {turned} axes instead of one", joint.shown());
             out.report(text.origin, message)
                 .help("set two of the three angles to 0 and change `axis` instead")
                 .done();

@@ -22,7 +22,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(surface) = mesh.mesh.and_then(|mesh| mesh.surface) else { continue };
         if is_too_detailed(cx, surface.triangles) {
             let (name, link, count) = (mesh.name(), mesh.link.shown(), surface.triangles);
-            let message = format!("collision mesh `{name}` of link `{link}` is too detailed: {count} triangles");
+            let message =
+                format!("collision mesh `{name}` of link `{link}` is too detailed: {count} triangles");
             let many = surface.triangles as f64 > WARN_COLLISION_TRIANGLES.value(cx.world.config);
             out.report(mesh.file.origin, message)
                 .severity(if many { Severity::Warning } else { Severity::Info })

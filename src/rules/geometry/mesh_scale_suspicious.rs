@@ -105,7 +105,9 @@ fn report(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>, out: &mut Sink<'_>) {
     let most = MAX_EXTENT.value(cx.world.config);
     let is_millimetres = extent > most && (0.001..=most).contains(&(extent / 1000.0));
     let (cause, help) = match is_millimetres {
-        true => ("; this looks like millimeters", "add scale=\"0.001 0.001 0.001\", or export the mesh in meters"),
+        true => {
+            ("; this looks like millimeters", "add scale=\"0.001 0.001 0.001\", or export the mesh in meters")
+        }
         false => ("", "check the unit of the mesh and `scale`; meshes are in meters"),
     };
     let size = metres(extent);

@@ -17,8 +17,8 @@ mod xacro_not_in_package;
 
 use super::registry::Rule;
 
-pub(super) use launch::reads_as_it_stands;
 pub use generated_urdf_out_of_date::generated_urdf_out_of_date;
+pub(super) use launch::reads_as_it_stands;
 pub use launched_file_not_found::launched_file_not_found;
 pub use manifest::Manifests;
 pub(super) use mentions::Mention;

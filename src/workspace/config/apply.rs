@@ -267,7 +267,13 @@ impl Applier {
         fits
     }
 
-    pub(super) fn choice<T: Copy>(&mut self, key: &str, value: &Value, names: &[&str], values: &[T]) -> Option<T> {
+    pub(super) fn choice<T: Copy>(
+        &mut self,
+        key: &str,
+        value: &Value,
+        names: &[&str],
+        values: &[T],
+    ) -> Option<T> {
         let ValueKind::Text(text) = &value.kind else {
             self.wrong(key, value, "a string");
             return None;

@@ -1,11 +1,11 @@
 //! `[[roots]]`: entry files, the arguments they are run with, and what is expected of them.
 
+use super::Place;
 use super::apply::Applier;
-use super::expect::{ExpectedJoint, Expectation};
+use super::expect::{Expectation, ExpectedJoint};
 use super::keys::{CHOICES, EXPECT, JOINT, ROOTS};
 use super::roots::{Args, Axes, Root};
 use super::value::{Entry, Value, ValueKind};
-use super::Place;
 use base::TextRange;
 use base::limits::MATRIX_RUNS;
 
@@ -50,7 +50,11 @@ impl Applier {
         }
         let count = root.combinations(&Axes::new());
         if count > MATRIX_RUNS as u64 {
-            self.warn(args_at, format!("{count} combinations of arguments; only {MATRIX_RUNS} are used"), None);
+            self.warn(
+                args_at,
+                format!("{count} combinations of arguments; only {MATRIX_RUNS} are used"),
+                None,
+            );
         }
         let has_file_key = fields.iter().any(|field| field.key == "file");
         match file {

@@ -155,7 +155,10 @@ fn root(root: &Root) -> Value {
         fields.insert("presets".to_owned(), object(presets));
     }
     if !root.expect.is_empty() {
-        fields.insert("expect".to_owned(), root.expect.iter().map(|expected| expected.written.clone()).collect());
+        fields.insert(
+            "expect".to_owned(),
+            root.expect.iter().map(|expected| expected.written.clone()).collect(),
+        );
     }
     Value::Object(fields)
 }

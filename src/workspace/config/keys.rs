@@ -92,7 +92,11 @@ pub(super) const CHOICES: &[&str] = &["launch"];
 /// Keys of `[[roots]]`.
 pub(super) const ROOTS: &[Key] = &[
     key("file", Type::Text, "Path or glob of root files, relative to this file."),
-    key("args", AXES, "Arguments by name, passed in every check; each combination of lists is checked separately."),
+    key(
+        "args",
+        AXES,
+        "Arguments by name, passed in every check; each combination of lists is checked separately.",
+    ),
     key("exclude", Type::List(&AXES), "Combinations of arguments that are left out."),
     key(
         "choices",
@@ -119,9 +123,21 @@ pub(super) const EXPECT: &[Key] = &[
     key("mass", Type::Number, "Total mass in kg."),
     key("mass-tolerance", Type::Number, "Tolerance of `mass` in kg; default 0.001."),
     key("joint", Type::Map(&Type::Keys(JOINT)), "Properties of joints by name."),
-    key("command-interfaces", Type::Map(&Type::Texts), "All command interfaces of joints in `ros2_control`, by joint."),
-    key("state-interfaces", Type::Map(&Type::Texts), "All state interfaces of joints in `ros2_control`, by joint."),
-    key("expands-to", Type::Text, "URDF file that describes the same robot, relative to this file; `test --update` writes it."),
+    key(
+        "command-interfaces",
+        Type::Map(&Type::Texts),
+        "All command interfaces of joints in `ros2_control`, by joint.",
+    ),
+    key(
+        "state-interfaces",
+        Type::Map(&Type::Texts),
+        "All state interfaces of joints in `ros2_control`, by joint.",
+    ),
+    key(
+        "expands-to",
+        Type::Text,
+        "URDF file that describes the same robot, relative to this file; `test --update` writes it.",
+    ),
 ];
 
 /// Keys of one joint in `expect.joint`.

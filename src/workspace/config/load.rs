@@ -80,7 +80,8 @@ pub fn argument_places(text: &str, name: &str, admits: impl Fn(&str) -> bool) ->
             let expected = tables(root, "expect").into_iter().flatten().filter(|entry| entry.key == "when");
             let excluded = tables(root, "exclude").into_iter().flatten();
             let expected = expected.flat_map(|when| fields(&when.value)).chain(excluded);
-            let given = args.chain(presets).flat_map(fields).chain(expected).filter(|entry| entry.key == name);
+            let given =
+                args.chain(presets).flat_map(fields).chain(expected).filter(|entry| entry.key == name);
             found.extend(given.map(|entry| bare(text, entry.key_range)));
         }
     }

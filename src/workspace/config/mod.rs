@@ -21,7 +21,7 @@ use std::fmt;
 use std::path::PathBuf;
 
 pub use effective::Setting;
-pub use expect::{ExpectedJoint, Expectation};
+pub use expect::{Expectation, ExpectedJoint};
 pub use load::{CONFIG_NAMES, Loaded, argument_places, find_config, unknown_settings};
 pub use pattern::Pattern;
 pub use roots::{Args, Axes, Root, Variant, files_named};

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use super::expect::Expectation;
 use super::Place;
+use super::expect::Expectation;
 use super::pattern::{Pattern, is_pattern};
 use base::limits::MATRIX_RUNS;
 use vfs::Vfs;

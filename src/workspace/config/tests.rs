@@ -182,7 +182,10 @@ expands-to = "arm.urdf"
     assert_eq!((arm.link_count, arm.mass, arm.mass_tolerance), (Some(0), Some(3.0), 0.001));
     assert_eq!(arm.when[0].1, ["a", "b"]);
     let joint = &arm.joint[0].1;
-    assert_eq!((joint.kind.as_deref(), joint.lower, joint.upper, joint.tolerance), (Some("revolute"), Some(-1.0), None, 0.0));
+    assert_eq!(
+        (joint.kind.as_deref(), joint.lower, joint.upper, joint.tolerance),
+        (Some("revolute"), Some(-1.0), None, 0.0)
+    );
     assert_eq!((arm.place.line, empty.place.line), (4, 15));
     let roots = &config.settings().into_iter().find(|setting| setting.key == "roots").unwrap().value;
     assert_eq!(roots[0]["expect"][0]["joint"]["shoulder"]["type"], "revolute");
@@ -227,7 +230,8 @@ presets.only = { a = "1" }
     assert_eq!(config.roots[1].files(tree.vfs()), [tree.path("a.urdf"), tree.path("sub/b.urdf")]);
     assert!(config.roots[2].files(tree.vfs()).is_empty());
     assert_eq!(config.roots[1].variants(&Vec::new()).len(), 1);
-    let only: Vec<Option<String>> = config.roots[2].variants(&Vec::new()).into_iter().map(|run| run.preset).collect();
+    let only: Vec<Option<String>> =
+        config.roots[2].variants(&Vec::new()).into_iter().map(|run| run.preset).collect();
     assert_eq!(only, [Some("only".to_owned())]);
     assert_eq!((config.roots[1].place.line, config.roots[1].place.column), (8, 8));
 }
