@@ -34,8 +34,8 @@ fn test(root: &str, files: &[(&str, &str)], update: bool) -> (Tree, Tests) {
 fn failures((tree, tests): &(Tree, Tests)) -> Vec<String> {
     assert!(tests.invalid.is_empty(), "{:?}", tests.invalid);
     let text = |finding: &rules::Finding| {
-        let text = std::fs::read_to_string(tests.report.path(finding.span.file)).unwrap();
-        format!("{} @{}", finding.message, finding.span.range.slice(&text).lines().next().unwrap_or_default())
+        let text = &tree.vfs().text(tests.report.path(finding.span.file)).unwrap().text;
+        format!("{} @{}", finding.message, finding.span.range.slice(text).lines().next().unwrap_or_default())
     };
     let found = tests.report.findings.iter().map(text);
     found.map(|text| text.replace(&format!("{}/", tree.root().display()), "")).collect()
