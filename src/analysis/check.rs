@@ -2,11 +2,13 @@
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use rayon::prelude::*;
 
 use super::candidates::Candidates;
 use super::change::Change;
+use super::configs::Settings;
 use super::job::{self, Outcome};
 use super::merge::merge;
 use super::progress::Progress;
@@ -106,7 +108,7 @@ impl Session {
 
     /// Take the words out of findings in files that belong to no robot: a link or an include can lead to any file, and
     /// the report may stand in a public log.
-    fn conceal(&self, report: &Report, findings: &mut [Finding]) {
+    pub(super) fn conceal(&self, report: &Report, findings: &mut [Finding]) {
         let around = self.packages.around(report.roots.iter().map(PathBuf::as_path));
         let mut known: FastMap<FileId, bool> = FastMap::default();
         let mut belongs =
@@ -172,9 +174,11 @@ impl Session {
             outcome.findings.retain(|finding| !hiding.hides(finding, &includes));
         }
         let config_findings = self.config_findings(options, &report, &kept);
+        let drift_findings = self.drift_findings(options, &kept);
         let mut findings = merge(kept);
         findings.extend(hiding.finish());
         findings.extend(config_findings);
+        findings.extend(drift_findings);
         if has_robots {
             findings.extend(self.launch_findings(options));
         }
@@ -232,9 +236,25 @@ impl Session {
         let plain = |file, reason| Job { file, reason, args: options.args.clone(), preset: None };
         let entries = options.entries.iter().map(|path| plain(absolute(path), Reason::Root));
         let mut jobs: Vec<Job> = entries.collect();
-        let mut named = Vec::new();
-        let mut walked = Vec::new();
-        for path in options.paths.iter().map(absolute) {
+        let (named, walked) = self.named_and_walked(options, report);
+        jobs.extend(self.configured(options, &named, &walked));
+        let mut known: FastSet<PathBuf> = jobs.iter().map(|job| job.file.clone()).collect();
+        let is_alone = options.paths.len() == 1 && options.changed.is_empty();
+        let reason = if is_alone { Reason::Alone } else { Reason::Named };
+        let named = named.into_iter().map(|path| plain(path, reason));
+        let walked = walked.into_iter().map(|path| plain(path, Reason::Walked));
+        jobs.extend(named.chain(walked).filter(|job| known.insert(job.file.clone())));
+        jobs
+    }
+
+    /// The files that are named, and the descriptions below the folders that are.
+    pub(super) fn named_and_walked(
+        &self,
+        options: &CheckOptions,
+        report: &mut Report,
+    ) -> (Vec<PathBuf>, Vec<PathBuf>) {
+        let (mut named, mut walked) = (Vec::new(), Vec::new());
+        for path in options.paths.iter().map(|path| self.vfs.absolute(path)) {
             match self.vfs.is_dir(&path) {
                 true => {
                     let (files, skipped) = walk::descriptions(&path, self);
@@ -247,21 +267,29 @@ impl Session {
                 false => named.push(path),
             }
         }
-        jobs.extend(self.configured(options, &named, &walked));
-        let mut known: FastSet<PathBuf> = jobs.iter().map(|job| job.file.clone()).collect();
-        let is_alone = options.paths.len() == 1 && options.changed.is_empty();
-        let reason = if is_alone { Reason::Alone } else { Reason::Named };
-        let named = named.into_iter().map(|path| plain(path, reason));
-        let walked = walked.into_iter().map(|path| plain(path, Reason::Walked));
-        jobs.extend(named.chain(walked).filter(|job| known.insert(job.file.clone())));
-        jobs
+        (named, walked)
     }
 
     /// The jobs of `[[roots]]` that are among the files to be checked, or below a folder to be checked.
     fn configured(&self, options: &CheckOptions, named: &[PathBuf], walked: &[PathBuf]) -> Vec<Job> {
+        let mut jobs = Vec::new();
+        for (settings, number, files) in self.configured_files(options, named, walked) {
+            let Some(root) = settings.config.roots.get(number) else { continue };
+            jobs.extend(files.iter().flat_map(|file| self.jobs_of(root, file, &options.args)));
+        }
+        jobs
+    }
+
+    /// The entries of `[[roots]]` by number, each with its files that are to be checked.
+    pub(super) fn configured_files(
+        &self,
+        options: &CheckOptions,
+        named: &[PathBuf],
+        walked: &[PathBuf],
+    ) -> Vec<(Arc<Settings>, usize, Vec<PathBuf>)> {
         let folders: Vec<PathBuf> = options.paths.iter().map(|path| self.vfs.absolute(path)).collect();
         let mut seen: FastSet<Vec<PathBuf>> = FastSet::default();
-        let mut jobs = Vec::new();
+        let mut found = Vec::new();
         let own =
             folders.iter().filter(|path| self.vfs.is_dir(path)).map(|folder| self.folder_settings(folder));
         let settings = own.chain(named.iter().chain(walked).map(|file| self.settings(file)));
@@ -269,13 +297,13 @@ impl Session {
             if !seen.insert(settings.config.files.clone()) {
                 continue;
             }
-            for root in &settings.config.roots {
+            for (number, root) in settings.config.roots.iter().enumerate() {
                 let mut files = root.files(&self.vfs);
                 files.retain(|file| folders.iter().any(|folder| file.starts_with(folder)));
-                jobs.extend(files.iter().flat_map(|file| Job::of_root(root, file, &options.args)));
+                found.push((settings.clone(), number, files));
             }
         }
-        jobs
+        found
     }
 
     /// The folders whose files are the user's own: in files elsewhere, only errors are news.

@@ -10,7 +10,7 @@ use base::{Span, TextRange};
 use vfs::SourceFile;
 
 /// A root and the arguments it is expanded with.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct RootChoice {
     /// The file, absolute.
     pub file: PathBuf,
@@ -81,7 +81,7 @@ impl World {
             args: variant.args,
             preset: variant.preset,
         };
-        roots.flat_map(|root| root.variants()).map(variant).collect()
+        roots.flat_map(|root| self.session().variants(root, file)).map(variant).collect()
     }
 
     pub(super) fn is_configured(&self, root: &RootChoice) -> bool {

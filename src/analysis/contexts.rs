@@ -123,7 +123,7 @@ fn name(file: &Path) -> String {
 }
 
 /// A root with its arguments, as one writes them on a command line; later arguments win.
-fn label(mut text: String, args: &[(String, String)]) -> String {
+pub(super) fn label(mut text: String, args: &[(String, String)]) -> String {
     for (number, (name, value)) in args.iter().enumerate() {
         if !args.iter().skip(number + 1).any(|(later, _)| later == name) {
             text.push_str(&format!(" {name}:={value}"));
@@ -150,7 +150,7 @@ impl World {
                 for file in root.files(&session.vfs) {
                     let file = session.vfs.absolute(&file);
                     let choice = |Variant { preset, args }| RootChoice { file: file.clone(), args, preset };
-                    found.extend(root.variants().into_iter().map(choice));
+                    found.extend(session.variants(root, &file).into_iter().map(choice));
                 }
             }
         }

@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use workspace::config::Root;
+use super::session::Session;
+use workspace::config::{Axes, Root, Variant};
 
 /// Why a file is expanded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -30,16 +31,25 @@ pub(super) struct Job {
     pub(super) preset: Option<String>,
 }
 
-impl Job {
+impl Session {
+    /// The runs of one file of a configured root.
+    pub(super) fn variants(&self, root: &Root, file: &Path) -> Vec<Variant> {
+        root.variants(&self.choices(root, file))
+    }
+
+    /// The arguments that a root takes from launch files, with their values.
+    pub(super) fn choices(&self, root: &Root, file: &Path) -> Axes {
+        if root.launch_choices { self.launch_choices(file) } else { Axes::new() }
+    }
+
     /// The expansions of one file of a configured root; `args` go over all others.
-    pub(super) fn of_root(root: &Root, file: &Path, args: &[(String, String)]) -> Vec<Self> {
-        let variants = root.variants().into_iter();
-        let job = |variant: workspace::config::Variant| Self {
+    pub(super) fn jobs_of(&self, root: &Root, file: &Path, args: &[(String, String)]) -> Vec<Job> {
+        let job = |variant: Variant| Job {
             file: file.to_path_buf(),
             reason: Reason::Root,
             args: variant.args.into_iter().chain(args.iter().cloned()).collect(),
             preset: variant.preset,
         };
-        variants.map(job).collect()
+        self.variants(root, file).into_iter().map(job).collect()
     }
 }

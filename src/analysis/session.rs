@@ -6,11 +6,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::configs::{Configs, Overrides, Settings};
 use super::includes::Included;
+use super::runs::Runs;
 use base::{FastMap, FastSet};
 use model::Meshes;
 use rules::{Manifests, Surroundings};
 use vfs::{Environment, LoadError, Vfs};
-use workspace::config::{self, Config, ConfigWarning};
+use workspace::config::{self, Axes, Config, ConfigWarning};
 use workspace::{Caller, Callers, Era, PackageOptions, Packages, RobotCall};
 
 /// Files, packages, environment and configuration.
@@ -25,6 +26,8 @@ pub struct Session {
     manifests: Manifests,
     configs: Configs,
     callers: Callers,
+    /// Expansions that generated files were compared with.
+    pub(super) drift_runs: Runs,
     /// What the descriptions below a folder include.
     included: Mutex<FastMap<PathBuf, Arc<Included>>>,
 }
@@ -92,6 +95,7 @@ impl Session {
             manifests: Manifests::default(),
             configs,
             callers: Callers::default(),
+            drift_runs: Runs::default(),
             included: Mutex::default(),
         }
     }
@@ -110,6 +114,11 @@ impl Session {
         let all = self.callers.calls(&path, &self.packages);
         let concerns = |call: &&RobotCall| call.call.caller == path || call.target.as_ref() == Some(&path);
         all.iter().filter(concerns).cloned().collect()
+    }
+
+    /// The arguments of a description for which launch files declare the values to choose from.
+    pub(super) fn launch_choices(&self, file: &Path) -> Axes {
+        self.callers.choices(file, &self.packages)
     }
 
     /// Whether a launch file, script or page names a description.

@@ -135,6 +135,8 @@ limits! {
     "Workspace and configuration" {
         /// Length of a chain of `extend`.
         CONFIG_CHAIN: usize = 16, "a warning at `extend`";
+        /// Combinations of arguments in one entry of `roots`.
+        MATRIX_RUNS: usize = 1_000, "a warning in the configuration; `test` exits with an error";
         /// Alternatives in one pattern with braces.
         GLOB_ALTERNATIVES: usize = 64, "the others match nothing";
         /// Folders that are searched for files that match a pattern.
@@ -173,6 +175,10 @@ limits! {
         NAMESAKE_FILES: usize = 100_000, "no file is suggested";
         /// Depth of folders that are searched for the name of a missing file.
         NAMESAKE_DEPTH: usize = 24, "no file is suggested";
+        /// Source files with the name in the banner of a generated file.
+        DRIFT_SOURCES: usize = 4, "the generated file is not compared with the others";
+        /// Combinations of arguments with which a source is expanded to compare a generated file.
+        DRIFT_RUNS: usize = 50, "the generated file is not compared with the others";
         /// Nodes in a `package.xml`.
         MANIFEST_NODES: u32 = 100_000, "its name is searched in the plain text, its dependencies are unknown";
         /// Bytes of arguments in the build files of a package, counted in each iteration of a loop.

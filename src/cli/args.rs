@@ -19,6 +19,8 @@ pub(super) enum Command {
     Check(CheckArgs),
     /// Apply safe fixes (same as `check --fix`)
     Fix(CheckArgs),
+    /// Test the robots of `[[roots]]`: each combination of arguments, against what the configuration expects
+    Test(TestArgs),
     /// Format files: indentation and whitespace between attributes
     Format(FormatArgs),
     /// Expand a file exactly as xacro does (accepts the options of xacro)
@@ -293,6 +295,40 @@ pub(super) struct FormatArgs {
     /// Print the changes without writing files; exit with 1 if there are any
     #[arg(long, conflicts_with = "check")]
     pub(super) diff: bool,
+}
+
+#[derive(Args, Debug)]
+pub(super) struct TestArgs {
+    /// Files and folders whose configured roots are tested; default: the current folder
+    #[arg(value_name = "PATH")]
+    pub(super) paths: Vec<PathBuf>,
+    /// Output format
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: TestFormat,
+    /// Run only tests whose names contain this text
+    #[arg(long, value_name = "TEXT")]
+    pub(super) filter: Option<String>,
+    /// Write the files of `expands-to` that differ from the robots
+    #[arg(long)]
+    pub(super) update: bool,
+    /// Use this configuration file instead of the nearest xacro-lint.toml
+    #[arg(long, value_name = "FILE")]
+    pub(super) config: Option<PathBuf>,
+    /// Search this folder for packages first; repeatable
+    #[arg(long, value_name = "DIR")]
+    pub(super) package_path: Vec<String>,
+}
+
+/// Output formats of `test`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum TestFormat {
+    /// One line per test, then the failures
+    #[default]
+    Text,
+    /// A JSON array
+    Json,
+    /// Test results for CI servers
+    Junit,
 }
 
 #[derive(Args, Debug)]

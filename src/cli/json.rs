@@ -67,6 +67,12 @@ pub(super) fn findings(report: &Report, cwd: &Path) -> String {
     format!("{text}\n")
 }
 
+/// One finding.
+pub(super) fn value(report: &Report, finding: &Finding, cwd: &Path) -> serde_json::Value {
+    let place = |span: Span| place(report, span, cwd);
+    serde_json::to_value(object(finding, &place)).unwrap_or_default()
+}
+
 fn object<'a>(finding: &'a Finding, place: &dyn Fn(Span) -> JsonPlace) -> JsonFinding<'a> {
     JsonFinding {
         code: finding.rule.code,

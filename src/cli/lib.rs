@@ -25,6 +25,7 @@ mod render;
 mod sarif;
 mod services;
 mod svg;
+mod test;
 mod text;
 mod tree;
 mod watch;
@@ -87,6 +88,7 @@ fn dispatch(command: Command, env: &Environment, io: &mut Io<'_>) -> u8 {
     match command {
         Command::Check(options) => check::run(&options, env, io),
         Command::Fix(options) => check::run(&check::fixing(options), env, io),
+        Command::Test(options) => test::run(&options, env, io),
         Command::Format(options) => format::run(&options, env, io),
         Command::Expand { args } => expand::run(&args, env, io),
         Command::Tree(options) => tree::run(&options, env, io),

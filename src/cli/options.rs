@@ -21,6 +21,8 @@ pub struct ExpandOptions {
     pub package_path: Vec<String>,
     /// `--source-map`
     pub source_map: Option<String>,
+    /// `--check`
+    pub check: Option<String>,
 }
 
 /// Why the command line cannot be carried out.
@@ -44,7 +46,8 @@ impl UsageError {
     }
 }
 
-const LONG: [&str; 8] = [
+const LONG: [&str; 9] = [
+    "--check",
     "--deps",
     "--inorder",
     "--root-dir",
@@ -101,6 +104,7 @@ pub fn parse(args: &[String]) -> Result<ExpandOptions, UsageError> {
         verbosity: 1,
         package_path: Vec::new(),
         source_map: None,
+        check: None,
     };
     let mut files = Vec::new();
     let mut rest = args.iter().filter(|a| !a.contains(":=")).map(String::as_str);
@@ -114,6 +118,9 @@ pub fn parse(args: &[String]) -> Result<ExpandOptions, UsageError> {
         } else {
             files.push(arg);
         }
+    }
+    if options.check.is_some() && (options.output.is_some() || options.deps) {
+        return Err(UsageError::Usage("--check cannot be used with -o or --deps".into()));
     }
     match files.as_slice() {
         [file] => options.input = (*file).to_owned(),
@@ -145,8 +152,10 @@ fn long_option<'a>(
             return Err(UsageError::Usage(format!("ambiguous option: {given} ({list}?)")));
         }
     };
-    let takes_value =
-        matches!(name, "--root-dir" | "--verbosity" | "--package-path" | "--source-map" | "--output");
+    let takes_value = matches!(
+        name,
+        "--check" | "--root-dir" | "--verbosity" | "--package-path" | "--source-map" | "--output"
+    );
     if !takes_value && value.is_some() {
         return Err(UsageError::Usage(format!("{name} option does not take a value")));
     }
@@ -164,6 +173,7 @@ fn long_option<'a>(
         "--package-path" => options.package_path.push(value),
         "--source-map" => options.source_map = Some(value),
         "--output" => options.output = Some(value),
+        "--check" => options.check = Some(value),
         "--verbosity" => {
             let number = value.parse();
             options.verbosity = number.map_err(|_| {

@@ -122,7 +122,7 @@ fn test(report: &Report, finding: &Finding, path: &str, fails: bool) -> String {
 }
 
 /// Text for XML, in an attribute or between tags.
-fn quoted(text: &str) -> String {
+pub(super) fn quoted(text: &str) -> String {
     let text = visible(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     // characters that no XML may hold
     text.replace('"', "&quot;").replace(['\n', '\t'], " ").replace(['\u{FFFE}', '\u{FFFF}'], "\u{FFFD}")

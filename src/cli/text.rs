@@ -38,10 +38,16 @@ pub(super) fn statistics(report: &Report, io: &mut Io<'_>) {
     }
 }
 
-/// All findings with their source text.
-pub(super) fn drawings(report: &Report, packages: &Packages, cwd: &Path, color: bool) -> Vec<String> {
+/// Findings of a report with their source text.
+pub(super) fn drawings<'f>(
+    findings: impl Iterator<Item = &'f Finding>,
+    report: &Report,
+    packages: &Packages,
+    cwd: &Path,
+    color: bool,
+) -> Vec<String> {
     let files = shown_files(report, packages, cwd);
-    report.findings.iter().map(|finding| drawing(finding, &files, report, cwd, color)).collect()
+    findings.map(|finding| drawing(finding, &files, report, cwd, color)).collect()
 }
 
 /// The files whose text may be shown.

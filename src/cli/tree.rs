@@ -108,7 +108,7 @@ pub(super) fn explain(
     let mut report = session.check(&options);
     let categories = [Category::Xml, Category::Xacro, Category::Structure, Category::Package];
     report.findings.retain(|f| f.severity == Severity::Error && categories.contains(&f.rule.category));
-    for line in text::drawings(&report, &session.packages, &env.cwd, io.color) {
+    for line in text::drawings(report.findings.iter(), &report, &session.packages, &env.cwd, io.color) {
         io.line(&line);
     }
 }

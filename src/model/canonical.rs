@@ -39,12 +39,20 @@ const FOREIGN: [&str; 7] = ["gazebo", "sdf", "model", "world", "plugin", "ros2_c
 const DEPTH: usize = 200;
 
 /// An element, reduced to what counts.
-#[derive(Debug, PartialEq)]
-struct Element {
-    name: String,
-    attrs: Vec<(String, String)>,
+#[derive(Debug)]
+pub(super) struct Element {
+    pub(super) name: String,
+    pub(super) attrs: Vec<(String, String)>,
     /// Text that is no white space, elements, in order.
-    children: Vec<Element>,
+    pub(super) children: Vec<Element>,
+    /// Where it begins in the text; counts for nothing.
+    pub(super) start: usize,
+}
+
+impl PartialEq for Element {
+    fn eq(&self, other: &Self) -> bool {
+        (&self.name, &self.attrs, &self.children) == (&other.name, &other.attrs, &other.children)
+    }
 }
 
 /// Whether two texts describe the same robot under every argument. `None` when one of them cannot be compared: it is
@@ -56,7 +64,8 @@ pub fn same_robot(one: &str, other: &str) -> Option<bool> {
     Some(canonical(one)? == canonical(other)?)
 }
 
-fn canonical(text: &str) -> Option<Element> {
+/// The root element of a text; none when the text cannot be compared.
+pub(super) fn canonical(text: &str) -> Option<Element> {
     let options = ParsingOptions { allow_dtd: false, ..ParsingOptions::default() };
     let document = roxmltree::Document::parse_with_options(text, options).ok()?;
     let mut element = read(document.root_element(), text, 0)?;
@@ -78,11 +87,13 @@ fn read(node: Node<'_, '_>, text: &str, depth: usize) -> Option<Element> {
     for child in node.children() {
         match child.node_type() {
             NodeType::Element => children.push(read(child, text, depth + 1)?),
-            NodeType::Text => children.extend(content(child.text().unwrap_or_default())),
+            NodeType::Text => {
+                children.extend(content(child.text().unwrap_or_default(), child.range().start));
+            }
             _ => {}
         }
     }
-    Some(Element { name, attrs, children })
+    Some(Element { name, attrs, children, start: node.range().start })
 }
 
 /// The name of an attribute with its prefix.
@@ -91,10 +102,10 @@ fn written_name(attr: &Attribute<'_, '_>, text: &str) -> String {
 }
 
 /// Text as a child without name; none for white space.
-fn content(text: &str) -> Option<Element> {
+fn content(text: &str, start: usize) -> Option<Element> {
     let words: Vec<&str> = text.split_ascii_whitespace().collect();
     let attrs = vec![(String::new(), words.join(" "))];
-    (!words.is_empty()).then(|| Element { name: String::new(), attrs, children: Vec::new() })
+    (!words.is_empty()).then(|| Element { name: String::new(), attrs, children: Vec::new(), start })
 }
 
 /// The value of an attribute of `element`; numbers as one spelling of them. What tags of xacro are given may become part
@@ -177,7 +188,8 @@ fn reduce_joint(joint: &mut Element) {
         "fixed" | "floating" => joint.children.retain(|child| child.name != "axis"),
         "revolute" | "continuous" | "prismatic" | "planar" if is_plain && !joint.has("axis") => {
             let attrs = vec![("xyz".to_owned(), "1.0 0.0 0.0".to_owned())];
-            joint.children.push(Element { name: "axis".to_owned(), attrs, children: Vec::new() });
+            let (name, start) = ("axis".to_owned(), joint.start);
+            joint.children.push(Element { name, attrs, children: Vec::new(), start });
         }
         _ => {}
     }
@@ -214,7 +226,7 @@ fn drop_identity(element: &mut Element) {
 }
 
 impl Element {
-    fn attr(&self, name: &str) -> Option<&str> {
+    pub(super) fn attr(&self, name: &str) -> Option<&str> {
         self.attrs.iter().find(|(own, _)| own == name).map(|(_, value)| value.as_str())
     }
 

@@ -2,6 +2,7 @@
 
 mod blocks;
 mod canonical;
+mod difference;
 mod joint;
 mod kinematics;
 mod link;
@@ -17,6 +18,7 @@ mod version;
 
 pub use blocks::{ControlJoint, Gazebo, Interface, Param, Ros2Control, Transmission};
 pub use canonical::same_robot;
+pub use difference::{Comparison, Difference, What, compare};
 pub use joint::{Axis, Dynamics, Joint, JointType, Limit, Mimic, Safety};
 pub use kinematics::Kinematics;
 pub use link::{Body, Geometry, Inertial, Link, Material, Shape, ShapeKind};

@@ -41,15 +41,17 @@ pub use grouping::Group;
 pub use linter::{
     Directive, Malformed, Selector, Suppression, Suppressions, invalid_config, unused_suppression,
 };
-pub use package::{Manifests, launched_file_not_found, missing_packages, unknown_launch_argument};
+pub use package::{
+    Manifests, generated_urdf_out_of_date, launched_file_not_found, missing_packages, unknown_launch_argument,
+};
 pub use registry::{
     Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector,
     unknown_selector,
 };
-pub use run::{Chosen, check_expansion, check_files, check_recovered, is_whole};
+pub use run::{Chosen, check_expansion, check_files, check_recovered, is_whole, rejections};
 pub use selection::{Selection, SelectionOptions};
 pub use semantic::{holds_for_semantic, is_semantic};
-pub use sink::Sink;
+pub use sink::{Sink, calls, span_of};
 pub use thresholds::{THRESHOLDS, Threshold};
 pub use xacro::include_tags;
 pub use xml::missing_robot_name;

@@ -254,6 +254,14 @@ fn excuse_packages(findings: &mut Vec<Finding>, world: Surroundings<'_>) {
     *findings = kept;
 }
 
+/// What makes xacro reject a file.
+pub fn rejections(expansion: &Expansion, vfs: &Vfs) -> Vec<Finding> {
+    let is_error = |problem: &&Problem| !problem.probed && problem.severity == expand::Severity::Error;
+    let errors = expansion.problems.iter().filter(is_error);
+    let found = errors.filter_map(|problem| finding(expansion, problem, vfs));
+    found.map(|found| Finding { severity: Severity::Error, ..found }).collect()
+}
+
 /// A problem of the expander as a finding.
 fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Option<Finding> {
     let rule = by_code(problem.code)?;

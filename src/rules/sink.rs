@@ -143,18 +143,11 @@ impl<'a> Sink<'a> {
     }
 
     fn span_of(&self, origin: Origin) -> Option<Span> {
-        self.span(self.expansion.place(origin)?)
+        span_of(self.expansion, origin)
     }
 
-    /// The macro calls and inserted blocks that led to `origin`, innermost first.
     fn calls(&self, origin: Origin) -> Vec<Related> {
-        let steps = self.expansion.frames_of(origin).filter(|frame| frame.kind != FrameKind::Include);
-        steps
-            .filter_map(|frame| {
-                let span = self.span_of(frame.call)?;
-                Some(Related { span, message: call_message(frame), is_call: true })
-            })
-            .collect()
+        calls(self.expansion, origin)
     }
 }
 
@@ -253,6 +246,22 @@ impl Reported<'_, '_> {
 pub(super) fn span(expansion: &Expansion, place: Place) -> Option<Span> {
     let file = expansion.files.get(place.file.0 as usize)?;
     Some(Span { file: file.source.id, range: place.range })
+}
+
+/// The place of a text of an expansion.
+pub fn span_of(expansion: &Expansion, origin: Origin) -> Option<Span> {
+    span(expansion, expansion.place(origin)?)
+}
+
+/// The macro calls and inserted blocks that led to `origin`, innermost first.
+pub fn calls(expansion: &Expansion, origin: Origin) -> Vec<Related> {
+    let steps = expansion.frames_of(origin).filter(|frame| frame.kind != FrameKind::Include);
+    steps
+        .filter_map(|frame| {
+            let span = span_of(expansion, frame.call)?;
+            Some(Related { span, message: call_message(frame), is_call: true })
+        })
+        .collect()
 }
 
 fn call_message(frame: &Frame) -> String {

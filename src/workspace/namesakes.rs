@@ -15,6 +15,22 @@ use vfs::Vfs;
 pub(super) struct Index(FastMap<String, Vec<PathBuf>>);
 
 impl Packages {
+    /// The files of a name in the sources around a file, whatever the case of its letters, sorted.
+    pub fn files_named(&self, name: &str, from: &Path) -> Vec<PathBuf> {
+        // of a very large workspace, not all files are in the index
+        let package = self.containing(from).map(|package| package.folder);
+        let folders = package.into_iter().chain(self.sources_around(from));
+        let mut found: Vec<PathBuf> = folders
+            .flat_map(|folder| {
+                let index = self.indexes.get(folder.clone(), || Arc::new(Index::of(&self.vfs, &folder)));
+                index.0.get(&name.to_lowercase()).cloned().unwrap_or_default()
+            })
+            .collect();
+        found.sort();
+        found.dedup();
+        found
+    }
+
     /// A file of the name of `missing`, whatever the case of its letters, in `package` (a folder), else in the
     /// workspace around `from`: the one whose folders are most like those of `missing`, if there is only one.
     pub fn namesake(&self, missing: &Path, package: Option<&Path>, from: &Path) -> Option<PathBuf> {
@@ -50,7 +66,12 @@ impl Index {
             if !is_new || files > NAMESAKE_FILES {
                 continue;
             }
-            for entry in vfs.list_dir(&folder).iter() {
+            let entries = vfs.list_dir(&folder);
+            // what a tool made and can make again says so
+            if entries.iter().any(|entry| entry.name == "CACHEDIR.TAG") {
+                continue;
+            }
+            for entry in entries.iter() {
                 let path = folder.join(&entry.name);
                 match entry.is_dir {
                     true if entry.name.starts_with('.')

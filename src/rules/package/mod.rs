@@ -2,6 +2,7 @@
 
 mod deprecated_xacro_cli;
 mod description_package_name;
+mod generated_urdf_out_of_date;
 mod invalid_package_name;
 mod launch;
 mod launched_file_not_found;
@@ -16,6 +17,7 @@ mod xacro_not_in_package;
 
 use super::registry::Rule;
 
+pub use generated_urdf_out_of_date::generated_urdf_out_of_date;
 pub(super) use launch::reads_as_it_stands;
 pub use launched_file_not_found::launched_file_not_found;
 pub use manifest::Manifests;
@@ -36,4 +38,5 @@ pub(super) static RULES: &[Rule] = &[
     malformed_package_xml::RULE,
     unknown_launch_argument::RULE,
     launched_file_not_found::RULE,
+    generated_urdf_out_of_date::RULE,
 ];

@@ -8,7 +8,8 @@ use base::limits::{CALLER_CALLS, LAUNCH_INCLUDES};
 
 use super::{Callers, Uses, search};
 use crate::Packages;
-use crate::launch::{self, Call, Context, LaunchFile, calls_in, included};
+use crate::config::Axes;
+use crate::launch::{self, Call, Context, LaunchFile, Word, calls_in, included};
 use std::sync::Arc;
 
 /// A call, and the description that it names.
@@ -31,6 +32,65 @@ impl Callers {
     pub fn calls_below(&self, top: &Path, packages: &Packages) -> Arc<Vec<RobotCall>> {
         let uses = self.below.get(top.to_owned(), || Arc::new(search(&packages.vfs, top)));
         self.called.get(top.to_owned(), || Arc::new(all(&uses, packages)))
+    }
+}
+
+impl Callers {
+    /// The arguments of the description `file` that launch files pass on from an argument of theirs with declared choices,
+    /// with the values that these choices give.
+    pub fn choices(&self, file: &Path, packages: &Packages) -> Axes {
+        let mut axes = Axes::new();
+        let mut launch_files: Vec<PathBuf> = Vec::new();
+        for call in self.calls(file, packages).iter().filter(|call| call.target.as_deref() == Some(file)) {
+            if !launch_files.contains(&call.call.caller) {
+                launch_files.push(call.call.caller.clone());
+            }
+        }
+        let read = |path: &PathBuf| launch::read(path, &packages.vfs.text(path).ok()?.text);
+        for launch_file in launch_files.iter().filter_map(read) {
+            let mut calls = 0;
+            for declared in &launch_file.declared {
+                let Some(choices) = &declared.choices else { continue };
+                for choice in choices {
+                    calls += 1;
+                    if calls > CALLER_CALLS {
+                        return axes;
+                    }
+                    let value = (declared.name.clone(), Word::plain(choice));
+                    let context = Context { values: vec![value], ..Context::default() };
+                    add_chosen(&mut axes, &launch_file, &declared.name, &context, |call| {
+                        target(call, packages).as_deref() == Some(file)
+                    });
+                }
+            }
+        }
+        axes
+    }
+}
+
+/// Add the values of the arguments that depend on the argument `name` of a launch file, which has a value in `context`.
+fn add_chosen(
+    axes: &mut Axes,
+    launch_file: &LaunchFile,
+    name: &str,
+    context: &Context,
+    is_meant: impl Fn(&Call) -> bool,
+) {
+    const OTHER: &str = "\u{fffd}";
+    let other = Context { values: vec![(name.to_owned(), Word::plain(OTHER))], ..Context::default() };
+    let others = calls_in(launch_file, &other);
+    for call in calls_in(launch_file, context).iter().filter(|call| is_meant(call)) {
+        let same = others.iter().find(|other| other.range == call.range);
+        for argument in &call.args {
+            let depends = same.and_then(|same| same.args.iter().find(|own| own.name == argument.name));
+            let depends = depends.is_some_and(|own| own.value.shown().contains(OTHER));
+            let Some(value) = argument.value.literal().filter(|_| depends) else { continue };
+            match axes.iter_mut().find(|(known, _)| *known == argument.name) {
+                Some((_, values)) if values.contains(&value) => {}
+                Some((_, values)) => values.push(value),
+                None => axes.push((argument.name.clone(), vec![value])),
+            }
+        }
     }
 }
 

@@ -4,9 +4,8 @@
 
 use std::path::PathBuf;
 
-use super::keys::{FORMAT, KEYS, Key, LAYOUTS, LEVELS, LIMITS, PROFILES, ROOTS, TARGETS, Type};
+use super::keys::{FORMAT, KEYS, Key, LAYOUTS, LEVELS, LIMITS, PROFILES, TARGETS, Type};
 use super::pattern::Pattern;
-use super::roots::{Args, Root};
 use super::value::{Entry, Value, ValueKind};
 use super::{
     AttributeLayout, Config, ConfigWarning, Format, Level, Limits, Mention, MentionKind, Place, Profile,
@@ -18,7 +17,7 @@ use base::{TextRange, count_line_ends, last_line_start};
 pub(super) struct Applier {
     path: PathBuf,
     text: String,
-    folder: PathBuf,
+    pub(super) folder: PathBuf,
     /// Whether unknown keys are somebody else's.
     pub(super) passes_unknown: bool,
     pub(super) warnings: Vec<ConfigWarning>,
@@ -30,7 +29,7 @@ impl Applier {
         Self { path, text, folder, passes_unknown: false, warnings: Vec::new() }
     }
 
-    fn place(&self, range: TextRange) -> Place {
+    pub(super) fn place(&self, range: TextRange) -> Place {
         let before = self.text.get(..range.start as usize).unwrap_or("");
         let line_start = last_line_start(before).unwrap_or(0);
         let column = before.get(line_start..).unwrap_or("").chars().count();
@@ -185,72 +184,10 @@ impl Applier {
         }
     }
 
-    // Roots.
-
-    fn roots(&mut self, entry: &Entry) -> Vec<Root> {
-        let mut roots = Vec::new();
-        for value in self.values(entry) {
-            match &value.kind {
-                ValueKind::Table(fields) => roots.extend(self.root(fields, value.range)),
-                _ => self.wrong("roots", value, "a list of tables"),
-            }
-        }
-        roots
-    }
-
-    fn root(&mut self, fields: &[Entry], range: TextRange) -> Option<Root> {
-        let (mut file, mut args, mut presets) = (None, Args::new(), Vec::new());
-        let mut given = Vec::new();
-        for field in self.known(fields, ROOTS, "roots") {
-            match field.key.as_str() {
-                "file" => file = self.text(field).map(|text| (text.to_owned(), field.value.range)),
-                "args" => args = self.args(field, &mut given),
-                _ => {
-                    for preset in self.table(field) {
-                        let args = self.args(preset, &mut given);
-                        presets.push((preset.key.clone(), args));
-                    }
-                }
-            }
-        }
-        let has_file_key = fields.iter().any(|field| field.key == "file");
-        match file {
-            Some((file, range)) => {
-                let (folder, place) = (self.folder.clone(), self.place(range));
-                Some(Root { file, folder, args, presets, place, given })
-            }
-            None if has_file_key => None,
-            None => {
-                self.warn(range, "an entry of `roots` has no `file`".to_owned(), None);
-                None
-            }
-        }
-    }
-
-    /// Arguments as they would be typed behind `name:=`.
-    fn args(&mut self, entry: &Entry, given: &mut Vec<(String, Place)>) -> Args {
-        let mut args = Args::new();
-        for field in self.table(entry) {
-            let value = match &field.value.kind {
-                ValueKind::Text(text) => text.clone(),
-                ValueKind::Int(Some(value)) => value.to_string(),
-                ValueKind::Float(_, text) => text.clone(),
-                ValueKind::Bool(value) => value.to_string(),
-                _ => {
-                    self.wrong(&field.key, &field.value, "a string, number or boolean");
-                    continue;
-                }
-            };
-            given.push((field.key.clone(), self.place(field.key_range)));
-            args.push((field.key.clone(), value));
-        }
-        args
-    }
-
     // Types.
 
     /// The entries with a known key; the others give a warning.
-    fn known<'e>(&mut self, entries: &'e [Entry], keys: &[Key], table: &str) -> Vec<&'e Entry> {
+    pub(super) fn known<'e>(&mut self, entries: &'e [Entry], keys: &[Key], table: &str) -> Vec<&'e Entry> {
         let (known, unknown): (Vec<&Entry>, Vec<&Entry>) =
             entries.iter().partition(|entry| keys.iter().any(|key| key.name == entry.key));
         let unknown = if self.passes_unknown { Vec::new() } else { unknown };
@@ -262,7 +199,7 @@ impl Applier {
         known
     }
 
-    fn wrong(&mut self, key: &str, value: &Value, wanted: &str) {
+    pub(super) fn wrong(&mut self, key: &str, value: &Value, wanted: &str) {
         self.warn(value.range, format!("`{key}` must be {wanted}, not {}", value.what()), None);
     }
 
@@ -275,7 +212,7 @@ impl Applier {
         None
     }
 
-    fn values<'e>(&mut self, entry: &'e Entry) -> &'e [Value] {
+    pub(super) fn values<'e>(&mut self, entry: &'e Entry) -> &'e [Value] {
         if let ValueKind::List(items) = &entry.value.kind {
             return items;
         }
@@ -283,7 +220,7 @@ impl Applier {
         &[]
     }
 
-    fn texts(&mut self, entry: &Entry) -> Vec<String> {
+    pub(super) fn texts(&mut self, entry: &Entry) -> Vec<String> {
         let mut texts = Vec::new();
         for value in self.values(entry) {
             match &value.kind {
@@ -302,7 +239,7 @@ impl Applier {
         None
     }
 
-    fn table<'e>(&mut self, entry: &'e Entry) -> &'e [Entry] {
+    pub(super) fn table<'e>(&mut self, entry: &'e Entry) -> &'e [Entry] {
         if let ValueKind::Table(entries) = &entry.value.kind {
             return entries;
         }
@@ -330,7 +267,13 @@ impl Applier {
         fits
     }
 
-    fn choice<T: Copy>(&mut self, key: &str, value: &Value, names: &[&str], values: &[T]) -> Option<T> {
+    pub(super) fn choice<T: Copy>(
+        &mut self,
+        key: &str,
+        value: &Value,
+        names: &[&str],
+        values: &[T],
+    ) -> Option<T> {
         let ValueKind::Text(text) = &value.kind else {
             self.wrong(key, value, "a string");
             return None;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Map, Value, json};
 
 use super::keys::{FORMAT, KEYS, LAYOUTS, LEVELS, LIMITS, PROFILES, TARGETS, Type};
-use super::roots::Args;
+use super::roots::{Args, Axes};
 use super::value::{Entry, ValueKind};
 use super::{AttributeLayout, Config, Level, Pattern, Profile, Root};
 use crate::Target;
@@ -142,13 +142,33 @@ fn root(root: &Root) -> Value {
     let mut fields = Map::new();
     fields.insert("file".to_owned(), json!(root.file));
     if !root.args.is_empty() {
-        fields.insert("args".to_owned(), args(&root.args));
+        fields.insert("args".to_owned(), axes(&root.args));
+    }
+    if !root.exclude.is_empty() {
+        fields.insert("exclude".to_owned(), root.exclude.iter().map(axes).collect());
+    }
+    if root.launch_choices {
+        fields.insert("choices".to_owned(), json!("launch"));
     }
     if !root.presets.is_empty() {
         let presets = root.presets.iter().map(|(name, preset)| (name.clone(), args(preset)));
         fields.insert("presets".to_owned(), object(presets));
     }
+    if !root.expect.is_empty() {
+        fields.insert(
+            "expect".to_owned(),
+            root.expect.iter().map(|expected| expected.written.clone()).collect(),
+        );
+    }
     Value::Object(fields)
+}
+
+/// Arguments with their values; one value by itself.
+fn axes(axes: &Axes) -> Value {
+    object(axes.iter().map(|(name, values)| match values.as_slice() {
+        [value] => (name.clone(), json!(value)),
+        values => (name.clone(), json!(values)),
+    }))
 }
 
 #[cfg(test)]

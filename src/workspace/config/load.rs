@@ -77,7 +77,11 @@ pub fn argument_places(text: &str, name: &str, admits: impl Fn(&str) -> bool) ->
             let presets = root.iter().filter(|entry| entry.key == "presets");
             let presets = presets.flat_map(|presets| fields(&presets.value)).map(|preset| &preset.value);
             let args = root.iter().filter(|entry| entry.key == "args").map(|args| &args.value);
-            let given = args.chain(presets).flat_map(fields).filter(|entry| entry.key == name);
+            let expected = tables(root, "expect").into_iter().flatten().filter(|entry| entry.key == "when");
+            let excluded = tables(root, "exclude").into_iter().flatten();
+            let expected = expected.flat_map(|when| fields(&when.value)).chain(excluded);
+            let given =
+                args.chain(presets).flat_map(fields).chain(expected).filter(|entry| entry.key == name);
             found.extend(given.map(|entry| bare(text, entry.key_range)));
         }
     }

@@ -4,7 +4,9 @@
 //! camelCase and are read by the same code.
 
 mod apply;
+mod apply_roots;
 mod effective;
+mod expect;
 mod keys;
 mod load;
 mod pattern;
@@ -19,9 +21,10 @@ use std::fmt;
 use std::path::PathBuf;
 
 pub use effective::Setting;
+pub use expect::{Expectation, ExpectedJoint};
 pub use load::{CONFIG_NAMES, Loaded, argument_places, find_config, unknown_settings};
 pub use pattern::Pattern;
-pub use roots::{Args, Root, Variant, files_named};
+pub use roots::{Args, Axes, Root, Variant, files_named};
 pub use schema::schema;
 
 use super::packages::Target;

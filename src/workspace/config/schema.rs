@@ -42,5 +42,11 @@ fn type_schema(of: Type) -> Value {
         Type::Map(of) => json!({ "type": "object", "additionalProperties": type_schema(*of) }),
         Type::Number => json!({ "type": "number" }),
         Type::Argument => json!({ "type": ["string", "number", "boolean"] }),
+        Type::Arguments => {
+            let one = type_schema(Type::Argument);
+            json!({ "anyOf": [one, { "type": "array", "items": one }] })
+        }
+        Type::List(of) => json!({ "type": "array", "items": type_schema(*of) }),
+        Type::Whole => json!({ "type": "integer", "minimum": 0 }),
     }
 }

@@ -98,6 +98,99 @@ include-depth = 6
     assert_eq!(config.mentions.iter().filter(|mention| mention.kind == MentionKind::Threshold).count(), 2);
 }
 
+/// The runs of the first root, without its file.
+fn runs(text: &str, choices: &[(&str, &[&str])]) -> Vec<String> {
+    let (_, config, warnings) = load(&format!("[[roots]]\nfile = 'a'\n{text}"));
+    assert!(warnings.is_empty(), "{warnings:?}");
+    let values = |values: &[&str]| values.iter().map(|value| (*value).to_owned()).collect();
+    let choices = choices.iter().map(|(name, own)| ((*name).to_owned(), values(own))).collect();
+    let args = |args: &[(String, String)]| {
+        args.iter().map(|(name, value)| format!("{name}:={value}")).collect::<Vec<_>>().join(" ")
+    };
+    config.roots[0].variants(&choices).iter().map(|run| args(&run.args)).collect()
+}
+
+#[test]
+fn combinations_of_arguments() {
+    assert_eq!(
+        runs("args = { kind = ['a', 'b'], sim = true, size = [1, 2] }", &[]),
+        [
+            "kind:=a sim:=true size:=1",
+            "kind:=a sim:=true size:=2",
+            "kind:=b sim:=true size:=1",
+            "kind:=b sim:=true size:=2",
+        ]
+    );
+    // what is listed twice is one run
+    assert_eq!(runs("args = { kind = ['a', 'a'] }", &[]), ["kind:=a"]);
+    let excluded = "args = { kind = ['a', 'b'], size = [1, 2, 3] }\nexclude = [{ kind = 'a', size = [1, 2] }, { size = 3 }, {}]";
+    assert_eq!(runs(excluded, &[]), ["kind:=b size:=1", "kind:=b size:=2"]);
+    // a preset goes over the lists
+    assert_eq!(
+        runs("args = { kind = ['a', 'b'] }\npresets.p = { kind = 'c', sim = true }", &[]),
+        ["kind:=a", "kind:=b", "kind:=c sim:=true"]
+    );
+    // what launch files offer comes last, and not where the entry says something else
+    let choices: [(&str, &[&str]); 2] = [("kind", &["x", "y"]), ("size", &["1", "2"])];
+    assert_eq!(
+        runs("args = { kind = ['a', 'b'] }", &choices),
+        ["kind:=a size:=1", "kind:=a size:=2", "kind:=b size:=1", "kind:=b size:=2"]
+    );
+}
+
+#[test]
+fn places_that_name_an_argument() {
+    let text = "[[roots]]\nfile = 'a'\nargs = { side = ['l', 'r'] }\nexclude = [{ side = 'l' }]\npresets.p = { side = 'r' }\n\
+                [[roots.expect]]\nname = 'side'\nwhen = { side = 'l' }\n";
+    let places = super::argument_places(text, "side", |_| true);
+    assert_eq!(places.len(), 4);
+    assert!(places.iter().all(|place| place.slice(text) == "side"));
+}
+
+#[test]
+fn a_matrix_without_end() {
+    let digits = "[0, 1, 2, 3, 4, 5, 6, 7, 8, 9]";
+    let args: Vec<String> = (0..30).map(|n| format!("a{n} = {digits}")).collect();
+    let (_, config, warnings) = load(&format!("[[roots]]\nfile = 'a'\nargs = {{ {} }}", args.join(", ")));
+    assert_eq!(config.roots[0].variants(&Vec::new()).len(), 1_000);
+    let message = format!("{} combinations of arguments; only 1000 are used", u64::MAX);
+    assert!(warnings[0].ends_with(&message), "{warnings:?}");
+}
+
+#[test]
+fn expectations() {
+    let (_, config, warnings) = load(
+        r#"
+[[roots]]
+file = "a"
+[[roots.expect]]
+name = "arm"
+when = { kind = ["a", "b"], sim = true }
+root = "world"
+links = ["tool"]
+link-count = 0
+chains = [["world", "tool"]]
+mass = 3
+joint.shoulder = { type = "revolute", lower = -1, tolerance = 0 }
+command-interfaces = { shoulder = ["position"] }
+expands-to = "arm.urdf"
+[[roots.expect]]
+"#,
+    );
+    assert!(warnings.is_empty(), "{warnings:?}");
+    let [arm, empty] = config.roots[0].expect.as_slice() else { panic!() };
+    assert_eq!((arm.link_count, arm.mass, arm.mass_tolerance), (Some(0), Some(3.0), 0.001));
+    assert_eq!(arm.when[0].1, ["a", "b"]);
+    let joint = &arm.joint[0].1;
+    assert_eq!(
+        (joint.kind.as_deref(), joint.lower, joint.upper, joint.tolerance),
+        (Some("revolute"), Some(-1.0), None, 0.0)
+    );
+    assert_eq!((arm.place.line, empty.place.line), (4, 15));
+    let roots = &config.settings().into_iter().find(|setting| setting.key == "roots").unwrap().value;
+    assert_eq!(roots[0]["expect"][0]["joint"]["shoulder"]["type"], "revolute");
+}
+
 #[test]
 fn roots_and_presets() {
     let (tree, config, _) = load(
@@ -118,7 +211,7 @@ presets.only = { a = "1" }
         tree.write(file, "");
     }
     let runs: Vec<String> = config.roots[0]
-        .variants()
+        .variants(&Vec::new())
         .iter()
         .map(|run| {
             let args: Vec<String> = run.args.iter().map(|(name, value)| format!("{name}:={value}")).collect();
@@ -136,8 +229,9 @@ presets.only = { a = "1" }
     assert_eq!(config.roots[0].files(tree.vfs()), [tree.path("urdf/robot.urdf.xacro")]);
     assert_eq!(config.roots[1].files(tree.vfs()), [tree.path("a.urdf"), tree.path("sub/b.urdf")]);
     assert!(config.roots[2].files(tree.vfs()).is_empty());
-    assert_eq!(config.roots[1].variants().len(), 1);
-    let only: Vec<Option<String>> = config.roots[2].variants().into_iter().map(|run| run.preset).collect();
+    assert_eq!(config.roots[1].variants(&Vec::new()).len(), 1);
+    let only: Vec<Option<String>> =
+        config.roots[2].variants(&Vec::new()).into_iter().map(|run| run.preset).collect();
     assert_eq!(only, [Some("only".to_owned())]);
     assert_eq!((config.roots[1].place.line, config.roots[1].place.column), (8, 8));
 }
@@ -177,7 +271,33 @@ fn what_does_not_fit_is_a_warning_and_the_rest_holds() {
         ("[format]\nwidth = 1", "2:1: unknown key `width` in `format`"),
         ("[[roots]]\nargs = {}", "1:1: an entry of `roots` has no `file`"),
         ("[[roots]]\nfile = 1", "2:8: `file` must be a string, not an integer"),
-        ("[[roots]]\nfile = 'a'\nargs.x = []", "3:10: `x` must be a string, number or boolean, not a list"),
+        ("[[roots]]\nfile = 'a'\nargs.x = []", "3:10: `x` has no values"),
+        (
+            "[[roots]]\nfile = 'a'\nargs.x = [[]]",
+            "3:10: `x` must be a string, number or boolean, or a list of these, not a list",
+        ),
+        ("[[roots]]\nfile = 'a'\nexclude = {}", "3:11: `exclude` must be a list, not a table"),
+        ("[[roots]]\nfile = 'a'\nchoices = 'all'", "3:11: invalid value `all` for `choices`; use `launch`"),
+        (
+            "[[roots]]\nfile = 'a'\n[[roots.expect]]\nlnks = []",
+            "4:1: unknown key `lnks` in `expect`; did you mean `links`?",
+        ),
+        (
+            "[[roots]]\nfile = 'a'\n[[roots.expect]]\nlink-count = -1",
+            "4:14: `link-count` must not be negative",
+        ),
+        (
+            "[[roots]]\nfile = 'a'\n[[roots.expect]]\nmass = nan",
+            "4:8: `mass` must be a finite number, not a number",
+        ),
+        (
+            "[[roots]]\nfile = 'a'\n[[roots.expect]]\nchains = [['a']]",
+            "4:11: `chains` must be a list of lists of two or more links, not a list",
+        ),
+        (
+            "[[roots]]\nfile = 'a'\n[[roots.expect]]\njoint.a.uper = 1",
+            "4:9: unknown key `uper` in `joint.a`; did you mean `upper`?",
+        ),
         ("[[roots]]\nfile = 'a'\npresets = 1", "3:11: `presets` must be a table, not an integer"),
         ("roots = ['a']", "1:10: `roots` must be a list of tables, not a string"),
         ("extend = 'gone.toml'", "1:10: cannot read `gone.toml`: No such file or directory"),
@@ -288,7 +408,7 @@ fn settings_of_an_editor_win() {
     assert_eq!((config.format.line_width, config.format.self_close), (90, true));
     assert_eq!((config.limits.file_mb, config.limits.expand_ms, config.limits.eval_steps), (9, 8, 5));
     assert_eq!(config.thresholds["max-extent-m"], 3.0);
-    assert_eq!(config.roots[0].args, [("someArg".to_owned(), "x".to_owned())]);
+    assert_eq!(config.roots[0].args, [("someArg".to_owned(), vec!["x".to_owned()])]);
 }
 
 #[test]

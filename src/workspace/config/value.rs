@@ -50,6 +50,24 @@ impl Value {
     }
 }
 
+impl Value {
+    /// The value as JSON has it.
+    pub(super) fn json(&self) -> serde_json::Value {
+        match &self.kind {
+            ValueKind::Text(text) => text.as_str().into(),
+            ValueKind::Int(value) => (*value).into(),
+            ValueKind::Float(value, _) => (*value).into(),
+            ValueKind::Bool(value) => (*value).into(),
+            ValueKind::List(items) => items.iter().map(Self::json).collect(),
+            ValueKind::Table(entries) => {
+                let fields = entries.iter().map(|entry| (entry.key.clone(), entry.value.json()));
+                serde_json::Value::Object(fields.collect())
+            }
+            ValueKind::Other(_) => serde_json::Value::Null,
+        }
+    }
+}
+
 fn text_range(range: std::ops::Range<usize>) -> TextRange {
     let offset = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
     TextRange::new(offset(range.start), offset(range.end))

@@ -66,6 +66,9 @@ pub fn configuration(data: &[u8]) {
         assert!(!warning.message.contains('\n'), "{warning:?} of {text:?}");
     }
     loaded.config.settings();
+    for root in &loaded.config.roots {
+        assert!(root.variants(&Vec::new()).len() <= xacro_lsp::base::limits::MATRIX_RUNS);
+    }
     if let Ok(settings) = serde_json::from_str(&text) {
         Config::default().apply_settings(&settings, Path::new("/none"));
     }
