@@ -165,19 +165,20 @@ impl Session {
         let way = &best.way;
         let source_name = way.source.file_name()?.to_string_lossy().into_owned();
         let own_name = file.path.file_name()?.to_string_lossy().into_owned();
-        let mut finding = generated_urdf_out_of_date(Span { file: file.id, range }, &source_name);
-        finding.severity = if way.is_configured || way.is_meant { Severity::Warning } else { Severity::Info };
+        let is_known = way.is_configured || way.is_meant;
+        let command = self.command(way, &file.path);
+        let help = match is_known {
+            true => format!("run `{command}`"),
+            false => format!("if it is in use, generate it again, for example with `{command}`"),
+        };
+        let mut finding = generated_urdf_out_of_date(Span { file: file.id, range }, &source_name, help);
+        finding.severity = if is_known { Severity::Warning } else { Severity::Info };
         let (text, place) = self.regenerated(way, name, &best.difference)?;
         let what = worded(&best.difference.what, &own_name);
         finding.related.extend(place.map(|span| Related { span, message: what, is_call: false }));
         let other = &best.difference.other;
         let span = Span { file: file.id, range: TextRange::new(other.start as u32, other.end as u32) };
         finding.related.push(Related { span, message: "first difference".to_owned(), is_call: false });
-        let command = self.command(way, &file.path);
-        finding.help = Some(match finding.severity {
-            Severity::Info => format!("if it is in use, generate it again, for example with `{command}`"),
-            _ => format!("run `{command}`"),
-        });
         let whole = Span { file: file.id, range: TextRange::new(0, file.document.text().len() as u32) };
         finding.fix = Some(Fix {
             safety: Safety::Unsafe,

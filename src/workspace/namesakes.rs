@@ -17,9 +17,10 @@ pub(super) struct Index(FastMap<String, Vec<PathBuf>>);
 impl Packages {
     /// The files of a name in the sources around a file, whatever the case of its letters, sorted.
     pub fn files_named(&self, name: &str, from: &Path) -> Vec<PathBuf> {
-        // of a very large workspace, not all files are in the index
+        // of a very large workspace, and of folders that tools made, not all files are in the index
         let package = self.containing(from).map(|package| package.folder);
-        let folders = package.into_iter().chain(self.sources_around(from));
+        let own = from.parent().map(Path::to_owned);
+        let folders = package.into_iter().chain(own).chain(self.sources_around(from));
         let mut found: Vec<PathBuf> = folders
             .flat_map(|folder| {
                 let index = self.indexes.get(folder.clone(), || Arc::new(Index::of(&self.vfs, &folder)));
