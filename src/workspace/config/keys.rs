@@ -119,7 +119,11 @@ pub(super) const EXPECT: &[Key] = &[
     key("link-count", Type::Whole, "Number of links."),
     key("joint-count", Type::Whole, "Number of joints."),
     key("moving-joint-count", Type::Whole, "Number of joints that are not fixed."),
-    key("chains", Type::List(&Type::Texts), "Lists of links from top to bottom; each link is below the previous one."),
+    key(
+        "chains",
+        Type::List(&Type::Texts),
+        "Lists of links from top to bottom; each link is below the previous one.",
+    ),
     key("mass", Type::Number, "Total mass in kg."),
     key("mass-tolerance", Type::Number, "Tolerance of `mass` in kg; default 0.001."),
     key("joint", Type::Map(&Type::Keys(JOINT)), "Properties of joints by name."),
