@@ -94,12 +94,6 @@ impl Trial<'_> {
         if let Err(difference) = self.is_same(&before, &self.renamed_run(job, &plain, name), name) {
             return found(None, difference);
         }
-        for setting in switched(job, &before) {
-            let before = self.run(job, &self.session.vfs, &setting);
-            if let Err(difference) = self.is_same(&before, &self.renamed_run(job, &setting, name), name) {
-                return found(None, difference);
-            }
-        }
         for (path, at, forced) in self.conditions(&before) {
             if *left == 0 || self.effort.cancel.is_cancelled() {
                 break;
@@ -114,6 +108,12 @@ impl Trial<'_> {
             *left -= 1;
             if let Err(difference) = self.is_same(&forced, &self.renamed_run(job, &setting, name), name) {
                 return found(Some((path, at, taken)), difference);
+            }
+        }
+        for setting in switched(job, &before) {
+            let before = self.run(job, &self.session.vfs, &setting);
+            if let Err(difference) = self.is_same(&before, &self.renamed_run(job, &setting, name), name) {
+                return found(None, difference);
             }
         }
         None

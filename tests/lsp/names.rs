@@ -192,6 +192,23 @@ fn what_would_change_a_branch_is_refused() {
 }
 
 #[test]
+fn links_are_renamed_in_branches_that_are_not_taken() {
+    let mut client = arm();
+    client.edit(
+        MAIN,
+        "</robot>",
+        "<xacro:if value=\"$(arg tool)\"><link name=\"tip\"/><joint name=\"j\" type=\"fixed\"><parent link=\"base\"/>\
+         <child link=\"tip\"/></joint></xacro:if></robot>",
+    );
+    for at in ["<link name=\"ba|se", "parent link=\"ba|se"] {
+        let [main, _] = renamed(&mut client, MAIN, at, "root").unwrap();
+        assert!(main.contains("<link name=\"root\"/>") && main.contains("parent link=\"root\""), "{main}");
+    }
+    let [main, _] = renamed(&mut client, MAIN, "child link=\"ti|p", "top").unwrap();
+    assert!(main.contains("<link name=\"top\"/>") && main.contains("child link=\"top\""), "{main}");
+}
+
+#[test]
 fn renaming_waits_for_the_workspace() {
     let folder = fresh_folder();
     let far = MAIN_TEXT.replace("filename=\"part.xacro\"", "filename=\"../../src/part.xacro\"");

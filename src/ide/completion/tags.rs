@@ -81,8 +81,12 @@ pub(super) fn tags(scope: &Scope<'_>, typed: &Typed, lead: &str) -> Completions 
     let is_transparent = |name: &str| matches!(name, "xacro:if" | "xacro:unless");
     let around = typed.open.iter().rev().find(|open| !is_transparent(&open.name));
     if let Some(around) = around.filter(|open| !open.name.starts_with("xacro:") && open.name != "robot") {
-        let rank = if parent_of(typed).is_some() { 4 } else { 2 };
-        items.extend(learned::children(scope, typed, &around.name).into_iter().map(|item| item.rank(rank)));
+        // what the schema knows was offered, or is there and stands there once
+        let parent = parent_of(typed);
+        let is_known = |name: &str| parent.is_some_and(|parent| parent.child(name).is_some());
+        let further = learned::children(scope, typed, &around.name).into_iter();
+        let rank = if parent.is_some() { 4 } else { 2 };
+        items.extend(further.filter(|item| !is_known(&item.label)).map(|item| item.rank(rank)));
     }
     items.extend(DIRECTIVES.iter().map(|directive| {
         Completion::new(ItemKind::Directive, directive.name)
