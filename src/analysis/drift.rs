@@ -110,7 +110,15 @@ impl Session {
         };
         let shared = |path: &PathBuf| path.iter().zip(from.iter()).take_while(|(a, b)| a == b).count();
         let mut found = self.packages.files_named(name, from);
-        found.retain(|path| path != from && path.file_name().is_some_and(|own| own == name));
+        let package = |path: &Path| self.packages.containing(path).map(|package| package.folder);
+        let own = package(from);
+        // `robot.xacro` of another package is another robot, unless the banner names that package's folder
+        let is_near = |path: &PathBuf| match package(path) {
+            other if own == other => true,
+            Some(other) => other.file_name().is_some_and(|folder| written.iter().any(|part| part == folder)),
+            None => tail(path) > 1,
+        };
+        found.retain(|path| path != from && path.file_name().is_some_and(|own| own == name) && is_near(path));
         let best = found.iter().map(|path| (tail(path), shared(path))).max();
         found.retain(|path| Some((tail(path), shared(path))) == best);
         found.truncate(DRIFT_SOURCES);
@@ -339,6 +347,11 @@ mod tests {
             Some(("info", "`value` of `mass` is `1.0`, but `5.0` in `r.urdf`")),
         );
         check_drift(&files("a/urdf/r.urdf.xacro"), None);
+        let other = [("arm/package.xml", "<package><name>arm</name></package>"), ("arm/b.xacro", SOURCE)];
+        for (banner, expected) in [("b.xacro", 0), ("arm/b.xacro", 1)] {
+            let made = generated(banner, "5");
+            assert_eq!(found(&[&[("r.urdf", made.as_str())], &other[..]].concat()).1.len(), expected, "{banner}");
+        }
     }
 
     #[test]
