@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use annotate_snippets::Level;
 
+use super::assets::{Places, rename};
 use super::diff::unified;
 use super::io::{Io, all_of};
 use super::options::{self, ExpandOptions, UsageError};
@@ -36,6 +37,10 @@ options:
   --root-dir DIR       folder for relative paths
   --package-path DIR   search this folder for packages first (repeatable)
   --source-map FILE    write the source location of each output line (JSON)
+  --strip-protocols    name meshes and textures by absolute paths instead of
+                       package://, file:// and model://
+  --relative-paths     name them by paths relative to the output
+  --copy-assets-to DIR copy them to DIR and name the copies
   -q                   quiet: no locations after warnings
   -v, --verbosity N    accepted for compatibility
   -i, --inorder        accepted for compatibility
@@ -94,7 +99,7 @@ fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
     };
     // the process ends behind this: it need not take everything apart first
     let (vfs, packages) = (ManuallyDrop::new(vfs), ManuallyDrop::new(packages));
-    let expansion = ManuallyDrop::new(expand(World { vfs: &vfs, packages: &packages, env }, &request));
+    let mut expansion = ManuallyDrop::new(expand(World { vfs: &vfs, packages: &packages, env }, &request));
     for line in &expansion.messages {
         io.line(&visible_name(line));
     }
@@ -111,6 +116,12 @@ fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
     if options.deps {
         return deliver(&deps(&expansion), options, env, io);
     }
+    if options.assets.are_given()
+        && let Err(problem) = rename_assets(&mut expansion, options, &vfs, &packages, env, io)
+    {
+        io.line(&visible(&format!("error: {problem}")));
+        return 2;
+    }
     let written = match &options.source_map {
         None => write(&expansion.tree, &request.file),
         Some(file) => {
@@ -126,6 +137,24 @@ fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
         Some(file) => check(&written.text, file, &vfs, env, io),
         None => deliver(&written.text, options, env, io),
     }
+}
+
+/// Give meshes and textures names that work elsewhere, and say which keep theirs.
+fn rename_assets(
+    expansion: &mut Expansion,
+    options: &ExpandOptions,
+    vfs: &Vfs,
+    packages: &Packages,
+    env: &Environment,
+    io: &mut Io<'_>,
+) -> Result<(), String> {
+    let file = options.output.as_ref().or(options.check.as_ref()).map(|file| env.cwd.join(file));
+    let output = file.as_deref().and_then(Path::parent).unwrap_or(&env.cwd);
+    let places = Places { vfs, packages, cwd: &env.cwd, output };
+    for complaint in rename(expansion, &options.assets, &places)? {
+        io.line(&visible(&format!("warning: {complaint}")));
+    }
+    Ok(())
 }
 
 /// Compare the result with what a file holds. Line ends do not count, nor does the name of the source in the banner: it

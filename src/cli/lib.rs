@@ -1,6 +1,7 @@
 //! `xacro-lint`: the command line.
 
 mod args;
+mod assets;
 mod calls;
 mod check;
 mod config;

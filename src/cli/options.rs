@@ -1,5 +1,7 @@
 //! The command line of `expand`, as xacro reads it.
 
+use super::assets::AssetOptions;
+
 /// What `expand` was asked for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ExpandOptions {
@@ -23,6 +25,8 @@ pub struct ExpandOptions {
     pub source_map: Option<String>,
     /// `--check`
     pub check: Option<String>,
+    /// What is done with the names of meshes and textures.
+    pub assets: AssetOptions,
 }
 
 /// Why the command line cannot be carried out.
@@ -46,11 +50,14 @@ impl UsageError {
     }
 }
 
-const LONG: [&str; 9] = [
+const LONG: [&str; 12] = [
     "--check",
+    "--copy-assets-to",
     "--deps",
     "--inorder",
+    "--relative-paths",
     "--root-dir",
+    "--strip-protocols",
     "--verbosity",
     "--help",
     "--package-path",
@@ -105,6 +112,7 @@ pub fn parse(args: &[String]) -> Result<ExpandOptions, UsageError> {
         package_path: Vec::new(),
         source_map: None,
         check: None,
+        assets: AssetOptions::default(),
     };
     let mut files = Vec::new();
     let mut rest = args.iter().filter(|a| !a.contains(":=")).map(String::as_str);
@@ -121,6 +129,12 @@ pub fn parse(args: &[String]) -> Result<ExpandOptions, UsageError> {
     }
     if options.check.is_some() && (options.output.is_some() || options.deps) {
         return Err(UsageError::Usage("--check cannot be used with -o or --deps".into()));
+    }
+    if options.assets.strip_protocols && options.assets.relative_paths {
+        return Err(UsageError::Usage("--strip-protocols cannot be used with --relative-paths".into()));
+    }
+    if options.assets.copy_to.is_some() && (options.check.is_some() || options.deps) {
+        return Err(UsageError::Usage("--copy-assets-to cannot be used with --check or --deps".into()));
     }
     match files.as_slice() {
         [file] => options.input = (*file).to_owned(),
@@ -154,7 +168,13 @@ fn long_option<'a>(
     };
     let takes_value = matches!(
         name,
-        "--check" | "--root-dir" | "--verbosity" | "--package-path" | "--source-map" | "--output"
+        "--check"
+            | "--copy-assets-to"
+            | "--root-dir"
+            | "--verbosity"
+            | "--package-path"
+            | "--source-map"
+            | "--output"
     );
     if !takes_value && value.is_some() {
         return Err(UsageError::Usage(format!("{name} option does not take a value")));
@@ -167,6 +187,9 @@ fn long_option<'a>(
         (_, value) => value.unwrap_or_default(),
     };
     match name {
+        "--copy-assets-to" => options.assets.copy_to = Some(value),
+        "--relative-paths" => options.assets.relative_paths = true,
+        "--strip-protocols" => options.assets.strip_protocols = true,
         "--deps" => options.deps = true,
         "--inorder" => options.in_order = true,
         "--root-dir" => options.root_dir = Some(value),

@@ -1,11 +1,12 @@
 //! Names of files after files or folders were moved.
 
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 use super::context::Cx;
 use super::paths::{FileTarget, file_names};
 use base::TextRange;
 use rules::Surroundings;
+use vfs::{relative, slashed};
 
 /// A file or folder that gets another path.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -96,27 +97,11 @@ fn in_package(world: Surroundings<'_>, head: &str, path: &Path) -> Option<String
     is_find.then(|| format!("$(find {})/{rest}", package.name))
 }
 
-/// The way from a folder to a path.
-pub(super) fn relative(folder: &Path, path: &Path) -> PathBuf {
-    let (from, to): (Vec<Component<'_>>, Vec<Component<'_>>) =
-        (folder.components().collect(), path.components().collect());
-    let common = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
-    let up = std::iter::repeat_n(Component::ParentDir, from.len() - common);
-    up.chain(to.into_iter().skip(common)).collect()
-}
-
-/// A path with slashes, on every system.
-pub(super) fn slashed(path: &Path) -> String {
-    let parts: Vec<String> =
-        path.components().map(|part| part.as_os_str().to_string_lossy().into_owned()).collect();
-    parts.join("/")
-}
-
 #[cfg(test)]
 mod tests {
     use std::path::Path;
 
-    use super::{relative, slashed, split, stripped};
+    use super::{split, stripped};
 
     #[test]
     fn names_are_split_behind_what_leads_to_a_folder() {
@@ -135,8 +120,6 @@ mod tests {
 
     #[test]
     fn ways_between_folders() {
-        assert_eq!(slashed(&relative(Path::new("/a/b"), Path::new("/a/c/d.x"))), "../c/d.x");
-        assert_eq!(slashed(&relative(Path::new("/a"), Path::new("/a/c.x"))), "c.x");
         assert_eq!(stripped(Path::new("/w/arm/m/a.stl"), "m/a.stl").unwrap(), Path::new("/w/arm"));
         assert_eq!(stripped(Path::new("/w/arm/m/a.stl"), "n/a.stl"), None);
     }

@@ -18,6 +18,7 @@ mod ids;
 mod output;
 mod process;
 mod read;
+mod relative;
 #[doc(hidden)]
 pub mod testing;
 #[cfg(test)]
@@ -34,6 +35,7 @@ pub use glob::{TooMany, Wildcard, covers, has_magic};
 pub use held::Held;
 pub use output::write_atomically;
 pub use process::{first_stack, is_process_alive, unbuffered_stdout};
+pub use relative::{relative, slashed};
 
 use base::{FastMap, FileId, TextRange};
 use buffer::Buffer;

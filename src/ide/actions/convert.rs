@@ -2,12 +2,12 @@
 
 use super::place::element_at;
 use super::{Action, ActionKind, edit};
-use crate::moved::slashed;
 use crate::paths::{FileKind, FileTarget, file_name_at};
 use crate::{At, Cx, Part, locate, schema};
 use base::TextRange;
 use rules::Surroundings;
 use vfs::SourceFile;
+use vfs::slashed;
 
 fn rewrite(title: impl Into<String>, edits: Vec<rules::Edit>) -> Action {
     Action { title: title.into(), kind: ActionKind::Rewrite, edits }

@@ -1,11 +1,10 @@
 //! Comments that speak to the linter and the server.
 
-use std::path::Path;
-
 use super::item::{Completion, Completions, ItemKind, Topic};
 use super::names::file_name;
 use super::scope::Scope;
 use crate::typed::Typed;
+use vfs::{relative, slashed};
 
 const DIRECTIVES: &[(&str, &str)] = &[
     ("disable-next-line", "disable these rules for the next line"),
@@ -69,32 +68,9 @@ fn root(scope: &Scope<'_>, typed: &Typed, text: &str) -> Completions {
     let folder = own.parent().unwrap_or(own);
     let others = scope.sources.roots.iter().filter(|root| ***root != **own);
     let items = others.map(|root| {
-        let name = relative(root, folder);
+        let name = slashed(&relative(folder, root));
         Completion::new(ItemKind::File, name).note(file_name(root))
     });
     let rest = typed.rest_of_word(|c| !c.is_whitespace());
     Completions::new(typed.offset - text.len() as u32, typed.offset, rest, items.collect())
-}
-
-/// A path as seen from a folder.
-fn relative(path: &Path, folder: &Path) -> String {
-    let common = path.components().zip(folder.components()).take_while(|(a, b)| a == b).count();
-    let up = folder.components().count() - common;
-    let down: Vec<String> =
-        path.components().skip(common).map(|part| part.as_os_str().to_string_lossy().into_owned()).collect();
-    format!("{}{}", "../".repeat(up), down.join("/"))
-}
-
-#[cfg(test)]
-mod tests {
-    use std::path::Path;
-
-    #[test]
-    fn relative_paths() {
-        for (path, folder, expected) in
-            [("/a/b/c.x", "/a/b", "c.x"), ("/a/b/c.x", "/a/d/e", "../../b/c.x"), ("/a/c.x", "/a/d", "../c.x")]
-        {
-            assert_eq!(super::relative(Path::new(path), Path::new(folder)), expected);
-        }
-    }
 }
