@@ -8,8 +8,10 @@ use super::job::{self, Outcome};
 use super::roots::{Job, Reason};
 use super::session::Session;
 use base::CancelFlag;
-use expand::{Expansion, Written, write_mapped};
+use base::limits::GLOB_ENTRIES;
+use expand::{Expansion, Read, Written, write_mapped};
 use model::{Kinematics, Robot};
+use vfs::Vfs;
 
 /// A root expanded.
 pub struct Analyzed {
@@ -54,6 +56,18 @@ impl Analyzed {
             let _ = self.outcome.set(outcome);
         }
         self.outcome.get()
+    }
+
+    /// Whether everything that the expansion read is as it was, but for one file.
+    pub(super) fn is_current_beside(&self, vfs: &Vfs, cwd: &Path, except: &Path) -> bool {
+        let mut left = GLOB_ENTRIES;
+        self.expansion.record.iter().all(|read| match read {
+            Read::File(path, _) if path == except => true,
+            Read::File(path, hash) => vfs.document_hash(path) == Some(*hash),
+            Read::Missing(path) => !vfs.is_file(path),
+            Read::Glob(pattern, found) => vfs.glob(pattern, cwd, &mut left).is_ok_and(|now| now == *found),
+            Read::Package(..) | Read::Env(..) | Read::Arg(..) => true,
+        })
     }
 
     /// Whether a file took part.

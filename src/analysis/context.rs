@@ -138,7 +138,7 @@ impl World {
         let source = self.session().vfs.document(path).ok()?;
         let (name, args) = root_comment(&source)?;
         let file = self.session().vfs.absolute(&path.parent()?.join(name));
-        let file = super::includes::tidy_path(&file);
+        let file = vfs::without_parents(&file);
         self.session().vfs.is_file(&file).then_some(RootChoice { file, args, preset: None })
     }
 }

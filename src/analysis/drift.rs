@@ -160,7 +160,7 @@ impl Session {
             let name = expected.expands_to.as_ref().and_then(|name| filled(name, &run.arguments).ok());
             let folder = expected.place.path.parent();
             let path = folder.zip(name).map(|(folder, name)| folder.join(name));
-            path.is_some_and(|path| super::includes::tidy_path(&path) == file)
+            path.is_some_and(|path| vfs::without_parents(&path) == file)
         })
     }
 

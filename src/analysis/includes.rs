@@ -166,11 +166,6 @@ fn installed(pattern: &str, folder: &Path, packages: &Packages) -> Option<String
     (*present != *start).then(|| format!("{}{rest}", present.display()))
 }
 
-/// An absolute path without `folder/..`, by its text alone.
-pub(super) fn tidy_path(path: &Path) -> std::path::PathBuf {
-    tidy(&path.to_string_lossy(), true).into()
-}
-
 /// The path without `folder/..`, by its text alone.
 fn tidy(path: &str, absolute: bool) -> String {
     let mut parts: Vec<&str> = Vec::new();

@@ -17,9 +17,9 @@ use super::proof::{Effort, Roots};
 use super::report::Report;
 use super::session::{Session, Setup};
 use super::walk::{self, Listing};
-use base::limits::{GLOB_ENTRIES, SCAN_FILES};
+use base::limits::SCAN_FILES;
 use base::{CancelFlag, FastMap, TextRange};
-use expand::{Forced, Read};
+use expand::Forced;
 use rules::check_recovered;
 use vfs::{Environment, SourceFile, Vfs};
 use workspace::BUILD_FILES;
@@ -441,17 +441,7 @@ impl World {
 
     /// The same without a look at one file.
     fn is_current_beside(&self, known: &Analyzed, except: &Path) -> bool {
-        let vfs = &self.session.vfs;
-        let mut left = GLOB_ENTRIES;
-        known.expansion.record.iter().all(|read| match read {
-            Read::File(path, _) if path == except => true,
-            Read::File(path, hash) => vfs.document_hash(path) == Some(*hash),
-            Read::Missing(path) => !vfs.is_file(path),
-            Read::Glob(pattern, found) => {
-                vfs.glob(pattern, &self.env.cwd, &mut left).is_ok_and(|now| now == *found)
-            }
-            Read::Package(..) | Read::Env(..) | Read::Arg(..) => true,
-        })
+        known.is_current_beside(&self.session.vfs, &self.env.cwd, except)
     }
 
     /// What there is to say about files, each under its active root. `None` when cancelled.

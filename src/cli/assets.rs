@@ -8,7 +8,7 @@ use base::FastMap;
 use base::limits::MESH_BYTES;
 use expand::{Expansion, XAttr, XId};
 use model::Meshes;
-use vfs::{Vfs, relative, slashed};
+use vfs::{Vfs, relative, slashed, without_parents};
 use workspace::{Packages, UriOutcome};
 
 /// What is done with the names of assets.
@@ -49,11 +49,14 @@ pub(super) fn rename(
     places: &Places<'_>,
 ) -> Result<Vec<String>, String> {
     let named = named_assets(expansion, places.cwd);
+    let around = places.packages.around(expansion.files.first().map(|root| &*root.source.path));
+    let belongs = |path: &Path| is_asset(path) && around.hold(path);
     let mut names: BTreeMap<PathBuf, String> = BTreeMap::new();
     let mut complaints: BTreeSet<String> = BTreeSet::new();
-    let mut copies = options.copy_to.as_ref().map(|folder| Copies::to(places.cwd.join(folder)));
+    let mut copies =
+        options.copy_to.as_ref().map(|folder| Copies::to(without_parents(&places.cwd.join(folder))));
     for (id, attr, from) in named {
-        let path = match asset(&attr.value, &from, expansion, places) {
+        let path = match asset(&attr.value, &from, places, &belongs) {
             Ok(path) => path,
             Err(why) => {
                 complaints.insert(format!("`{}` is unchanged: {why}", attr.value));
@@ -64,7 +67,7 @@ pub(super) fn rename(
             Some(known) => known.clone(),
             None => {
                 let place = match &mut copies {
-                    Some(copies) => copies.copy_mesh(&path, places)?,
+                    Some(copies) => copies.copy_mesh(&path, places, &belongs)?,
                     None => path.clone(),
                 };
                 let is_relative = options.relative_paths || copies.is_some() && !options.strip_protocols;
@@ -95,7 +98,12 @@ fn named_assets(expansion: &Expansion, cwd: &Path) -> Vec<(XId, XAttr, PathBuf)>
 }
 
 /// The file that a name means; or why it is left as it is.
-fn asset(name: &str, from: &Path, expansion: &Expansion, places: &Places<'_>) -> Result<PathBuf, String> {
+fn asset(
+    name: &str,
+    from: &Path,
+    places: &Places<'_>,
+    belongs: &dyn Fn(&Path) -> bool,
+) -> Result<PathBuf, String> {
     let path = match places.packages.resolve_uri(name, from).outcome {
         UriOutcome::Found(path) => path,
         UriOutcome::Missing(path) => return Err(format!("`{}` does not exist", path.display())),
@@ -103,9 +111,8 @@ fn asset(name: &str, from: &Path, expansion: &Expansion, places: &Places<'_>) ->
         UriOutcome::Malformed(why) => return Err(why.to_owned()),
         UriOutcome::Elsewhere => return Err("it is not a file on this machine".to_owned()),
     };
-    let around = places.packages.around(expansion.files.first().map(|root| &*root.source.path));
     // what a description names may be anything, such as a key: it is not carried away
-    if !is_asset(&path) || !around.hold(&path) {
+    if !belongs(&path) {
         return Err("it is not a mesh or picture in a package or beside the robot".to_owned());
     }
     Ok(path)
@@ -136,23 +143,20 @@ impl Copies {
     }
 
     /// Copy a mesh and the files that it needs; answers with the place of the copy.
-    fn copy_mesh(&mut self, path: &Path, places: &Places<'_>) -> Result<PathBuf, String> {
+    fn copy_mesh(
+        &mut self,
+        path: &Path,
+        places: &Places<'_>,
+        belongs: &dyn Fn(&Path) -> bool,
+    ) -> Result<PathBuf, String> {
         let copy = self.copy(path, places)?;
         let mesh = self.meshes.get(places.vfs, path);
         for (name, needed) in self.meshes.files(places.vfs, path, &mesh) {
             // the mesh keeps the name: the copy must lie at the same place beside it
             let from = path.parent().unwrap_or(Path::new(""));
             let beside = copy.parent().unwrap_or(Path::new("")).join(relative(from, &needed));
-            let inside = beside.components().fold(PathBuf::new(), |mut whole, part| {
-                if part.as_os_str() == ".." {
-                    whole.pop()
-                } else {
-                    whole.push(part);
-                    true
-                };
-                whole
-            });
-            if !inside.starts_with(&self.folder) || !is_asset(&needed) {
+            let inside = without_parents(&beside);
+            if !inside.starts_with(&self.folder) || !belongs(&needed) {
                 self.left_out.push(format!("`{name}`, which `{}` needs, is not copied", path.display()));
                 continue;
             }

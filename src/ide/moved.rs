@@ -119,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn ways_between_folders() {
+    fn folders_in_front_of_a_path() {
         assert_eq!(stripped(Path::new("/w/arm/m/a.stl"), "m/a.stl").unwrap(), Path::new("/w/arm"));
         assert_eq!(stripped(Path::new("/w/arm/m/a.stl"), "n/a.stl"), None);
     }

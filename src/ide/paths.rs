@@ -1,6 +1,7 @@
 //! The files that the text of a file names: includes, meshes, textures, YAML, packages.
 
 use std::path::{Path, PathBuf};
+use vfs::without_parents;
 
 use super::context::Cx;
 use super::expressions::ExprText;
@@ -123,7 +124,7 @@ fn include(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>) -> Option<
 /// A path that counts from the folder of the file.
 fn beside(cx: &Cx<'_>, world: Surroundings<'_>, name: &str) -> FileTarget {
     let folder = cx.source.path.parent().unwrap_or(Path::new(""));
-    existing(world, tidy(&world.vfs.absolute(&folder.join(name))))
+    existing(world, without_parents(&world.vfs.absolute(&folder.join(name))))
 }
 
 fn existing(world: Surroundings<'_>, path: PathBuf) -> FileTarget {
@@ -135,20 +136,6 @@ fn existing(world: Surroundings<'_>, path: PathBuf) -> FileTarget {
     }
 }
 
-/// The path without `folder/..`, for people to read.
-fn tidy(path: &Path) -> PathBuf {
-    let mut tidied = PathBuf::new();
-    for part in path.components() {
-        match part {
-            std::path::Component::ParentDir if tidied.file_name().is_some() => {
-                tidied.pop();
-            }
-            other => tidied.push(other),
-        }
-    }
-    tidied
-}
-
 fn resource(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>, kind: FileKind) -> Option<FileName> {
     let name = folded(cx, world, text, TextRange::new(0, text.text.len() as u32))?;
     let name = name.trim();
@@ -157,8 +144,8 @@ fn resource(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>, kind: Fil
     }
     let result = world.packages.resolve_uri(name, &cx.source.path);
     let target = match result.outcome {
-        UriOutcome::Found(path) => FileTarget::Found(tidy(&world.vfs.absolute(&path))),
-        UriOutcome::Missing(path) => FileTarget::Missing(vec![tidy(&world.vfs.absolute(&path))]),
+        UriOutcome::Found(path) => FileTarget::Found(without_parents(&world.vfs.absolute(&path))),
+        UriOutcome::Missing(path) => FileTarget::Missing(vec![without_parents(&world.vfs.absolute(&path))]),
         UriOutcome::UnknownPackage(_) => FileTarget::Missing(result.tried),
         _ => return None,
     };

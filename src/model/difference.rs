@@ -48,7 +48,7 @@ pub enum What {
 /// Compare two descriptions as readers of URDF do. White space, comments, the order of attributes, defaults that are
 /// written out, digits beyond the precision of old versions of xacro, and the folders of absolute paths do not count.
 pub fn compare(one: &str, other: &str) -> Comparison {
-    if one == other {
+    if one == other || below_head(one).is_some_and(|body| below_head(other) == Some(body)) {
         return Comparison::Same;
     }
     let (Some(a), Some(b)) = (canonical(one), canonical(other)) else { return Comparison::Unknown };
@@ -57,6 +57,12 @@ pub fn compare(one: &str, other: &str) -> Comparison {
         None => Comparison::Same,
         Some(difference) => Comparison::Different(difference),
     }
+}
+
+/// A document from its root element on; what stands above is comments, unless it declares entities.
+fn below_head(text: &str) -> Option<&str> {
+    let (head, body) = text.split_at_checked(text.find("<robot")?)?;
+    (!head.contains("<!DOCTYPE")).then_some(body)
 }
 
 struct Comparer<'t> {

@@ -45,7 +45,8 @@ pub fn make_diagnostics(state: &mut State) {
 
 fn push_diagnostics(state: &mut State) {
     let cancel = state.status.background();
-    if let Some(found) = found(state, None, &cancel) {
+    let cause = state.cause.clone();
+    if let Some(found) = found(state, None, &cause, &cancel) {
         state.due = None;
         publish(state, found);
     }
@@ -57,12 +58,12 @@ fn push_diagnostics(state: &mut State) {
 fn found(
     state: &mut State,
     more: Option<&Path>,
+    cause: &Cause,
     cancel: &CancelFlag,
 ) -> Option<BTreeMap<PathBuf, Vec<Diagnostic>>> {
     let further = more.filter(|path| !state.documents.contains_key(*path)).map(Path::to_path_buf);
     let open: Vec<PathBuf> = state.documents.keys().cloned().chain(further).collect();
-    let cause = if more.is_some() { Cause::Requested } else { state.cause.clone() };
-    let mut report = checked(state, &open, &cause, cancel)?;
+    let mut report = checked(state, &open, cause, cancel)?;
     report.mark_groups();
     let mut found = spread(state, &report);
     for path in open {
@@ -118,7 +119,7 @@ pub fn pull_diagnostics(
 ) -> Result<DocumentDiagnosticReportResult, Failure> {
     let (path, _) = state.source(&params.text_document.uri)?;
     scan_first(state);
-    let mut found = found(state, Some(&path), cancel).ok_or(Failure::Cancelled)?;
+    let mut found = found(state, Some(&path), &Cause::Requested, cancel).ok_or(Failure::Cancelled)?;
     let items = found.remove(&path).unwrap_or_default();
     let id = result_id(&items);
     let report = if params.previous_result_id.as_deref() == Some(&id) {
@@ -142,7 +143,7 @@ pub fn pull_workspace(
     params: WorkspaceDiagnosticParams,
     cancel: &CancelFlag,
 ) -> Result<WorkspaceDiagnosticReportResult, Failure> {
-    let mut found = found(state, None, cancel).ok_or(Failure::Cancelled)?;
+    let mut found = found(state, None, &Cause::Requested, cancel).ok_or(Failure::Cancelled)?;
     let known = params.previous_result_ids.into_iter();
     let known: BTreeMap<PathBuf, String> = known.map(|id| (state.path(&id.uri), id.value)).collect();
     let with_findings = |found: &BTreeMap<PathBuf, Vec<Diagnostic>>| -> BTreeSet<PathBuf> {

@@ -35,7 +35,7 @@ pub use glob::{TooMany, Wildcard, covers, has_magic};
 pub use held::Held;
 pub use output::write_atomically;
 pub use process::{first_stack, is_process_alive, unbuffered_stdout};
-pub use relative::{relative, slashed};
+pub use relative::{relative, slashed, without_parents};
 
 use base::{FastMap, FileId, TextRange};
 use buffer::Buffer;

@@ -11,6 +11,20 @@ pub fn relative(folder: &Path, path: &Path) -> PathBuf {
     up.chain(to.into_iter().skip(common)).collect()
 }
 
+/// A path with `folder/..` taken out, by its text alone: links are not followed, and nothing has to exist.
+pub fn without_parents(path: &Path) -> PathBuf {
+    let mut clean = PathBuf::new();
+    for component in path.components() {
+        match component {
+            Component::ParentDir => {
+                clean.pop();
+            }
+            other => clean.push(other),
+        }
+    }
+    clean
+}
+
 /// A path with slashes, on every system.
 pub fn slashed(path: &Path) -> String {
     let text = path.to_string_lossy();
@@ -23,8 +37,17 @@ pub fn slashed(path: &Path) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{relative, slashed};
+    use super::{relative, slashed, without_parents};
     use std::path::Path;
+
+    #[test]
+    fn parents() {
+        for (path, expected) in
+            [("/a/../b", "/b"), ("/a/b/../../../c", "/c"), ("/a/./b//c/..", "/a/b"), ("/..", "/")]
+        {
+            assert_eq!(without_parents(Path::new(path)), Path::new(expected), "{path}");
+        }
+    }
 
     #[test]
     fn relative_paths() {

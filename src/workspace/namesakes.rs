@@ -3,12 +3,13 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::packages::{Packages, without_parents};
+use super::packages::Packages;
 use super::root::is_built;
 use super::similar::nearest;
 use base::limits::{NAMESAKE_DEPTH, NAMESAKE_FILES};
 use base::{FastMap, FastSet};
 use vfs::Vfs;
+use vfs::without_parents;
 
 /// The files below a folder by name in small letters.
 #[derive(Debug, Default)]

@@ -13,7 +13,7 @@ use super::scan::{Rules, Tree, scan};
 use super::similar::{edit_distance, has_part, is_another, nearest};
 use super::steps::{Layout, Prefix, Step, distributions, overlays, own_prefixes};
 use base::FastSet;
-use vfs::{Environment, Vfs};
+use vfs::{Environment, Vfs, without_parents};
 
 /// Generation of ROS that files are written for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -405,18 +405,4 @@ impl Packages {
 /// Each text between two tags of a manifest: the names of dependencies are among them.
 fn between_tags(manifest: &str) -> impl Iterator<Item = &str> {
     manifest.split('>').filter_map(|part| Some(part.split_once('<')?.0.trim()))
-}
-
-/// The path with `folder/..` taken out, by its text alone.
-pub(super) fn without_parents(path: &Path) -> PathBuf {
-    let mut clean = PathBuf::new();
-    for component in path.components() {
-        match component {
-            Component::ParentDir => {
-                clean.pop();
-            }
-            other => clean.push(other),
-        }
-    }
-    clean
 }

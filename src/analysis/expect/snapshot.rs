@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use super::super::includes::tidy_path;
 use super::super::session::Session;
 use super::RULE;
 use super::evaluate::Evaluation;
@@ -10,6 +9,7 @@ use base::{Span, TextRange};
 use expand::{MapEntry, Origin};
 use model::{Comparison, Difference, What, compare};
 use rules::{Finding, Related};
+use vfs::without_parents;
 
 /// What a file is to hold.
 pub(super) struct Snapshot {
@@ -126,7 +126,7 @@ impl Session {
     /// Why there cannot be a snapshot.
     fn snapshot_path(&self, config: &Path, name: &str) -> Result<PathBuf, String> {
         let folder = config.parent().unwrap_or(config);
-        let path = tidy_path(&folder.join(name));
+        let path = without_parents(&folder.join(name));
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
         if !["urdf", "xml"].contains(&ending) {
             return Err("its name must end with `.urdf` or `.xml`".to_owned());

@@ -5,6 +5,7 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use vfs::without_parents;
 
 use ecow::EcoString;
 
@@ -191,7 +192,7 @@ impl<'a> Evaluator<'a> {
     /// The path of a file that an expression names.
     pub fn path(&self, name: &str) -> PathBuf {
         let folder = self.file.parent().unwrap_or(&self.file);
-        super::scope::tidy(&folder.join(name))
+        without_parents(&folder.join(name))
     }
 }
 

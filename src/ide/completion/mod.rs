@@ -22,8 +22,8 @@ mod tags;
 
 pub use docs::documentation;
 pub use item::{Completion, Completions, ItemKind, Topic};
+pub(super) use scope::comment_above;
 pub use scope::{Scope, Sources};
-pub(super) use scope::{comment_above, tidy};
 pub use signature::{Signature, signature_help};
 
 use super::typed::{Typed, Typing, is_name_char, typed};

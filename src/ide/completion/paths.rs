@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use super::evaluate::Evaluator;
 use super::item::{Completion, Completions, ItemKind, escaped};
-use super::scope::{Scope, tidy};
+use super::scope::Scope;
 use super::substitutions;
 use crate::typed::Typed;
+use vfs::without_parents;
 
 /// Which files are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,7 +38,7 @@ impl Wanted {
 impl Scope<'_> {
     /// Whether the names in a folder may be told: it belongs to the workspace or to a package.
     pub(super) fn may_list(&self, folder: &Path) -> bool {
-        let folder = tidy(folder);
+        let folder = without_parents(folder);
         self.sources.folders.iter().any(|own| folder.starts_with(own))
             || self.sources.packages.containing(&folder.join("package.xml")).is_some()
             || [&*self.sources.source.path, self.sources.root]
@@ -92,7 +93,7 @@ fn listed(scope: &Scope<'_>, typed: &Typed, folder: Option<&str>) -> Option<Path
         }
         None => own.parent()?.join(folder.strip_prefix("file://").unwrap_or(&folder)),
     };
-    let path = scope.sources.packages.present(&tidy(&path)).into_owned();
+    let path = scope.sources.packages.present(&without_parents(&path)).into_owned();
     scope.may_list(&path).then_some(path)
 }
 

@@ -325,18 +325,3 @@ pub fn comment_above(node: Node<'_>) -> String {
     comments.retain(|text| !text.starts_with("xacro-lint:"));
     comments.join("\n")
 }
-
-/// A path without `folder/..`, by its text alone.
-pub fn tidy(path: &Path) -> PathBuf {
-    let mut clean = PathBuf::new();
-    for part in path.components() {
-        match part {
-            std::path::Component::ParentDir => {
-                clean.pop();
-            }
-            std::path::Component::CurDir => {}
-            other => clean.push(other),
-        }
-    }
-    clean
-}

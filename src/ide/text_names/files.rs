@@ -9,7 +9,7 @@ use rules::{Surroundings, include_tags};
 use vfs::{SourceFile, Vfs};
 use workspace::Packages;
 
-use crate::completion::tidy;
+use vfs::without_parents;
 
 /// The file that `filename` names, when nothing has to be computed but packages.
 pub fn included(filename: &str, from: &Path, packages: &Packages, vfs: &Vfs) -> Option<PathBuf> {
@@ -23,7 +23,7 @@ pub fn included(filename: &str, from: &Path, packages: &Packages, vfs: &Vfs) -> 
     }
     path.push_str(rest);
     let plain = !path.contains(['$', '*', '?', '[']);
-    let path = plain.then(|| tidy(&from.parent().unwrap_or(from).join(path)))?;
+    let path = plain.then(|| without_parents(&from.parent().unwrap_or(from).join(path)))?;
     let path = packages.present(&path).into_owned();
     vfs.is_file(&path).then_some(path)
 }

@@ -12,13 +12,14 @@ pub use called::RobotCall;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::Packages;
 use super::launch;
 use super::memo::Memo;
 use super::root::is_built;
-use super::{Packages, packages::without_parents};
 use base::limits::{CALLER_BYTES, CALLER_DEPTH, CALLER_FILES, CALLER_FOLDERS};
 use base::{FastMap, FastSet};
 use vfs::Vfs;
+use vfs::without_parents;
 
 /// A file that names descriptions.
 #[derive(Clone, Debug)]

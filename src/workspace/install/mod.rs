@@ -12,9 +12,10 @@ use std::sync::Arc;
 use self::cmake::CMAKE_LISTS;
 use self::setup_py::SETUP_PY;
 use super::manifest::{MANIFEST, is_package_name, name_in};
-use super::packages::{Packages, without_parents};
+use super::packages::Packages;
 use base::limits::GLOB_ENTRIES;
 use vfs::Vfs;
+use vfs::without_parents;
 
 /// Names of build files: what they say decides where packages have their files.
 pub const BUILD_FILES: [&str; 2] = [CMAKE_LISTS, SETUP_PY];

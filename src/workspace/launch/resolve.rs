@@ -197,7 +197,7 @@ impl Word {
         let text = text.rfind("//").and_then(|at| text.get(at + 1..)).unwrap_or(&text);
         let text = text.strip_prefix("file:/").unwrap_or(text);
         let folder = from.parent().unwrap_or(from);
-        (!text.is_empty()).then(|| crate::packages::without_parents(&folder.join(text)))
+        (!text.is_empty()).then(|| vfs::without_parents(&folder.join(text)))
     }
 
     /// The package in front, and the text behind it.
