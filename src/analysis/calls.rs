@@ -5,7 +5,7 @@ use std::path::Path;
 use super::session::Session;
 use base::FastSet;
 use expand::{Expansion, Outside, Problem, Request, Severity, World, expand};
-use workspace::Caller;
+use workspace::GivenArg;
 
 /// Callers that are tried.
 const MOST_CALLERS: usize = 6;
@@ -25,9 +25,9 @@ pub(super) fn as_called(
     }
     let mut best = first;
     let mut tried: Vec<Request> = Vec::new();
-    for caller in session.callers(file).iter().take(MOST_CALLERS) {
+    for args in session.given_args(file).take(MOST_CALLERS) {
         for with_all in [false, true] {
-            let Some(request) = called(request, caller, &fails, with_all) else { continue };
+            let Some(request) = called(request, &args, &fails, with_all) else { continue };
             let is_known =
                 |old: &Request| (&old.args, &old.unknown_args) == (&request.args, &request.unknown_args);
             if tried.iter().any(is_known) {
@@ -85,11 +85,11 @@ impl Failures {
 
 /// The request with the arguments of a caller. Those whose values the caller computes are unknown where nothing else is
 /// known of them; `with_all`, also where the file has a default that names a file that is not there.
-fn called(request: &Request, caller: &Caller, fails: &Failures, with_all: bool) -> Option<Request> {
+fn called(request: &Request, args: &[GivenArg], fails: &Failures, with_all: bool) -> Option<Request> {
     let own: FastSet<&str> = request.args.iter().map(|(name, _)| name.as_str()).collect();
     let mut next = request.clone();
     let mut seen = FastSet::default();
-    for arg in caller.args.iter().filter(|arg| !own.contains(arg.name.as_str())) {
+    for arg in args.iter().filter(|arg| !own.contains(arg.name.as_str())) {
         let is_wanted = fails.arguments.contains(&arg.name) || with_all && fails.files + fails.keys > 0;
         match &arg.value {
             Some(value) if seen.insert(&arg.name) => next.args.push((arg.name.clone(), value.clone())),
@@ -146,6 +146,22 @@ mod tests {
         ] {
             check_called(robot, &[("launch/r.launch.py", launch)], &[]);
         }
+        // through another launch file, which alone names the robot
+        let outer = (
+            "launch/outer.launch.xml",
+            "<launch><include file='$(dirname)/inner.launch.py'><arg name='robot' value='r.urdf.xacro'/></include></launch>",
+        );
+        let inner = |name: &str| {
+            format!(
+                "robot = LaunchConfiguration('robot')\npath = os.path.join(os.path.dirname(__file__), '..', robot)\n\
+                 Command(['xacro ', path, ' {name}:=', 'left'])"
+            )
+        };
+        let through = |name, expected: &[&str]| {
+            check_called(robot, &[outer, ("launch/inner.launch.py", &inner(name))], expected);
+        };
+        through("side", &[]);
+        through("sight", &["error undefined-arg"]);
         check_called(
             robot,
             &[("launch/r.launch.py", "xacro r.urdf.xacro sight:=left")],

@@ -12,7 +12,7 @@ use model::Meshes;
 use rules::{Manifests, Surroundings};
 use vfs::{Environment, LoadError, Vfs};
 use workspace::config::{self, Axes, Config, ConfigWarning};
-use workspace::{Caller, Callers, Era, PackageOptions, Packages, RobotCall};
+use workspace::{Caller, Callers, Era, GivenArg, PackageOptions, Packages, RobotCall};
 
 /// Files, packages, environment and configuration.
 pub struct Session {
@@ -105,6 +105,14 @@ impl Session {
         self.callers.of(file, &self.packages)
     }
 
+    /// The arguments that the workspace gives to a description, call by call: first as the files that name it write them.
+    pub(super) fn given_args(&self, file: &Path) -> impl Iterator<Item = Vec<GivenArg>> {
+        let written = self.callers(file).into_iter().map(|caller| caller.args);
+        // launch files are read when somebody asks for more
+        let (callers, packages, file) = (&self.callers, &self.packages, file.to_owned());
+        written.chain(std::iter::once_with(move || callers.given(&file, packages)).flatten())
+    }
+
     /// The calls of robots below a folder, or those that a file makes or that call it, by the paths of the files that call.
     pub fn robot_calls(&self, path: &Path) -> Vec<RobotCall> {
         let path = self.vfs.absolute(path);
@@ -164,6 +172,11 @@ impl Session {
     /// Whether a file that names a description also says `word`.
     pub(super) fn is_named_with(&self, file: &Path, word: &str) -> bool {
         self.callers.mention(file, word, &self.packages)
+    }
+
+    /// Whether a file that names a description also holds a text, letter for letter.
+    pub(super) fn is_quoted(&self, file: &Path, text: &str) -> bool {
+        self.callers.quote(file, text, &self.packages)
     }
 
     /// What the descriptions below a folder include, as `make` finds it the first time.

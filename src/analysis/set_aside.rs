@@ -8,7 +8,7 @@ use super::roots::{Job, Reason};
 use super::session::Session;
 use super::walk;
 use base::FastSet;
-use rules::{Category, Finding, Severity};
+use rules::{Category, Finding, Group, Severity};
 use vfs::SourceFile;
 use workspace::Era;
 
@@ -29,6 +29,9 @@ const KEPT: [&str; 13] = [
     "unused",
 ];
 
+/// Rules about collisions that a robot which is only shown does not need.
+const ABOUT_CONTACTS: [&str; 2] = ["collision-mesh-too-detailed", "mesh-inconsistent-normals"];
+
 /// Rules about what only urdfdom refuses, and Bullet takes.
 const TAKEN_BY_BULLET: [&str; 4] =
     ["invalid-number", "missing-limit-attribute", "missing-robot-name", "unknown-joint-type"];
@@ -43,16 +46,30 @@ impl Session {
         if self.is_set_aside(&job.file) {
             lower(findings);
         }
-        let about_inertia = |finding: &Finding| finding.rule.category == Category::Inertia;
-        self.lower_where(findings, about_inertia, || self.is_only_shown(&job.file).then_some(Severity::Info));
+        let about_simulation = |finding: &Finding| {
+            finding.rule.category == Category::Inertia || ABOUT_CONTACTS.contains(&finding.rule.name)
+        };
+        self.lower_where(findings, about_simulation, || {
+            self.is_only_shown(&job.file).then_some(Severity::Info)
+        });
         let about_bullet = |finding: &Finding| TAKEN_BY_BULLET.contains(&finding.rule.name);
         self.lower_where(findings, about_bullet, || self.is_for_bullet(&job.file).then_some(Severity::Info));
         let about_prefixes = |finding: &Finding| {
             ["unprefixed-xacro-tag", "unprefixed-macro-call"].contains(&finding.rule.name)
         };
-        self.lower_where(findings, about_prefixes, || self.severity_of_bare_tags(&job.file));
-        let is_placeholder = |finding: &Finding| {
-            finding.rule.name == "invalid-number" && self.is_filled_in(&job.file, finding)
+        if let Some(most) =
+            self.lower_where(findings, about_prefixes, || self.severity_of_bare_tags(&job.file))
+        {
+            // all of them are for another xacro
+            let of_old_xacro = |finding: &&mut Finding| finding.severity == most && about_prefixes(finding);
+            findings.iter_mut().filter(of_old_xacro).for_each(|finding| {
+                finding.group = Some(Group::Value("for an old xacro".into()));
+            });
+        }
+        let is_placeholder = |finding: &Finding| match finding.rule.name {
+            "invalid-number" => self.is_filled_in(&job.file, finding),
+            "expression-error" => self.is_replaced(&job.file, finding),
+            _ => false,
         };
         self.lower_where(findings, is_placeholder, || Some(Severity::Info));
     }
@@ -66,17 +83,25 @@ impl Session {
         is_word && self.is_named_with(file, &word)
     }
 
-    /// Give findings of a kind at most the severity that is asked for when there are any.
+    /// Whether a program that names the file has the text that is wrong, such as `$(controllers)`, word for word: it puts something
+    /// else for it.
+    fn is_replaced(&self, file: &Path, finding: &Finding) -> bool {
+        let source = self.vfs.document(&self.vfs.path(finding.span.file));
+        let Ok(text) = source.map(|source| source.document.slice(finding.span.range)) else { return false };
+        text.starts_with("$(") && self.is_quoted(file, &text)
+    }
+
+    /// Give findings of a kind at most the severity that is asked for when there are any, and return it.
     fn lower_where(
         &self,
         findings: &mut [Finding],
         is_of_kind: impl Fn(&Finding) -> bool,
         most: impl FnOnce() -> Option<Severity>,
-    ) {
+    ) -> Option<Severity> {
         let mut found = findings.iter_mut().filter(|finding| is_of_kind(finding)).peekable();
-        if let Some(most) = found.peek().is_some().then(most).flatten() {
-            found.for_each(|finding| finding.severity = finding.severity.min(most));
-        }
+        let most = found.peek().is_some().then(most).flatten()?;
+        found.for_each(|finding| finding.severity = finding.severity.min(most));
+        Some(most)
     }
 
     /// How bad tags without their prefix are where the xacro that a file is for takes them.
@@ -361,6 +386,49 @@ mod tests {
         assert_eq!(severity(shows, ""), Severity::Error);
         assert_eq!(severity(shows, &simulates.replace("arm.urdf", "view.urdf")), Severity::Error);
         assert_eq!(severity(&shows.replace("rviz", "gazebo_ros"), simulates), Severity::Error);
+    }
+
+    #[test]
+    fn contacts_of_robots_that_are_only_shown() {
+        // a tetrahedron with a face turned inside out
+        let facets = ["0 1 2", "0 1 3", "1 2 3", "2 0 3"].map(|corners| {
+            let points = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"];
+            let vertex = |n: &str| format!("vertex {}\n", points[n.parse::<usize>().unwrap()]);
+            let vertices: String = corners.split(' ').map(vertex).collect();
+            format!("facet normal 0 0 0\nouter loop\n{vertices}endloop\nendfacet\n")
+        });
+        let mesh = format!("solid part\n{}endsolid\n", facets.concat());
+        let robot = "<robot name='r'><link name='base'><collision><geometry><mesh filename='part.stl'/></geometry>\
+                     </collision></link></robot>";
+        let severity = |simulated: &str| {
+            let launch = format!(
+                "<param textfile='$(find arm)/urdf/{simulated}'/><include file='$(find gazebo_ros)/x.launch'/>"
+            );
+            let files = [
+                ("package.xml", "<package><name>arm</name></package>"),
+                ("urdf/view.urdf", robot),
+                ("urdf/part.stl", mesh.as_str()),
+                ("urdf/arm.urdf", "<robot name='arm'><link name='base'/></robot>"),
+                ("launch/view.launch", "<param textfile='$(find arm)/urdf/view.urdf'/><node pkg='rviz'/>"),
+                ("launch/sim.launch", launch.as_str()),
+            ];
+            found(&files, "mesh-inconsistent-normals")[0].1
+        };
+        assert_eq!(severity("arm.urdf"), Severity::Info);
+        assert_eq!(severity("view.urdf"), Severity::Warning);
+    }
+
+    #[test]
+    fn substitutions_that_a_program_replaces() {
+        let robot = "<robot name='r' xmlns:xacro='x'><link name='base'/><gazebo><plugin name='p' filename='p.so'>\
+                     <parameters>$(controllers)</parameters></plugin></gazebo></robot>";
+        let severity = |program: &str| {
+            found(&[("urdf/r.urdf", robot), ("urdf/fill.py", program)], "expression-error")[0].1
+        };
+        assert_eq!(severity("open('r.urdf').read().replace('$(controllers)', path)"), Severity::Info);
+        // an argument of that name was meant
+        assert_eq!(severity("xacro r.urdf controllers:=x"), Severity::Error);
+        assert_eq!(severity("open('other.urdf').read().replace('$(controllers)', path)"), Severity::Error);
     }
 
     #[test]

@@ -37,12 +37,17 @@ pub(super) fn whole(text: &Text) -> Range<usize> {
     0..text.value.len()
 }
 
-/// Whether an angle is given in radians although it is more than a turn: a multiple of 15 degrees, to four digits.
+/// Whether an angle is given in radians although it is more than a turn: a multiple of 15 degrees to four digits, or one
+/// of half a turn that was computed.
 pub(super) fn is_part_of_pi(angle: f64) -> bool {
     /// From here on, numbers in degrees come too close to multiples.
     const MOST: f64 = 100.0;
-    let steps = angle / (std::f64::consts::PI / 12.0);
-    angle.abs() < MOST && (steps - steps.round()).abs() < 1e-4
+    let is_multiple = |step: f64, tolerance: f64| {
+        let steps = angle / step;
+        (steps - steps.round()).abs() < tolerance
+    };
+    (angle.abs() < MOST && is_multiple(std::f64::consts::PI / 12.0, 1e-4))
+        || is_multiple(std::f64::consts::PI, 1e-9)
 }
 
 /// With the fix to take the part `range` of a value, the reported text, for degrees.

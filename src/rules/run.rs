@@ -13,7 +13,7 @@ use super::place;
 use super::registry::{Check, Rule, Safety, Severity, all, by_code};
 use super::sink::{Sink, limit_calls, span};
 use super::vocabulary::{is_urdf_element, outside_free_zones};
-use super::xacro::{is_unprefixed, shadowing_is_news};
+use super::xacro::{is_unprefixed, shadowing_is_harmless, shadowing_is_news};
 use super::xml::is_xacro_uri;
 use base::{CancelFlag, FastMap, FastSet, FileId, Span, TextRange};
 use expand::{Expansion, FileIdx, FileUse, Problem, Step};
@@ -52,8 +52,17 @@ pub fn check_expansion(
 ) -> Vec<Finding> {
     let unprefixed = Unprefixed::of(expansion);
     let problems = expansion.problems.iter().filter(|problem| !unprefixed.explains(expansion, problem));
-    let mut findings: Vec<Finding> =
-        problems.filter_map(|problem| finding(expansion, problem, world.vfs)).collect();
+    let root = expansion.files.first().map(|file| &*file.source.path);
+    let mut findings: Vec<Finding> = problems
+        .filter_map(|problem| {
+            let mut found = finding(expansion, problem, world.vfs)?;
+            let generation = || root.and_then(|root| world.packages.generation(root));
+            if found.rule.code == "XAC018" && shadowing_is_harmless(expansion, problem, generation()) {
+                found.severity = Severity::Info;
+            }
+            Some(found)
+        })
+        .collect();
     excuse_packages(&mut findings, world);
     let Some(first) = all().next() else { return findings };
     let mut sink = Sink::new(expansion, first);

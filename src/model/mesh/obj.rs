@@ -84,11 +84,12 @@ fn point(text: &str) -> Option<Point> {
     Some([numbers.next()??, numbers.next()??, numbers.next()??])
 }
 
-/// Take a polygon as a fan of triangles.
+/// Take a polygon as a fan of triangles. One of one or two corners, which some exporters write, is a point or an edge: readers
+/// draw nothing there.
 fn face(text: &str, points: &[Point], draft: &mut Draft) -> Result<(), Defect> {
     let mut corners = text.split_ascii_whitespace().map(|word| corner(word, points));
     let (Some(first), Some(second), Some(third)) = (corners.next(), corners.next(), corners.next()) else {
-        return Err(Defect::corrupt("`f` needs at least three vertices"));
+        return Ok(());
     };
     let (first, mut before) = (first?, second?);
     for corner in std::iter::once(third).chain(corners) {

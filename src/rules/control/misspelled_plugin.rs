@@ -21,7 +21,7 @@ pub(super) const RULE: Rule = Rule {
 };
 
 /// Hardware of ros2_control.
-const HARDWARE: [&str; 6] = [
+pub(super) const HARDWARE: [&str; 6] = [
     "mock_components/GenericSystem",
     "fake_components/GenericSystem",
     "gazebo_ros2_control/GazeboSystem",

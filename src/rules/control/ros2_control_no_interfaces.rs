@@ -3,6 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use super::misspelled_plugin::HARDWARE;
 use model::{ControlJoint, Ros2Control, Text, tag_start};
 
 pub(super) const RULE: Rule = Rule {
@@ -27,6 +28,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 tag_start(cx.expansion, joint.element),
                 format!("joint `{}` has no interfaces", joint.shown()),
             )
+            .severity(if may_know_better(cx, control) { Severity::Info } else { Severity::Warning })
             .help("add <command_interface name=\"position\"/> or <state_interface name=\"position\"/>, or remove the joint")
             .done();
         }
@@ -41,6 +43,14 @@ fn exports_its_own(cx: &DocumentCx<'_>, control: &Ros2Control) -> bool {
     plugin
         .zip(from)
         .is_some_and(|(plugin, from)| cx.world.packages.exports_interfaces(plugin.value.trim(), from))
+}
+
+/// Whether the hardware is none of ROS's own, and no joint of it has interfaces: it seems to know them without being told.
+fn may_know_better(cx: &DocumentCx<'_>, control: &Ros2Control) -> bool {
+    let tree = &cx.expansion.tree;
+    let plugin = control.plugin(tree).and_then(|element| Text::content(tree, element));
+    let is_other = plugin.is_some_and(|plugin| !HARDWARE.contains(&plugin.value.trim()));
+    is_other && control.joints.iter().all(|joint| joint.interfaces().next().is_none())
 }
 
 /// Joints that follow another one need no interface: by attribute, or by a parameter as it used to be written.

@@ -6,6 +6,7 @@ use super::super::sink::Sink;
 use expand::XTree;
 use model::Text;
 use model::{Transmission, tag_start};
+use workspace::Target;
 
 pub(super) const RULE: Rule = Rule {
     code: "CTL013",
@@ -22,11 +23,18 @@ pub(super) const RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let Some(robot) = cx.robot.filter(|_| cx.whole()) else { return };
     let tree = &cx.expansion.tree;
+    let root = cx.expansion.files.first().map(|file| &*file.source.path);
+    // in ROS 2, nothing reads transmissions outside of <ros2_control>
+    let severity = match root.and_then(|root| cx.world.packages.generation(root)) {
+        Some(Target::Ros2) => Severity::Info,
+        _ => Severity::Warning,
+    };
     for transmission in robot.transmissions.iter().filter(|transmission| is_simple(tree, transmission)) {
         for (joint, name) in &transmission.joints {
             if !tree.elements(*joint).any(|id| tree.get(id).text == "hardwareInterface") {
                 let name = name.as_ref().map_or("", |name| name.value.as_str());
                 out.report(tag_start(cx.expansion, *joint), format!("joint `{name}` in a transmission has no hardware interface"))
+                    .severity(severity)
                     .help("add <hardwareInterface>hardware_interface/PositionJointInterface</hardwareInterface>, or the velocity or effort interface")
                     .done();
             }

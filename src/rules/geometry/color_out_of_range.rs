@@ -1,6 +1,9 @@
 //! A colour outside of 0 to 1.
 
+use ecow::EcoString;
+
 use super::super::context::DocumentCx;
+use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::materials;
@@ -26,7 +29,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         }
         let name = material.name.as_ref().map_or("", |name| name.value.as_str());
         let message = format!("color of material `{name}` is outside the range 0 to 1");
-        let report = out.report(text.origin, message).help("write red, green, blue and alpha from 0 to 1");
+        let report = out
+            .report(text.origin, message)
+            // who writes 255 once does so everywhere
+            .group(Group::Value(EcoString::new()))
+            .help("write red, green, blue and alpha from 0 to 1");
         match from_bytes(numbers).filter(|_| text.is_literal()) {
             Some(content) => {
                 report.replace_with(Safety::Unsafe, "divide color values by 255", content).done()

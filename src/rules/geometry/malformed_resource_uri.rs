@@ -38,6 +38,8 @@ enum Readers {
     None,
     /// All but those that ask libcurl 7.78 or later, as RViz 2 does.
     OldCurl,
+    /// Gazebo: models of its Fuel server have spaces in their addresses.
+    Gazebo,
     /// Most programs.
     Most,
 }
@@ -54,6 +56,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(UriDefect { message, readers, meant }) = defect(&name.value) else { continue };
         let help = match readers {
             Readers::OldCurl => "rename the file or folder; RViz in ROS 2 Humble and later cannot load it",
+            Readers::Gazebo => "write `%20` for each space; RViz cannot load it",
             _ => "write package://PACKAGE/PATH, with slashes and without spaces",
         };
         let report = out
@@ -82,6 +85,7 @@ fn severity(cx: &DocumentCx<'_>, readers: Readers) -> Severity {
     let is_ros1 = || root.and_then(|root| cx.world.packages.generation(root)) == Some(Target::Ros1);
     match readers {
         Readers::None => Severity::Error,
+        Readers::Gazebo => Severity::Info,
         Readers::OldCurl if is_ros1() => Severity::Info,
         Readers::OldCurl | Readers::Most => Severity::Warning,
     }
@@ -136,6 +140,7 @@ pub(super) fn defect(value: &str) -> Option<UriDefect> {
             found("path contains backslashes", (!drive).then_some(slashed))
         }
         _ if file.is_some() && has_space(value) => spaces(Readers::Most),
+        _ if is_of_web(value) && has_space(value) => spaces(Readers::Gazebo),
         _ if value.contains("://") && has_space(value) => spaces(Readers::None),
         _ if value.trim() != value => found(
             "path starts or ends with a space",
@@ -143,6 +148,10 @@ pub(super) fn defect(value: &str) -> Option<UriDefect> {
         ),
         _ => None,
     }
+}
+
+fn is_of_web(value: &str) -> bool {
+    value.starts_with("https://") || value.starts_with("http://")
 }
 
 fn has_space(value: &str) -> bool {
@@ -200,7 +209,8 @@ mod tests {
         for (uri, expected) in [
             ("file:///a/b c.stl", Readers::Most),
             ("package://a/b c.stl", Readers::OldCurl),
-            ("http://x/b c.stl", Readers::None),
+            ("http://x/b c.stl", Readers::Gazebo),
+            ("model://x/b c.stl", Readers::None),
             ("file://a/b c.stl", Readers::None),
         ] {
             assert_eq!(defect(uri).unwrap().readers, expected, "{uri}");

@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::bodies::bounds;
 use super::mesh_scale_suspicious::{is_suspicious, metres};
 use super::resources::MeshUse;
-use model::{Bounds, JointType, Link, Robot};
+use model::{Body, Bounds, JointType, Link, Robot};
 
 pub(super) const RULE: Rule = Rule {
     code: "GEO034",
@@ -33,7 +33,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for mesh in cx.meshes().filter(|mesh| !is_suspicious(cx, mesh)) {
         let Some(bounds) = placed(cx, &mesh) else { continue };
         let distance = distance(cx, mesh.link, bounds);
-        if distance < FAR || distance < SIZES * bounds.diagonal() {
+        if distance < FAR || distance < SIZES * bounds.diagonal() || is_among_others(cx, &mesh) {
             continue;
         }
         let message =
@@ -49,6 +49,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 fn placed(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> Option<Bounds> {
     let mut bodies = mesh.link.visuals.iter().chain(&mesh.link.collisions);
     bounds(cx, bodies.find(|body| body.shape().is_some_and(|shape| shape.element == mesh.element))?)
+}
+
+/// Whether other shapes of the same use are where the link is: the far ones are parts of a large body.
+fn is_among_others(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> bool {
+    let is_of_mesh = |body: &Body| body.shape().is_some_and(|shape| shape.element == mesh.element);
+    let uses = [&mesh.link.visuals, &mesh.link.collisions];
+    let bodies = uses.into_iter().find(|bodies| bodies.iter().any(is_of_mesh)).into_iter().flatten();
+    bodies.filter_map(|body| bounds(cx, body)).any(|bounds| distance(cx, mesh.link, bounds) < FAR)
 }
 
 /// From the frame of a link to the nearest point of a box; from the axis of the joint above, where the link turns: where on it

@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     check: Check::Document(check),
 };
 
-/// From this part of the edges on, it shows.
+/// From this part of the edges on, contacts go wrong.
 const MANY: f64 = 0.05;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
@@ -29,8 +29,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if counts {
             let (name, link) = (mesh.name(), mesh.link.shown());
             let message = format!("mesh `{name}` of link `{link}` has inconsistent normals at {wrong} edges");
-            let severity =
-                if wrong as f64 > MANY * edges.total as f64 { Severity::Warning } else { Severity::Info };
+            // programs that draw take normals from the file or show both sides
+            let matters = mesh.is_collision && wrong as f64 > MANY * edges.total as f64;
+            let severity = if matters { Severity::Warning } else { Severity::Info };
             out.report(mesh.file.origin, message)
                 .severity(severity)
                 .group(mesh.group())

@@ -83,8 +83,10 @@ fn is_mass_of_all(cx: &DocumentCx<'_>, mass: f64) -> bool {
 /// Whether a mass is possible in the box around visuals and collisions, or that box is not known: the collision alone may
 /// be a marker.
 fn fits_in_shape(cx: &DocumentCx<'_>, link: &Link, mass: f64) -> bool {
+    /// Sides that are shorter are those of a sheet, whose thickness nobody measured, metres.
+    const SHEET: f64 = 0.01;
     shape(cx, link).is_none_or(|shape| {
-        let density = mass / shape.size().into_iter().product::<f64>();
+        let density = mass / shape.size().into_iter().map(|side| side.max(SHEET)).product::<f64>();
         (FAR_TOO_LIGHT..=HEAVY).contains(&density)
     })
 }

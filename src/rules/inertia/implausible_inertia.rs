@@ -4,6 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::geometry::{Extent, extent, is_scaled_wrong};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use super::inertia_triangle_inequality;
 use super::joined::{LIGHT, is_in_world, is_joined, shape};
 use super::moments::{Verdict, inertia_tag, inertials, is_same_about_all_axes, short, verdict};
 use super::placeholder_inertia::is_placeholder;
@@ -37,6 +38,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let radius = (most / mass).sqrt();
         let Some(misfit) = misfit(cx, link, radius)
             .filter(|_| !is_placeholder(cx, link, inertial) && !is_scaled_wrong(cx, link))
+            // one defect, one finding
+            .filter(|_| !inertia_triangle_inequality::is_error(cx, link, inertial))
         else {
             continue;
         };

@@ -6,6 +6,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::is_small_part;
 use super::moments::{Verdict, inertia_tag, inertials, short, verdict};
+use model::{Inertial, Link};
 
 pub(super) const RULE: Rule = Rule {
     code: "INR005",
@@ -29,14 +30,8 @@ const LAST_DIGIT: f64 = 1e-6;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
-        let Some(Verdict::Definite([a, b, c])) = inertial.entries().map(verdict) else { continue };
-        if a + b >= c * (1.0 - ROUNDING) {
-            continue;
-        }
-        // simulators add the inertia of a part that is fixed to a heavy body to that of the body
-        let is_added = inertial.mass().is_some_and(|mass| is_small_part(cx, link, mass));
-        let is_harmless = is_added || a + b >= c * (1.0 - COARSE) || c - a - b <= LAST_DIGIT;
-        let severity = if is_harmless { Severity::Info } else { Severity::Error };
+        let Some([a, b, c]) = impossible(inertial) else { continue };
+        let severity = if is_error(cx, link, inertial) { Severity::Error } else { Severity::Info };
         let message = format!(
             "inertia of link `{}` is impossible: moment {} exceeds the sum of {} and {}",
             link.shown(),
@@ -50,4 +45,18 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .help("compute the inertia from mass and shape")
             .done();
     }
+}
+
+/// The moments, if no body has them.
+fn impossible(inertial: &Inertial) -> Option<[f64; 3]> {
+    let Verdict::Definite(moments @ [a, b, c]) = verdict(inertial.entries()?) else { return None };
+    (a + b < c * (1.0 - ROUNDING)).then_some(moments)
+}
+
+/// Whether the inertia of a link is impossible, and not by rounding alone.
+pub(super) fn is_error(cx: &DocumentCx<'_>, link: &Link, inertial: &Inertial) -> bool {
+    let Some([a, b, c]) = impossible(inertial) else { return false };
+    // simulators add the inertia of a part that is fixed to a heavy body to that of the body
+    let is_added = inertial.mass().is_some_and(|mass| is_small_part(cx, link, mass));
+    !is_added && a + b < c * (1.0 - COARSE) && c - a - b > LAST_DIGIT
 }

@@ -76,9 +76,11 @@ pub(super) fn inertia_tag(expansion: &Expansion, inertial: &Inertial) -> Origin 
     tag_start(expansion, inertial.inertia_element.unwrap_or(inertial.element))
 }
 
-/// Whether the three moments are equal and there are no products, as in numbers that were made up.
+/// Whether the three moments are equal and the products nothing beside them, as in numbers that were made up.
 pub(super) fn is_same_about_all_axes([xx, xy, xz, yy, yz, zz]: [f64; 6]) -> bool {
-    xx == yy && yy == zz && [xy, xz, yz] == [0.0; 3]
+    /// The part of a moment up to which a product is nothing.
+    const NOTHING: f64 = 1e-2;
+    xx == yy && yy == zz && [xy, xz, yz].iter().all(|product| product.abs() <= NOTHING * xx)
 }
 
 /// A number for people: four digits, as short as it goes.

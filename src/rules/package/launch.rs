@@ -18,12 +18,20 @@ pub(super) fn is_launch(path: &Path) -> bool {
     [".launch", ".launch.xml", ".py"].iter().any(|ending| name.ends_with(ending))
 }
 
-/// Whether a launch file of the package names a file without running xacro anywhere: it is read as it stands.
+/// What a launch file that expands a description names: the program, or the package of ROS 2 whose launch files run it.
+const EXPANDERS: [&str; 2] = ["xacro", "urdf_launch"];
+
+/// Whether a launch file of the package names a file without running xacro, nor another launch file that does: it is read as
+/// it stands.
 pub fn reads_as_it_stands(cx: &FileCx<'_>) -> bool {
     let Some(name) = cx.source.path.file_name().and_then(|name| name.to_str()) else { return false };
-    let reads = |path: &PathBuf| {
-        let file = cx.world.vfs.text(path);
-        file.is_ok_and(|file| file.text.contains(name) && !file.text.contains("xacro"))
+    let files = files(cx.world, &cx.source.path);
+    let texts: Vec<_> =
+        files.iter().filter_map(|path| Some((path.file_name()?, cx.world.vfs.text(path).ok()?))).collect();
+    let expands = |text: &str| EXPANDERS.iter().any(|expander| text.contains(expander));
+    let hands_on = |text: &str| {
+        let mut others = texts.iter().filter(|(_, other)| expands(&other.text));
+        others.any(|(other, _)| other.to_str().is_some_and(|other| text.contains(other)))
     };
-    files(cx.world, &cx.source.path).iter().any(reads)
+    texts.iter().any(|(_, file)| file.text.contains(name) && !expands(&file.text) && !hands_on(&file.text))
 }

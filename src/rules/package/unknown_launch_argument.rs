@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::super::finding::Finding;
+use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;
 
@@ -36,6 +37,10 @@ pub fn unknown_launch_argument(
     };
     let mut finding = Finding::new(&RULE, span, format!("unknown argument `{name}` of `{file}`"));
     finding.help = Some(help);
+    if near.is_none() {
+        // what a call passes in vain was written for another robot
+        finding.group = Some(Group::Name(file.into()));
+    }
     if !certain {
         finding.severity = Severity::Info;
     }

@@ -25,7 +25,7 @@ use super::registry::Severity::{Error, Info, Warning};
 use super::registry::{Rule, page};
 
 pub(super) use mentions::Mentions;
-pub(super) use shadowed_builtin::is_news as shadowing_is_news;
+pub(super) use shadowed_builtin::{is_harmless as shadowing_is_harmless, is_news as shadowing_is_news};
 pub use source::include_tags;
 pub(super) use unprefixed_xacro_tag::is_unprefixed;
 

@@ -8,7 +8,7 @@ use super::super::sink::Sink;
 use super::mentions::Mentions;
 use super::{source, unused};
 use base::{FastMap, FastSet};
-use expand::{Definition, DefinitionId, Problem, SymbolKind};
+use expand::{Definition, DefinitionId, Problem, SymbolKind, UseKind};
 use xml::{Node, NodeKind};
 
 pub(super) const RULE: Rule = Rule {
@@ -143,12 +143,38 @@ fn places_parts(cx: &DocumentCx<'_>, of: DefinitionId) -> bool {
     false
 }
 
+/// Whether something is lost with a block: the calls write more than poses that move nothing, or there are none yet.
+fn is_missed(cx: &DocumentCx<'_>, of: DefinitionId, param: &Definition) -> bool {
+    let symbols = &cx.expansion.symbols;
+    let is_before = |other: &Definition| {
+        let is_block = other.kind == SymbolKind::BlockParameter && other.of == Some(of);
+        is_block && other.place.range.start < param.place.range.start
+    };
+    let index = symbols.iter().filter(|(_, other)| is_before(other)).count();
+    let calls = symbols.uses_of(of).filter(|used| used.kind == UseKind::Call);
+    let tags = calls.filter_map(|call| source::tag(cx.expansion, call.place));
+    let mut given = tags.map(|(_, node)| {
+        let mut elements = node.children().filter(|child| child.kind() == NodeKind::Element);
+        elements.nth(index).is_some_and(moves_nothing)
+    });
+    let first = given.next();
+    first.is_none() || first == Some(false) || given.any(|nothing| !nothing)
+}
+
+/// Whether an element is an `origin` of zeros.
+fn moves_nothing(node: Node<'_>) -> bool {
+    let is_zero = |word: &str| word.parse() == Ok(0.0);
+    node.name() == "origin" && node.attrs().all(|attr| attr.raw().split_ascii_whitespace().all(is_zero))
+}
+
 fn report(cx: &DocumentCx<'_>, of: DefinitionId, param: &Definition, out: &mut Sink<'_>) {
     let Some(place) = source::place(cx.expansion, param.place) else { return };
     let owner = cx.expansion.symbols.get(of).map_or("", |owner| owner.name.as_str());
     // with a block, what callers write is lost, such as a pose
     let (what, verb, severity) = match param.kind {
-        SymbolKind::BlockParameter if places_parts(cx, of) => ("block", "inserted", Severity::Warning),
+        SymbolKind::BlockParameter if places_parts(cx, of) && is_missed(cx, of, param) => {
+            ("block", "inserted", Severity::Warning)
+        }
         SymbolKind::BlockParameter => ("block", "inserted", Severity::Info),
         _ => ("parameter", "used", Severity::Info),
     };

@@ -59,7 +59,7 @@ fn report(
     let name = &cx.expansion.tree.get(id).text;
     let around = cx.expansion.tree.parent(id).map_or(String::new(), |id| walk::described(cx, id));
     let message = format!("unknown element `{name}` in {around}");
-    let group = Group::Name(format!("{name} in {}", parent.name).into());
+    let group = Group::Value(format!("{name} in {}", parent.name).into());
     let report = out.report(tag_start(cx.expansion, id), message).group(group);
     let Some((near, sure)) = near else {
         let (severity, help) = unlike_all(name, parent);

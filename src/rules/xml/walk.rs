@@ -95,7 +95,8 @@ pub(super) fn described(cx: &DocumentCx<'_>, element: XId) -> String {
     let owner = owner(cx, element);
     let kind = owner.split(" `").next().unwrap_or_default();
     let own = tree.attr(element, "name").is_some() && kind.trim_start_matches("a ") == name.as_str();
-    if own { owner } else { format!("`{name}` of {owner}") }
+    // what a macro that nothing calls has at its top is in no element
+    if own || name.is_empty() { owner } else { format!("`{name}` of {owner}") }
 }
 
 /// Whether xacro may put something into an element that the tree does not show: in a macro that nothing calls,

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use base::FastMap;
 use base::limits::{CALLER_CALLS, LAUNCH_INCLUDES};
 
-use super::{Callers, Uses, search};
+use super::{Callers, GivenArg, Uses, search};
 use crate::Packages;
 use crate::config::Axes;
 use crate::launch::{self, Call, Context, LaunchFile, Word, calls_in, included};
@@ -36,6 +36,20 @@ impl Callers {
 }
 
 impl Callers {
+    /// The arguments of each call of the description `file` whose launch file names it somehow, also through other launch files.
+    pub fn given(&self, file: &Path, packages: &Packages) -> Vec<Vec<GivenArg>> {
+        let all = self.calls(file, packages);
+        let calls = all.iter().filter(|call| call.target.as_deref() == Some(file));
+        let given = |RobotCall { call, .. }: &RobotCall| {
+            let args = call.args.iter().map(|argument| GivenArg {
+                name: argument.name.clone(),
+                value: argument.value.value(packages, &call.caller),
+            });
+            args.collect()
+        };
+        calls.map(given).collect()
+    }
+
     /// The arguments of the description `file` that launch files pass on from an argument of theirs with declared choices,
     /// with the values that these choices give.
     pub fn choices(&self, file: &Path, packages: &Packages) -> Axes {

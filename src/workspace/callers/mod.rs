@@ -153,6 +153,13 @@ impl Callers {
         self.of(file, packages).iter().any(says)
     }
 
+    /// Whether a file that names the description `file` also holds `text`, letter for letter.
+    pub fn quote(&self, file: &Path, text: &str, packages: &Packages) -> bool {
+        let holds =
+            |caller: &Caller| packages.vfs.text(&caller.path).is_ok_and(|file| file.text.contains(text));
+        self.of(file, packages).iter().any(holds)
+    }
+
     /// Whether a file names the description `file`.
     pub fn name(&self, file: &Path, packages: &Packages) -> bool {
         self.of(file, packages).iter().any(|caller| caller.descriptions.contains_key(name_of(file)))

@@ -276,6 +276,12 @@ fn python_calls_of_xacro() {
             "MoveItConfigsBuilder('arm').trajectory_execution(file_path='x').robot_description(mappings={'a': '1'})",
             &["? a=1"],
         ),
+        (
+            "MoveItConfigsBuilder with an SRDF",
+            "MoveItConfigsBuilder('arm', package_name='arm_moveit').robot_description_semantic(\
+             Path('srdf') / 'arm.srdf.xacro', {'name': 'left'})",
+            &["$(find arm_moveit)/srdf/arm.srdf.xacro name=left"],
+        ),
         ("subprocess with words", "subprocess.run(['xacro', '/r/a.xacro', 'a:=x y'])", &["/r/a.xacro a=x y"]),
         (
             "process of the launch system",

@@ -147,7 +147,7 @@ impl Reader<'_> {
                 let value = key.and_then(|key| pairs.into_iter().find(|(name, _)| *name == key));
                 value.map(|(_, value)| value).unwrap_or_default()
             }
-            (Value::Builder(package), "robot_description") => {
+            (Value::Builder(package), "robot_description" | "robot_description_semantic") => {
                 self.built_description(range, &package, args, named);
                 Value::Builder(package)
             }
@@ -156,7 +156,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `MoveItConfigsBuilder(...).robot_description(file_path=..., mappings=...)`
+    /// `MoveItConfigsBuilder(...).robot_description(file_path=..., mappings=...)`, and the same with the SRDF.
     fn built_description(
         &mut self,
         range: TextRange,
