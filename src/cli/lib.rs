@@ -4,6 +4,7 @@ mod args;
 mod calls;
 mod check;
 mod config;
+mod consumers;
 mod deps;
 mod diff;
 mod expand;
@@ -92,6 +93,7 @@ fn dispatch(command: Command, env: &Environment, io: &mut Io<'_>) -> u8 {
         Command::Format(options) => format::run(&options, env, io),
         Command::Expand { args } => expand::run(&args, env, io),
         Command::Tree(options) => tree::run(&options, env, io),
+        Command::Consumers(options) => consumers::run(&options, env, io),
         Command::Render(options) => picture::run(&options, env, io),
         #[cfg(feature = "preview")]
         Command::Preview(options) => preview::run(&options, env, io),
