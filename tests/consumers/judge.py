@@ -64,7 +64,7 @@ def main():
     readers = options.readers or tools.readers
     made = robots(options.files, options.changes, options.seed)
     paths = list(made)
-    answers = {reader: run.load(reader, tools, options.packages, paths) for reader in readers}
+    answers = run.load_all(readers, tools, options.packages, paths)
     said = {path: truth.of(path) for path in paths}
     guesses = {path: predicted(options.bin, path, options.packages) for path in paths}
     report(readers, made, answers, said, guesses, options.verbose)

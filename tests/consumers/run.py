@@ -53,6 +53,13 @@ def load(reader, tools, folder, files):
     return {path: known[key] for path, key in hashes.items()}
 
 
+def load_all(readers, tools, folder, files):
+    """What each reader makes of files; two readers at a time."""
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        jobs = {reader: pool.submit(load, reader, tools, folder, files) for reader in readers}
+    return {reader: job.result() for reader, job in jobs.items()}
+
+
 def ask(reader, tools, folder, files):
     command = [tools.python, str(HERE / 'readers.py'), reader, str(folder), '-']
     run = subprocess.run(command, input='\n'.join(files).encode(), capture_output=True, check=False,
@@ -68,10 +75,7 @@ def measure(readers, tools, folder, made):
     found = collections.defaultdict(dict)
     files = list(made.values())
     expected = {name: truth.of(path) for name, path in made.items()}
-    with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        jobs = {reader: pool.submit(load, reader, tools, folder, files) for reader in readers}
-    for reader, job in jobs.items():
-        answers = job.result()
+    for reader, answers in load_all(readers, tools, folder, files).items():
         plain = answers[str(made[''])]
         for name, path in made.items():
             found[name][reader] = truth.outcome(answers[str(path)], expected[name], plain, expected[''])
