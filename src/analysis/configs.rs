@@ -22,6 +22,8 @@ pub struct Overrides {
     pub ignore: Option<Vec<String>>,
     /// `--profile`
     pub profiles: Option<Vec<String>>,
+    /// `--for`
+    pub consumers: Option<Vec<String>>,
     /// The settings of an editor (what stands below `xacro.`), and the folder they hold for, where their relative
     /// paths start; outside of all of these folders the first ones hold.
     pub editor: Vec<(serde_json::Value, PathBuf)>,
@@ -69,6 +71,9 @@ impl Settings {
         // some rules ask for the profiles themselves
         if let Some(names) = &overrides.profiles {
             config.profiles = names.iter().filter_map(|name| Profile::named(name)).collect();
+        }
+        if let Some(names) = &overrides.consumers {
+            config.consumers.clone_from(names);
         }
         let own = |given: &Option<Vec<String>>, configured: &[String]| {
             given.clone().unwrap_or_else(|| configured.to_vec())

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
+use rules::consumers::Consumer;
+
 /// Linter, language server and expander for xacro and URDF robot descriptions
 #[derive(Debug, Parser)]
 #[command(name = "xacro-lint", version, subcommand_required = true, arg_required_else_help = true)]
@@ -34,6 +36,8 @@ pub(super) enum Command {
     Tree(TreeArgs),
     /// Render a picture of a robot, for documents and pull requests
     Render(RenderArgs),
+    /// Print what the programs that read URDF make of a robot
+    Consumers(ConsumersArgs),
     /// Show a robot in 3D in a browser and update it when its files change
     #[cfg(feature = "preview")]
     Preview(PreviewArgs),
@@ -86,7 +90,7 @@ pub(super) struct RulesArgs {
 }
 
 /// Categories of rules.
-const CATEGORIES: [&str; 12] = [
+const CATEGORIES: [&str; 13] = [
     "xml",
     "xacro",
     "structure",
@@ -97,6 +101,7 @@ const CATEGORIES: [&str; 12] = [
     "conventions",
     "package",
     "control",
+    "consumers",
     "style",
     "linter",
 ];
@@ -162,6 +167,10 @@ pub(super) struct CheckArgs {
     /// Enable the rules of a profile
     #[arg(long, value_name = "PROFILE", value_delimiter = ',', value_parser = PROFILES)]
     pub(super) profile: Vec<String>,
+    /// Report what these programs reject, change or ignore: mujoco, drake, gazebo and others (see
+    /// `xacro-lint consumers --list`)
+    #[arg(long = "for", value_name = "CONSUMER", value_delimiter = ',', value_parser = consumer)]
+    pub(super) consumers: Vec<String>,
     /// Treat the paths as changed files: check the robots in the current folder that use them, and print only
     /// findings that concern them
     #[arg(long, conflicts_with_all = ["stdin_filename", "write_baseline"])]
@@ -455,6 +464,39 @@ pub(super) struct CallsArgs {
     /// Output format
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: Plain,
+}
+
+#[derive(Args, Debug)]
+pub(super) struct ConsumersArgs {
+    /// The file and its arguments (name:=value)
+    #[arg(value_name = "FILE", required_unless_present = "list")]
+    pub(super) file: Vec<String>,
+    /// Only these programs
+    #[arg(long = "for", value_name = "CONSUMER", value_delimiter = ',', value_parser = consumer)]
+    pub(super) consumers: Vec<String>,
+    /// Also print the constructs that all programs accept
+    #[arg(long)]
+    pub(super) all: bool,
+    /// List the programs, with the versions that the table was measured with
+    #[arg(long)]
+    pub(super) list: bool,
+    /// Search this folder for packages first; repeatable
+    #[arg(long, value_name = "DIR")]
+    pub(super) package_path: Vec<String>,
+    /// Output format
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: Plain,
+}
+
+/// The name of a consumer, which may be given by one of its other names.
+fn consumer(name: &str) -> Result<String, String> {
+    match Consumer::named(name) {
+        Some(consumer) => Ok(consumer.name.to_owned()),
+        None => Err(match Consumer::nearest(name) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => "run `xacro-lint consumers --list`".to_owned(),
+        }),
+    }
 }
 
 #[derive(Args, Debug)]

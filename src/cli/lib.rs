@@ -5,6 +5,7 @@ mod assets;
 mod calls;
 mod check;
 mod config;
+mod consumers;
 mod deps;
 mod diff;
 mod expand;
@@ -93,6 +94,7 @@ fn dispatch(command: Command, env: &Environment, io: &mut Io<'_>) -> u8 {
         Command::Format(options) => format::run(&options, env, io),
         Command::Expand { args } => expand::run(&args, env, io),
         Command::Tree(options) => tree::run(&options, env, io),
+        Command::Consumers(options) => consumers::run(&options, env, io),
         Command::Render(options) => picture::run(&options, env, io),
         #[cfg(feature = "preview")]
         Command::Preview(options) => preview::run(&options, env, io),

@@ -145,6 +145,7 @@ fn overrides(args: &CheckArgs) -> Overrides {
         extend_select: given(&args.extend_select),
         ignore: given(&args.ignore),
         profiles: given(&args.profile),
+        consumers: given(&args.consumers),
         ..Overrides::default()
     }
 }

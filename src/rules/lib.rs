@@ -5,6 +5,7 @@
 
 mod arms;
 mod catalogue;
+pub mod consumers;
 mod context;
 mod control;
 mod conventions;

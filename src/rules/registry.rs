@@ -5,7 +5,8 @@ use std::fmt;
 use super::context::{DocumentCx, FileCx, RobotCx};
 use super::sink::Sink;
 use super::{
-    control, conventions, frames, geometry, inertia, joint, linter, package, structure, style, xacro, xml,
+    consumers, control, conventions, frames, geometry, inertia, joint, linter, package, structure, style,
+    xacro, xml,
 };
 use workspace::nearest;
 
@@ -55,6 +56,8 @@ pub enum Category {
     Package,
     /// ros2_control, transmissions, Gazebo.
     Control,
+    /// What the programs that read URDF make of a robot.
+    Consumers,
     /// Style.
     Style,
     /// Suppressions and configuration of the linter itself.
@@ -171,7 +174,7 @@ fn page_url(repository: &str, version: &str, name: &str) -> Option<String> {
 
 impl Category {
     /// All of them, in the order of the catalogue.
-    pub const ALL: [Category; 12] = [
+    pub const ALL: [Category; 13] = [
         Category::Xml,
         Category::Xacro,
         Category::Structure,
@@ -182,6 +185,7 @@ impl Category {
         Category::Conventions,
         Category::Package,
         Category::Control,
+        Category::Consumers,
         Category::Style,
         Category::Linter,
     ];
@@ -199,6 +203,7 @@ impl Category {
             Category::Conventions => "conventions",
             Category::Package => "package",
             Category::Control => "control",
+            Category::Consumers => "consumers",
             Category::Style => "style",
             Category::Linter => "linter",
         }
@@ -217,6 +222,7 @@ impl Category {
             Category::Conventions => "Names",
             Category::Package => "Packages and files",
             Category::Control => "ros2_control, transmissions and Gazebo",
+            Category::Consumers => "Programs that read URDF",
             Category::Style => "Style",
             Category::Linter => "The linter itself",
         }
@@ -271,7 +277,7 @@ impl fmt::Display for Severity {
 
 /// All rules, by category and code.
 pub fn all() -> impl Iterator<Item = &'static Rule> {
-    let categories: [&'static [Rule]; 12] = [
+    let categories: [&'static [Rule]; 13] = [
         xml::RULES,
         xacro::RULES,
         structure::RULES,
@@ -282,6 +288,7 @@ pub fn all() -> impl Iterator<Item = &'static Rule> {
         conventions::RULES,
         package::RULES,
         control::RULES,
+        consumers::RULES,
         style::RULES,
         linter::RULES,
     ];

@@ -24,6 +24,7 @@
 mod blocks;
 #[cfg(unix)]
 mod commands;
+mod consumers;
 mod data;
 mod links;
 mod pages;

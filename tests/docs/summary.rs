@@ -11,7 +11,7 @@ const SUMMARY: &str = "docs/SUMMARY.md";
 const QUESTIONS: &str = "docs/faq/README.md";
 
 /// A page with what stands between the comments of `name` made anew.
-fn with_part(page: &Page, name: &str, part: &str) -> String {
+pub fn with_part(page: &Page, name: &str, part: &str) -> String {
     let begin = page.text.find(&format!("<!-- {name}: ")).expect("the comment in front");
     let begin = begin + page.text[begin..].find('\n').unwrap() + 1;
     let end = page.text.find(&format!("<!-- end of {name} -->")).expect("the comment behind");

@@ -49,7 +49,7 @@ pub use resources::{Target as FileTarget, factors, resolve as resolve_file};
 
 pub(super) use bodies::{Extent, extent, extent_of, volume};
 pub(super) use mesh_scale_suspicious::is_scaled_wrong;
-pub(super) use resources::Resources;
+pub(super) use resources::{MeshUse, Resources};
 
 /// The rules.
 pub(super) static RULES: &[Rule] = &[

@@ -18,6 +18,8 @@ mod zero_mass;
 
 use super::registry::Rule;
 
+pub(super) use moments::{Verdict, verdict};
+
 /// The rules.
 pub(super) static RULES: &[Rule] = &[
     negative_mass::RULE,

@@ -20,7 +20,7 @@ pub(super) const NEGLIGIBLE_MASS: f64 = 1e-5;
 
 /// What an inertia matrix is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Verdict {
+pub(in super::super) enum Verdict {
     /// Zero, but for rounding.
     Zero,
     /// One of its principal moments is negative.
@@ -32,7 +32,7 @@ pub(super) enum Verdict {
 }
 
 /// Judge `ixx ixy ixz iyy iyz izz`.
-pub(super) fn verdict(entries: [f64; 6]) -> Verdict {
+pub(in super::super) fn verdict(entries: [f64; 6]) -> Verdict {
     let entries = without_noise(entries);
     let [xx, xy, xz, yy, yz, zz] = entries;
     let size = entries.into_iter().fold(0.0, |size: f64, entry| size.max(entry.abs()));

@@ -24,6 +24,7 @@ pub use invalid_number::Numeric;
 pub(super) use meant::{attributes as meant_attributes, with_dollars};
 pub use missing_robot_name::missing_robot_name;
 pub use walk::Seen;
+pub(super) use walk::{described, known};
 
 /// The rules.
 pub(super) static RULES: &[Rule] = &[

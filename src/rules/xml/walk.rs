@@ -69,7 +69,7 @@ fn is_foreign(cx: &DocumentCx<'_>, element: XId) -> bool {
 }
 
 /// Those that the schema knows, without the blocks that are meant for other tools.
-pub(super) fn known(cx: &DocumentCx<'_>) -> impl Iterator<Item = (XId, &'static ElementSpec)> {
+pub(in super::super) fn known(cx: &DocumentCx<'_>) -> impl Iterator<Item = (XId, &'static ElementSpec)> {
     let known = elements(cx).iter().filter_map(|seen| Some((seen.id, seen.spec?)));
     let is_element = |id: XId| cx.expansion.tree.get(id).kind == XKind::Element;
     known.filter(move |&(id, spec)| is_element(id) && !is_free_zone(spec.name))
@@ -89,7 +89,7 @@ pub(super) fn owner(cx: &DocumentCx<'_>, element: XId) -> String {
 }
 
 /// The message's beginning for an element: "`limit` of joint `elbow`".
-pub(super) fn described(cx: &DocumentCx<'_>, element: XId) -> String {
+pub(in super::super) fn described(cx: &DocumentCx<'_>, element: XId) -> String {
     let tree = &cx.expansion.tree;
     let name = &tree.get(element).text;
     let owner = owner(cx, element);

@@ -4,7 +4,7 @@
 
 use std::path::PathBuf;
 
-use super::keys::{FORMAT, KEYS, Key, LAYOUTS, LEVELS, LIMITS, PROFILES, TARGETS, Type};
+use super::keys::{CONSUMERS, FORMAT, KEYS, Key, LAYOUTS, LEVELS, LIMITS, PROFILES, TARGETS, Type};
 use super::pattern::Pattern;
 use super::value::{Entry, Value, ValueKind};
 use super::{
@@ -53,6 +53,13 @@ impl Applier {
                     self.set(&mut config.target, entry, TARGETS, &targets);
                 }
                 "urdf-version" => config.urdf_version = self.texts(entry),
+                "consumers" => {
+                    for value in self.values(entry) {
+                        let name = self.choice(&entry.key, value, CONSUMERS, CONSUMERS).map(str::to_owned);
+                        config.consumers.extend(name.filter(|name| !config.consumers.contains(name)));
+                    }
+                }
+                "oldest-reader" => config.oldest_reader = self.text(entry).map(str::to_owned),
                 "profile" => {
                     let all = [Profile::RosIndustrial, Profile::Mobile, Profile::Gazebo, Profile::Pedantic];
                     for value in self.values(entry) {

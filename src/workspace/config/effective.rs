@@ -70,6 +70,8 @@ impl Config {
         match key {
             "target" => json!(TARGETS.get(usize::from(self.target == Target::Ros1))),
             "urdf-version" => json!(self.urdf_version),
+            "consumers" => json!(self.consumers),
+            "oldest-reader" => json!(self.oldest_reader),
             "profile" => self.profiles.iter().map(|profile| json!(profile.name())).collect(),
             "select" => json!(self.select),
             "extend-select" => json!(self.extend_select),

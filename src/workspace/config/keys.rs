@@ -49,6 +49,24 @@ const fn key(name: &'static str, of: Type, doc: &'static str) -> Key {
 pub(super) const TARGETS: &[&str] = &["ros2", "ros1"];
 /// Values of `profile`.
 pub(super) const PROFILES: &[&str] = &["ros-industrial", "mobile", "gazebo", "pedantic"];
+/// Values of `consumers`: the programs that the table of consumers knows.
+pub const CONSUMERS: &[&str] = &[
+    "urdfdom",
+    "urdfdom-3",
+    "kdl",
+    "moveit",
+    "gazebo",
+    "mujoco",
+    "drake",
+    "pinocchio",
+    "pybullet",
+    "yourdfpy",
+    "urchin",
+    "urdf_parser_py",
+    "urdf-loader",
+    "urdf-rs",
+    "isaac",
+];
 /// Values of `severity`.
 pub(super) const LEVELS: &[&str] = &["error", "warning", "info", "hint", "off"];
 /// Values of `format.attributes`.
@@ -162,6 +180,12 @@ pub(super) const KEYS: &[Key] = &[
     key("extend", Type::Text, "Configuration file to extend; settings in this file take precedence."),
     key("target", Type::Choice(TARGETS), "Dialect of xacro and package conventions; default `ros2`."),
     key("urdf-version", Type::Texts, "Supported URDF versions; default `1.0`."),
+    key("consumers", Type::Choices(CONSUMERS), "Programs that have to load the robots."),
+    key(
+        "oldest-reader",
+        Type::Text,
+        "Oldest version of urdfdom that has to load the robots, such as `3.0`; default: the newest.",
+    ),
     key("profile", Type::Choices(PROFILES), "Profiles whose rules are enabled."),
     key("select", Type::Texts, "Run only these rules (codes, code prefixes or names)."),
     key("extend-select", Type::Texts, "Run these rules in addition (codes, code prefixes or names)."),

@@ -22,6 +22,7 @@ use std::path::PathBuf;
 
 pub use effective::Setting;
 pub use expect::{Expectation, ExpectedJoint};
+pub use keys::CONSUMERS;
 pub use load::{CONFIG_NAMES, Loaded, argument_places, find_config, unknown_settings};
 pub use pattern::Pattern;
 pub use roots::{Args, Axes, Root, Variant, files_named};
@@ -39,6 +40,10 @@ pub struct Config {
     pub target: Target,
     /// Admitted values of `robot/@version`.
     pub urdf_version: Vec<String>,
+    /// The programs that have to load the robots.
+    pub consumers: Vec<String>,
+    /// The oldest urdfdom that has to load the robots.
+    pub oldest_reader: Option<String>,
     /// Profiles that are switched on.
     pub profiles: Vec<Profile>,
     /// Codes, prefixes or names of the only rules to run; `None` for the default set.
@@ -81,6 +86,8 @@ impl Default for Config {
             files: Vec::new(),
             target: Target::Ros2,
             urdf_version: vec!["1.0".to_owned()],
+            consumers: Vec::new(),
+            oldest_reader: None,
             profiles: Vec::new(),
             select: None,
             extend_select: Vec::new(),

@@ -1,0 +1,138 @@
+//! What detectors look at, and where they put what they find.
+
+use super::super::context::{DocumentCx, is_plain_urdf};
+use super::super::edits::source_text;
+use super::table::{Construct, construct};
+use expand::{Origin, XId};
+use model::{Joint, JointType, Kinematics, Link, Robot, Text, Version, tag_start};
+
+/// A construct in a robot.
+#[derive(Debug)]
+pub struct Met {
+    /// The row of the table.
+    pub construct: &'static Construct,
+    /// Where it is.
+    pub origin: Origin,
+    /// The thing that has it: "joint `elbow`".
+    pub owner: String,
+}
+
+/// A robot, as detectors see it.
+pub(super) struct Facts<'a, 'e> {
+    pub(super) cx: &'a DocumentCx<'e>,
+    pub(super) robot: &'a Robot,
+    pub(super) kinematics: Kinematics,
+    /// Whether consumers read the file itself, and not what xacro makes of it.
+    pub(super) is_plain: bool,
+    /// The version of URDF; none when it cannot be told.
+    pub(super) version: Option<Version>,
+}
+
+/// Collects what is found.
+#[derive(Default)]
+pub(super) struct Found {
+    pub(super) met: Vec<Met>,
+}
+
+impl Found {
+    /// The construct `name` is at `origin`.
+    pub(super) fn add(&mut self, name: &str, origin: Origin, owner: impl Into<String>) {
+        let construct = construct(name);
+        debug_assert!(construct.is_some(), "no row {name}");
+        self.met.extend(construct.map(|construct| Met { construct, origin, owner: owner.into() }));
+    }
+}
+
+impl<'a, 'e> Facts<'a, 'e> {
+    pub(super) fn of(cx: &'a DocumentCx<'e>, robot: &'a Robot) -> Self {
+        let version = Version::of(&cx.expansion.tree);
+        let file = cx.expansion.files.first();
+        let is_plain = cx.expansion.files.len() == 1
+            && file.is_some_and(|file| {
+                let root = file.source.document.root();
+                is_plain_urdf(&file.source.path)
+                    && root.is_some_and(|root| root.attr("xmlns:xacro").is_none())
+            });
+        Self { cx, robot, kinematics: Kinematics::of(robot), is_plain, version }
+    }
+
+    /// The text of a value as consumers see it.
+    pub(super) fn seen(&self, text: &Text) -> String {
+        let source = source_text(self.cx.expansion, text.origin).filter(|_| self.is_plain);
+        // what has references is long to read, and seldom
+        let source = source.map(|(_, _, source)| source).filter(|source| !source.contains('&'));
+        source.unwrap_or_else(|| text.value.to_string())
+    }
+
+    /// The start of an element.
+    pub(super) fn at(&self, element: XId) -> Origin {
+        tag_start(self.cx.expansion, element)
+    }
+
+    /// Where a thing is named, or where it begins.
+    pub(super) fn at_name(&self, name: Option<&Text>, element: XId) -> Origin {
+        name.filter(|name| !name.value.is_empty()).map_or_else(|| self.at(element), |name| name.origin)
+    }
+
+    /// The child elements of a name.
+    pub(super) fn children(&self, element: XId, name: &'static str) -> impl Iterator<Item = XId> + '_ {
+        let tree = &self.cx.expansion.tree;
+        tree.elements(element).filter(move |&id| tree.get(id).text == name)
+    }
+
+    /// The joint above a link.
+    pub(super) fn above(&self, link: usize) -> Option<&'a Joint> {
+        self.kinematics.up(link).first().and_then(|&joint| self.robot.joints.get(joint))
+    }
+
+    /// Whether a link moves relative to its parent.
+    pub(super) fn moves(&self, link: usize) -> bool {
+        self.above(link).and_then(Joint::joint_type).is_some_and(|kind| kind != JointType::Fixed)
+    }
+
+    /// Whether a link, or one that is fixed below it, has a mass above zero.
+    pub(super) fn carries_mass(&self, link: usize) -> bool {
+        let mut open = vec![link];
+        let mut seen = 0;
+        while let Some(link) = open.pop().filter(|_| seen <= self.robot.links.len()) {
+            seen += 1;
+            if self.robot.links.get(link).is_some_and(has_mass) {
+                return true;
+            }
+            open.extend(
+                self.children_of(link)
+                    .filter(|(kind, _)| *kind == Some(JointType::Fixed))
+                    .map(|(_, child)| child),
+            );
+        }
+        false
+    }
+
+    /// The links below a link, with the types of the joints between.
+    pub(super) fn children_of(&self, link: usize) -> impl Iterator<Item = (Option<JointType>, usize)> + '_ {
+        let joints = self.kinematics.down(link).iter();
+        joints.filter_map(|&joint| {
+            Some((self.robot.joints.get(joint)?.joint_type(), self.kinematics.ends(joint)?.1))
+        })
+    }
+}
+
+/// Whether a link has a mass, or one that is not known.
+pub(super) fn has_mass(link: &Link) -> bool {
+    let mass = link.inertial.as_ref().and_then(|inertial| inertial.mass.as_ref());
+    mass.is_some_and(|mass| !mass.is_known() || mass.number().is_none_or(|mass| mass != 0.0))
+}
+
+/// "link `arm`"
+pub(super) fn link_owner(link: &Link) -> String {
+    named("link", link.shown())
+}
+
+/// "joint `elbow`"
+pub(super) fn joint_owner(joint: &Joint) -> String {
+    named("joint", joint.shown())
+}
+
+fn named(kind: &str, name: &str) -> String {
+    if name.is_empty() { format!("a {kind}") } else { format!("{kind} `{name}`") }
+}

@@ -1,0 +1,175 @@
+//! Joints: types, limits, axes, dynamics.
+
+use super::super::context::RootKind;
+use super::facts::{Facts, Found, joint_owner};
+use model::{Joint, JointType, Limit, Text, Version};
+
+/// Shorter axes are zero.
+const TINY_AXIS: f64 = 1e-6;
+
+pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
+    debug_assert_eq!(facts.cx.kind, RootKind::Robot);
+    for joint in &facts.robot.joints {
+        kind(facts, joint, out);
+        limits(facts, joint, out);
+        axis(facts, joint, out);
+        rest(facts, joint, out);
+    }
+}
+
+fn kind(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
+    let Some(text) = &joint.kind else {
+        return out.add("joint-without-type", facts.at(joint.element), joint_owner(joint));
+    };
+    let Some(name) = text.name() else { return };
+    let is_root = || {
+        let parent = joint.parent.as_ref().and_then(|parent| facts.kinematics.link(parent.value.as_str()));
+        parent.is_some_and(|link| facts.kinematics.up(link).is_empty())
+    };
+    let row = match JointType::of(name) {
+        None if matches!(name.as_str(), "ball" | "spherical") => "joint-type-ball",
+        None => "joint-type-unknown",
+        Some(JointType::Floating) if is_root() => "joint-floating-root",
+        Some(JointType::Floating) => "joint-floating",
+        Some(JointType::Planar) => "joint-planar",
+        Some(_) => return,
+    };
+    out.add(row, text.origin, joint_owner(joint));
+}
+
+fn limits(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
+    let Some(kind) = joint.joint_type() else { return };
+    let is_bounded = matches!(kind, JointType::Revolute | JointType::Prismatic);
+    let Some(limit) = &joint.limit else {
+        let row =
+            if kind == JointType::Revolute { "revolute-without-limit" } else { "prismatic-without-limit" };
+        if is_bounded {
+            out.add(row, facts.at_name(joint.name.as_ref(), joint.element), joint_owner(joint));
+        }
+        return;
+    };
+    let mut add = |row: &str| out.add(row, facts.at(limit.element), joint_owner(joint));
+    if facts.children(joint.element, "limit").nth(1).is_some() {
+        add("two-limits");
+    }
+    if kind == JointType::Fixed {
+        add("limit-on-fixed");
+    }
+    if limit.dynamic.iter().any(Option::is_some) {
+        add("limit-1.2");
+    }
+    let is_1_2 = facts.version.is_some_and(|version| version >= Version::V1_2);
+    let bare = limit.effort.is_none() && limit.velocity.is_none();
+    if bare && limit.lower.is_none() && limit.upper.is_none() {
+        return add("limit-empty");
+    }
+    if limit.effort.is_none() && !is_1_2 {
+        add("limit-without-effort");
+    }
+    if limit.velocity.is_none() && !is_1_2 {
+        add("limit-without-velocity");
+    }
+    signs(limit, &mut add);
+    if is_bounded {
+        bounds(limit, &mut add);
+    } else if kind == JointType::Continuous && (limit.lower.is_some() || limit.upper.is_some()) {
+        add("limits-on-continuous");
+    }
+}
+
+fn signs(limit: &Limit, add: &mut impl FnMut(&str)) {
+    let rows = [
+        (&limit.effort, "limit-effort-zero", "limit-effort-negative"),
+        (&limit.velocity, "limit-velocity-zero", "limit-velocity-negative"),
+    ];
+    for (text, zero, negative) in rows {
+        match text.as_ref().and_then(Text::number) {
+            Some(0.0) => add(zero),
+            Some(number) if number < 0.0 => add(negative),
+            _ => {}
+        }
+    }
+}
+
+fn bounds(limit: &Limit, add: &mut impl FnMut(&str)) {
+    match (&limit.lower, &limit.upper) {
+        (None, None) => add("limit-without-bounds"),
+        (None, Some(_)) => add("limit-without-lower"),
+        (Some(_), None) => add("limit-without-upper"),
+        (Some(lower), Some(upper)) => match lower.number().zip(upper.number()) {
+            Some((0.0, 0.0)) => add("limits-zero"),
+            #[allow(clippy::float_cmp)] // consumers compare so
+            Some((lower, upper)) if lower == upper => add("limits-equal"),
+            Some((lower, upper)) if lower > upper => add("limits-inverted"),
+            _ => {}
+        },
+    }
+}
+
+fn axis(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
+    let Some(kind) = joint.joint_type() else { return };
+    let Some(axis) = &joint.axis else {
+        if kind.has_axis() {
+            out.add("axis-missing", facts.at_name(joint.name.as_ref(), joint.element), joint_owner(joint));
+        }
+        return;
+    };
+    let mut add = |row: &str| out.add(row, facts.at(axis.element), joint_owner(joint));
+    if facts.children(joint.element, "axis").nth(1).is_some() {
+        add("two-axes");
+    }
+    let Some(xyz) = &axis.xyz else { return add("axis-empty") };
+    let Some(length) = xyz.numbers::<3>().map(|[x, y, z]| x.hypot(y).hypot(z)) else { return };
+    match length {
+        0.0 if kind.has_axis() => add("axis-zero"),
+        0.0 => add("axis-zero-fixed"),
+        _ if length < TINY_AXIS && kind.has_axis() => add("axis-tiny"),
+        _ => {}
+    }
+}
+
+fn rest(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
+    let mut add = |row: &str, element| out.add(row, facts.at(element), joint_owner(joint));
+    if let Some(dynamics) = &joint.dynamics {
+        let numbers =
+            [&dynamics.damping, &dynamics.friction].map(|text| text.as_ref().and_then(Text::number));
+        if dynamics.damping.is_none() && dynamics.friction.is_none() {
+            add("dynamics-empty", dynamics.element);
+        }
+        for (number, row) in numbers.into_iter().zip(["damping-negative", "friction-negative"]) {
+            if number.is_some_and(|number| number < 0.0) {
+                add(row, dynamics.element);
+            }
+        }
+        if facts.children(joint.element, "dynamics").nth(1).is_some() {
+            add("two-dynamics", dynamics.element);
+        }
+    }
+    if let Some(safety) = joint.safety.as_ref().filter(|safety| safety.k_velocity.is_none()) {
+        add("safety-without-velocity", safety.element);
+    }
+    let tree = &facts.cx.expansion.tree;
+    for calibration in facts.children(joint.element, "calibration") {
+        if tree.attr(calibration, "rising").is_none() && tree.attr(calibration, "falling").is_none() {
+            add("calibration-empty", calibration);
+        }
+    }
+    if facts.children(joint.element, "origin").nth(1).is_some() {
+        add("two-origins", joint.element);
+    }
+    for name in ["parent", "child"] {
+        if let Some(second) = facts.children(joint.element, name).nth(1) {
+            add("two-parents-in-joint", second);
+        }
+    }
+    for origin in facts.children(joint.element, "origin") {
+        let has = |name: &str| tree.attr(origin, name).is_some();
+        let is_read = facts.version.is_some_and(|version| version >= Version::V1_1);
+        match (has("quat_xyzw"), has("rpy")) {
+            (true, true) if is_read => add("origin-with-both-rotations", origin),
+            (true, _) if is_read => add("quaternion", origin),
+            (true, _) => add("quaternion-1.0", origin),
+            _ => {}
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! Names of links and joints that some consumers reserve, change or reject.
+
+use super::facts::{Facts, Found, joint_owner, link_owner};
+use expand::{Origin, XId};
+use model::Text;
+
+pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
+    for (index, link) in facts.robot.links.iter().enumerate() {
+        let owner = link_owner(link);
+        let Some(name) =
+            one(facts, &link.name, link.element, &owner, ["link-without-name", "link-name-empty"], out)
+        else {
+            continue;
+        };
+        let is_root = facts.kinematics.up(index).is_empty();
+        let mut add = |row: &str| out.add(row, name.origin, owner.as_str());
+        match name.value.as_str() {
+            "universe" => add("link-universe"),
+            "world" if !is_root => add("link-world"),
+            "world" if link.inertial.is_some() || link.has_geometry() => add("root-world-with-body"),
+            "world" => add("world-above"),
+            _ if is_root
+                && link.inertial.is_none()
+                && !link.has_geometry()
+                && !facts.robot.joints.is_empty() =>
+            {
+                add("root-without-body");
+            }
+            _ => {}
+        }
+        let value = name.value.as_str();
+        if value.ends_with([' ', '\t']) {
+            add("name-with-space-at-end");
+        } else if value.contains(' ') {
+            add("name-with-space");
+        }
+        if value.contains("::") {
+            add("name-with-colons");
+        }
+        common(name, &owner, out);
+    }
+    for joint in &facts.robot.joints {
+        let owner = joint_owner(joint);
+        let rows = ["joint-without-name", "joint-name-empty"];
+        let Some(name) = one(facts, &joint.name, joint.element, &owner, rows, out) else { continue };
+        let mut add = |row: &str| out.add(row, name.origin, owner.as_str());
+        if name.value == "universe" {
+            add("joint-universe");
+        }
+        if name.value.contains(' ') {
+            add("joint-name-with-space");
+        }
+        if name.value.contains("::") {
+            add("joint-name-with-colons");
+        }
+    }
+}
+
+/// The name of a thing, when it is known and not empty.
+fn one<'t>(
+    facts: &Facts<'_, '_>,
+    name: &'t Option<Text>,
+    element: XId,
+    owner: &str,
+    [missing, empty]: [&str; 2],
+    out: &mut Found,
+) -> Option<&'t Text> {
+    let at: Origin = facts.at(element);
+    match name {
+        None => out.add(missing, at, owner),
+        Some(name) if name.value.is_empty() => out.add(empty, at, owner),
+        Some(name) if name.is_known() => return Some(name),
+        Some(_) => {}
+    }
+    None
+}
+
+/// What holds for links and joints.
+fn common(name: &Text, owner: &str, out: &mut Found) {
+    let value = name.value.as_str();
+    let mut add = |row: &str| out.add(row, name.origin, owner);
+    if value.len() > 4 && value.starts_with("__") && value.ends_with("__") {
+        add("name-reserved-in-sdf");
+    }
+    if value.contains('/') {
+        add("name-with-slash");
+    }
+    if value.contains('"') {
+        add("name-with-quote");
+    }
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    if !value.chars().all(is_word) || value.starts_with(|c: char| c.is_ascii_digit()) {
+        add("name-no-identifier");
+    }
+}

@@ -1,0 +1,120 @@
+//! The tree of links and joints.
+
+use super::facts::{Facts, Found, joint_owner, link_owner};
+use base::FastMap;
+use model::{Text, Version};
+
+/// More joints than these are too many for PyBullet.
+const WIDE: usize = 128;
+/// Longer chains of links end the stacks of some consumers.
+const DEEP: usize = 1000;
+
+pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
+    robot(facts, out);
+    version(facts, out);
+    roots(facts, out);
+    ends(facts, out);
+    repeated(facts, out);
+}
+
+fn robot(facts: &Facts<'_, '_>, out: &mut Found) {
+    let (robot, at) = (facts.robot, facts.at(facts.robot.element));
+    match &robot.name {
+        None => out.add("robot-without-name", at, "the robot"),
+        Some(name) if name.value.is_empty() => out.add("robot-name-empty", at, "the robot"),
+        Some(_) => {}
+    }
+    if robot.links.is_empty() {
+        out.add("no-links", at, "the robot");
+    }
+    if let ([link], true) = (robot.links.as_slice(), robot.joints.is_empty())
+        && link.inertial.is_none()
+    {
+        out.add("one-link", facts.at(link.element), link_owner(link));
+    }
+    if robot.joints.len() > WIDE {
+        out.add("wide-tree", at, "the robot");
+    }
+    let depth = |link: usize| facts.kinematics.above(link).count();
+    if robot.joints.len() >= DEEP && (0..robot.links.len()).any(|link| depth(link) >= DEEP) {
+        out.add("deep-tree", at, "the robot");
+    }
+}
+
+fn version(facts: &Facts<'_, '_>, out: &mut Found) {
+    let text = Text::attr(&facts.cx.expansion.tree, facts.robot.element, "version");
+    let Some(text) = text.filter(Text::is_known) else { return };
+    let row = match Version::parse(&text.value) {
+        Some(Version::V1_0) => return,
+        Some(Version::V1_1) => "version-1.1",
+        Some(Version::V1_2) => "version-1.2",
+        Some(_) => "version-2",
+        None if text.number().is_some() => "version-whole",
+        None => "version-no-number",
+    };
+    out.add(row, text.origin, "the robot");
+}
+
+fn roots(facts: &Facts<'_, '_>, out: &mut Found) {
+    let roots = facts.kinematics.roots(facts.robot);
+    for cycle in facts.kinematics.cycles() {
+        let joint = cycle.first().and_then(|&joint| facts.robot.joints.get(joint));
+        if let Some(joint) = joint.filter(|_| roots.is_empty()) {
+            out.add("link-cycle", facts.at_name(joint.name.as_ref(), joint.element), joint_owner(joint));
+        }
+    }
+    for &root in roots.iter().skip(1) {
+        let Some(link) = facts.robot.links.get(root) else { continue };
+        let row = if facts.kinematics.down(root).is_empty() { "two-roots" } else { "second-tree" };
+        out.add(row, facts.at_name(link.name.as_ref(), link.element), link_owner(link));
+    }
+    for (index, link) in facts.robot.links.iter().enumerate() {
+        if facts.kinematics.up(index).len() > 1 && !roots.is_empty() {
+            out.add("two-parents", facts.at_name(link.name.as_ref(), link.element), link_owner(link));
+        }
+    }
+}
+
+fn ends(facts: &Facts<'_, '_>, out: &mut Found) {
+    for joint in &facts.robot.joints {
+        let at = facts.at_name(joint.name.as_ref(), joint.element);
+        let unknown = |text: &Text| text.name().is_some_and(|name| facts.kinematics.link(name).is_none());
+        match &joint.parent {
+            None => out.add("joint-without-parent", at, joint_owner(joint)),
+            Some(parent) if unknown(parent) => out.add("parent-unknown", parent.origin, joint_owner(joint)),
+            Some(_) => {}
+        }
+        match &joint.child {
+            None => out.add("joint-without-child", at, joint_owner(joint)),
+            Some(child) if unknown(child) => out.add("child-unknown", child.origin, joint_owner(joint)),
+            Some(_) => {}
+        }
+        if joint.ends().is_some_and(|(parent, child)| parent == child) {
+            out.add("joint-to-itself", at, joint_owner(joint));
+        }
+    }
+}
+
+fn repeated(facts: &Facts<'_, '_>, out: &mut Found) {
+    let mut links: FastMap<&str, ()> = FastMap::default();
+    let mut by_case: FastMap<String, &str> = FastMap::default();
+    for link in &facts.robot.links {
+        let Some(name) = link.name.as_ref().filter(|name| name.name().is_some()) else { continue };
+        let other = by_case.insert(name.value.to_lowercase().into(), name.value.as_str());
+        if links.insert(name.value.as_str(), ()).is_some() {
+            out.add("duplicate-link", name.origin, link_owner(link));
+        } else if other.is_some() {
+            out.add("names-by-case", name.origin, link_owner(link));
+        }
+    }
+    let mut joints: FastMap<&str, ()> = FastMap::default();
+    for joint in &facts.robot.joints {
+        let Some(name) = joint.name.as_ref().filter(|name| name.name().is_some()) else { continue };
+        if joints.insert(name.value.as_str(), ()).is_some() {
+            out.add("duplicate-joint", name.origin, joint_owner(joint));
+        }
+        if links.contains_key(name.value.as_str()) {
+            out.add("link-and-joint-of-one-name", name.origin, joint_owner(joint));
+        }
+    }
+}
