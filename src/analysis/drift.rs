@@ -350,7 +350,11 @@ mod tests {
         let other = [("arm/package.xml", "<package><name>arm</name></package>"), ("arm/b.xacro", SOURCE)];
         for (banner, expected) in [("b.xacro", 0), ("arm/b.xacro", 1)] {
             let made = generated(banner, "5");
-            assert_eq!(found(&[&[("r.urdf", made.as_str())], &other[..]].concat()).1.len(), expected, "{banner}");
+            assert_eq!(
+                found(&[&[("r.urdf", made.as_str())], &other[..]].concat()).1.len(),
+                expected,
+                "{banner}"
+            );
         }
     }
 

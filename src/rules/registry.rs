@@ -2,10 +2,12 @@
 
 use std::fmt;
 
+use super::beside::BesideCx;
 use super::context::{DocumentCx, FileCx, RobotCx};
 use super::sink::Sink;
 use super::{
-    control, conventions, frames, geometry, inertia, joint, linter, package, structure, style, xacro, xml,
+    control, conventions, frames, geometry, inertia, joint, linter, moveit, package, srdf, structure, style,
+    xacro, xml,
 };
 use workspace::nearest;
 
@@ -57,6 +59,10 @@ pub enum Category {
     Control,
     /// Style.
     Style,
+    /// Semantic descriptions beside the URDF.
+    Srdf,
+    /// Settings of MoveIt.
+    Moveit,
     /// Suppressions and configuration of the linter itself.
     Linter,
 }
@@ -110,6 +116,8 @@ pub enum Check {
     /// An expanded robot of which everything is there: the rule says that something is missing. Nothing is missing from
     /// a part of a robot.
     Whole(fn(&RobotCx<'_>, &mut Sink<'_>)),
+    /// A file beside robots of which everything is there.
+    Beside(fn(&BesideCx<'_>, &mut Sink<'_>)),
 }
 
 /// The page of a rule.
@@ -125,6 +133,19 @@ impl Rule {
         docs: &'static str,
     ) -> Self {
         let (default, check) = (Activation::On, Check::Expander);
+        Self { code, name, category, severity, default, since: "0.1", fix: None, docs, check }
+    }
+
+    /// A rule about files beside robots, without fixes.
+    pub(super) const fn beside(
+        code: &'static str,
+        name: &'static str,
+        category: Category,
+        severity: Severity,
+        docs: &'static str,
+        check: fn(&BesideCx<'_>, &mut Sink<'_>),
+    ) -> Self {
+        let (default, check) = (Activation::On, Check::Beside(check));
         Self { code, name, category, severity, default, since: "0.1", fix: None, docs, check }
     }
 
@@ -171,7 +192,7 @@ fn page_url(repository: &str, version: &str, name: &str) -> Option<String> {
 
 impl Category {
     /// All of them, in the order of the catalogue.
-    pub const ALL: [Category; 12] = [
+    pub const ALL: [Category; 14] = [
         Category::Xml,
         Category::Xacro,
         Category::Structure,
@@ -182,6 +203,8 @@ impl Category {
         Category::Conventions,
         Category::Package,
         Category::Control,
+        Category::Srdf,
+        Category::Moveit,
         Category::Style,
         Category::Linter,
     ];
@@ -199,6 +222,8 @@ impl Category {
             Category::Conventions => "conventions",
             Category::Package => "package",
             Category::Control => "control",
+            Category::Srdf => "srdf",
+            Category::Moveit => "moveit",
             Category::Style => "style",
             Category::Linter => "linter",
         }
@@ -217,6 +242,8 @@ impl Category {
             Category::Conventions => "Names",
             Category::Package => "Packages and files",
             Category::Control => "ros2_control, transmissions and Gazebo",
+            Category::Srdf => "SRDF",
+            Category::Moveit => "Settings of MoveIt",
             Category::Style => "Style",
             Category::Linter => "The linter itself",
         }
@@ -271,7 +298,7 @@ impl fmt::Display for Severity {
 
 /// All rules, by category and code.
 pub fn all() -> impl Iterator<Item = &'static Rule> {
-    let categories: [&'static [Rule]; 12] = [
+    let categories: [&'static [Rule]; 14] = [
         xml::RULES,
         xacro::RULES,
         structure::RULES,
@@ -282,6 +309,8 @@ pub fn all() -> impl Iterator<Item = &'static Rule> {
         conventions::RULES,
         package::RULES,
         control::RULES,
+        srdf::RULES,
+        moveit::RULES,
         style::RULES,
         linter::RULES,
     ];

@@ -29,6 +29,7 @@ mod transmission_unknown_type;
 mod transmissions;
 
 use super::registry::Rule;
+pub(crate) use joints::range as limits_of;
 
 /// The rules.
 pub(super) static RULES: &[Rule] = &[

@@ -1,6 +1,7 @@
 //! What a client asks, one file for each kind of request: functions of the state and the parameters.
 
 pub(crate) mod actions;
+mod beside;
 mod branches;
 pub(crate) mod calls;
 pub(crate) mod colors;
