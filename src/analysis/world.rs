@@ -46,6 +46,8 @@ pub struct World {
     cache: FastMap<RootChoice, Arc<Analyzed>>,
     /// The last expansions without errors.
     good: FastMap<RootChoice, Arc<Analyzed>>,
+    /// How many expansions were made.
+    expansions: u64,
     /// Counts what no record tells of: packages, meshes, configuration.
     epoch: u64,
     /// Whether every configured root is checked with each preset, not only what files are shown under.
@@ -80,6 +82,7 @@ impl World {
             picks: FastMap::default(),
             cache: FastMap::default(),
             good: FastMap::default(),
+            expansions: 0,
             epoch: 0,
             all_contexts: false,
             editor: Vec::new(),
@@ -100,6 +103,11 @@ impl World {
         let mut roots: Vec<PathBuf> = self.graph.roots_of(path).into_iter().map(|(root, _)| root).collect();
         roots.push(path.to_owned());
         Effort { expansions, roots: Roots::Known(roots), cancel: cancel.clone() }
+    }
+
+    /// How many times a robot was expanded so far, because something that it reads had changed.
+    pub fn expansions(&self) -> u64 {
+        self.expansions
     }
 
     /// Files, packages and configuration.
@@ -361,6 +369,7 @@ impl World {
         if cancel.is_cancelled() {
             return None;
         }
+        self.expansions += 1;
         let made = Arc::new(Analyzed::new(root.clone(), expansion, self.epoch));
         if self.cache.len() >= Self::MOST_CACHED {
             self.cache.clear();

@@ -225,6 +225,8 @@ limits! {
         HEADER_BYTES: u64 = 8 << 10, "the line is ignored";
         /// Diagnostics in one file.
         DIAGNOSTICS: usize = 1_000, "the last one contains the number of the others";
+        /// Lines of the log that are kept for a report of a defect.
+        LOG_LINES: usize = 50, "the oldest are removed";
         /// Related locations of one diagnostic.
         RELATED: usize = 100, "the others are omitted";
         /// Top-level symbols, and folding ranges, of a file.

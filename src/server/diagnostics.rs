@@ -9,6 +9,7 @@ use crate::roots::tell_contexts;
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use lsp_types::{
     CodeDescription, Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag,
@@ -22,7 +23,7 @@ use lsp_types::{
 
 use crate::convert::Places;
 use crate::failure::Failure;
-use crate::state::State;
+use crate::state::{Cause, State};
 use analysis::Report;
 use base::CancelFlag;
 use base::limits::{DIAGNOSTICS, RELATED};
@@ -60,13 +61,30 @@ fn found(
 ) -> Option<BTreeMap<PathBuf, Vec<Diagnostic>>> {
     let further = more.filter(|path| !state.documents.contains_key(*path)).map(Path::to_path_buf);
     let open: Vec<PathBuf> = state.documents.keys().cloned().chain(further).collect();
-    let mut report = state.world.report(&open, cancel)?;
+    let cause = if more.is_some() { Cause::Requested } else { state.cause.clone() };
+    let mut report = checked(state, &open, &cause, cancel)?;
     report.mark_groups();
     let mut found = spread(state, &report);
     for path in open {
         found.entry(path).or_default();
     }
     Some(found)
+}
+
+/// Check files, and log why, what was done again for it, and how long it took.
+fn checked(state: &mut State, open: &[PathBuf], cause: &Cause, cancel: &CancelFlag) -> Option<Report> {
+    let (start, before) = (Instant::now(), state.world.expansions());
+    let report = state.world.report(open, cancel);
+    let ms = start.elapsed().as_micros() as f64 / 1000.0;
+    let expanded = state.world.expansions() - before;
+    match &report {
+        Some(report) => {
+            let (robots, findings) = (report.roots.len(), report.findings.len());
+            tracing::info!(files = open.len(), robots, expanded, findings, ms, "checked: {cause}");
+        }
+        None => tracing::debug!(expanded, ms, "check interrupted by a new message: {cause}"),
+    }
+    report
 }
 
 /// The findings of a report by the files they are shown in.

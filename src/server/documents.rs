@@ -12,7 +12,7 @@ use lsp_types::{
 use crate::convert;
 use crate::framing::NO_VERSION;
 use crate::outbox::{Question, Refresh};
-use crate::state::{OpenDocument, State};
+use crate::state::{Cause, OpenDocument, State};
 
 pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
     let document = params.text_document;
@@ -20,6 +20,7 @@ pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
     state.world.set_text(&path, document.text);
     let open = OpenDocument { uri: document.uri, version: version(document.version) };
     offer_source(state, &path);
+    state.cause = Cause::Opened(path.clone());
     state.documents.insert(path, open);
     // what there is to say of a file should not wait for a pause in typing
     state.due = Some(std::time::Instant::now());
@@ -58,15 +59,15 @@ pub fn changed(state: &mut State, params: DidChangeTextDocumentParams) {
             _ => state.world.set_text(&path, change.text),
         }
     }
-    state.schedule();
+    state.schedule(Cause::Edited(path));
 }
 
 /// Who saves wants to know how things are: what other programs did to the disk meanwhile is asked for as well, since
 /// not all clients tell of it.
 pub fn saved(state: &mut State, params: DidSaveTextDocumentParams) {
     let path = state.path(&params.text_document.uri);
-    state.world.changed_on_disk(&[path]);
-    state.schedule();
+    state.world.changed_on_disk(std::slice::from_ref(&path));
+    state.schedule(Cause::Saved(path));
 }
 
 pub fn closed(state: &mut State, params: DidCloseTextDocumentParams) {
@@ -76,13 +77,13 @@ pub fn closed(state: &mut State, params: DidCloseTextDocumentParams) {
         state.world.close(&path);
         withdraw(state, &path, open.uri);
     }
-    state.schedule();
+    state.schedule(Cause::Closed(path));
 }
 
 pub fn watched(state: &mut State, params: DidChangeWatchedFilesParams) {
     let paths: Vec<_> = params.changes.iter().map(|change| state.path(&change.uri)).collect();
     state.world.changed_on_disk(&paths);
-    state.schedule();
+    state.schedule(Cause::FilesChanged(paths.len()));
     refresh(state);
 }
 
@@ -98,7 +99,7 @@ pub fn folders_changed(state: &mut State, params: DidChangeWorkspaceFoldersParam
     }
     state.world.set_folders(folders);
     ask_for_settings(state);
-    state.schedule();
+    state.schedule(Cause::FoldersChanged);
     refresh(state);
 }
 

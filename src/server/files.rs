@@ -16,7 +16,7 @@ use crate::convert;
 use crate::failure::Failure;
 use crate::lifecycle::scan_all;
 use crate::requests::tokens::start_of;
-use crate::state::State;
+use crate::state::{Cause, State};
 use base::CancelFlag;
 use base::limits::REWRITTEN_MESH_BYTES;
 use ide::{self, Move};
@@ -126,7 +126,7 @@ pub fn rewrite_mesh(state: &mut State, mesh: &TextDocumentIdentifier) -> Result<
     let Some(new) = plain_stl(&bytes) else { return Err(refuse("needs no change".to_owned())) };
     write_atomically(&path, &new).map_err(|error| refuse(format!("cannot be written: {error}")))?;
     state.world.changed_on_disk(&[path]);
-    state.schedule();
+    state.schedule(Cause::FilesChanged(1));
     refresh(state);
     Ok(())
 }
@@ -148,6 +148,6 @@ fn files_changed(state: &mut State, uris: Vec<String>) {
     let paths: Vec<PathBuf> =
         uris.iter().filter_map(|uri| Url::parse(uri).ok()?.to_file_path().ok()).collect();
     state.world.changed_on_disk(&paths);
-    state.schedule();
+    state.schedule(Cause::FilesChanged(paths.len()));
     refresh(state);
 }

@@ -94,6 +94,14 @@ impl Handlers {
         self.queue.notify(params, selected);
     }
 
+    pub async fn log(&self, _: Value) -> Result<Vec<String>> {
+        self.queue.request((), crate::lifecycle::last_lines).await
+    }
+
+    pub async fn set_trace(&self, params: SetTraceParams) {
+        self.queue.notify(params, crate::lifecycle::set_trace);
+    }
+
     pub async fn bad_message(&self, params: Value) {
         self.queue.notify(params, bad_message);
     }

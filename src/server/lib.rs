@@ -14,6 +14,7 @@ mod files;
 mod framing;
 mod handlers;
 mod lifecycle;
+mod logging;
 mod main_loop;
 mod mapping;
 mod markup;
@@ -32,6 +33,7 @@ use tower_lsp::LspService;
 use exit::{Shutdown, Watched};
 use expand::spawn_on_large_stack;
 use handlers::Handlers;
+use logging::Log;
 use outbox::Outbox;
 use state::State;
 use transport::Outgoing;
@@ -58,7 +60,9 @@ async fn serve(env: Environment) -> u8 {
     let (queue, jobs, status) = queue::queue();
     let (outbox, notifications, questions) = Outbox::new();
     let announced = status.clone();
-    let mut state = State::new(env, outbox, status);
+    let log = Log::start(&env, outbox.clone());
+    tracing::info!(version = env!("CARGO_PKG_VERSION"), "server started");
+    let mut state = State::new(env, outbox, status, log);
     state.queue = Some(queue.clone());
     if spawn_on_large_stack("analysis", move || main_loop::run(state, &jobs)).is_err() {
         return 1;
@@ -81,6 +85,8 @@ async fn serve(env: Environment) -> u8 {
     .custom_method("xacro/preview/setRoot", Handlers::preview_root)
     .custom_method("xacro/preview/mesh", Handlers::preview_mesh)
     .custom_method("xacro/preview/select", Handlers::preview_select)
+    .custom_method("xacro/log", Handlers::log)
+    .custom_method("$/setTrace", Handlers::set_trace)
     .custom_method(framing::BAD_MESSAGE, Handlers::bad_message);
     // not in what users run
     #[cfg(debug_assertions)]

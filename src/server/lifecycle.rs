@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use lsp_types::{
     DidChangeConfigurationParams, InitializeParams, InitializeResult, MessageType, PositionEncodingKind,
-    Registration, ServerInfo, Url,
+    Registration, ServerInfo, SetTraceParams, TraceValue, Url,
 };
 use serde_json::{Value, json};
 
@@ -15,7 +15,7 @@ use crate::client::{CLIENT_OPTIONS, ClientFacts, options};
 use crate::exit::{Shutdown, watch_process};
 use crate::failure::Failure;
 use crate::outbox::Question;
-use crate::state::State;
+use crate::state::{Cause, State};
 use base::{CancelFlag, Encoding};
 use ide::HintSettings;
 use vfs::is_process_alive;
@@ -33,6 +33,8 @@ pub fn initialize(
     }
     state.encoding = encoding(&params);
     state.world.set_folders(folders(&params));
+    state.log.set_trace(params.trace.unwrap_or(TraceValue::Off));
+    log_client(state, &params);
     state.first_settings = first_settings(&params);
     settings(state, &Value::Null);
     let encoding = match state.encoding {
@@ -46,6 +48,28 @@ pub fn initialize(
             version: Some(env!("CARGO_PKG_VERSION").to_owned()),
         }),
     })
+}
+
+fn log_client(state: &State, params: &InitializeParams) {
+    let client = params.client_info.as_ref();
+    let version = client.and_then(|client| client.version.as_deref()).unwrap_or("");
+    let name = client.map_or("unknown", |client| client.name.as_str());
+    tracing::info!(
+        folders = state.world.folders().len(),
+        pulls_diagnostics = state.client.pulls_diagnostics,
+        "connected to {}",
+        format!("{name} {version}").trim_end()
+    );
+}
+
+/// How much the client is told of what is logged.
+pub fn set_trace(state: &mut State, params: SetTraceParams) {
+    state.log.set_trace(params.value);
+}
+
+/// The last lines of the log, for a report of a defect.
+pub fn last_lines(state: &mut State, (): (), _: &CancelFlag) -> Result<Vec<String>, Failure> {
+    Ok(state.log.last())
 }
 
 pub fn client_ready(state: &mut State, (): ()) {
@@ -85,7 +109,7 @@ pub fn settings_changed(state: &mut State, params: DidChangeConfigurationParams)
         true => ask_for_settings(state),
         false => settings(state, &params.settings),
     }
-    state.schedule();
+    state.schedule(Cause::SettingsChanged);
 }
 
 /// The client's answer about settings: those of each folder hold for what lies in it.
@@ -94,7 +118,7 @@ pub fn configured(state: &mut State, (scopes, values): (Vec<Option<Url>>, Vec<Va
     let scoped = scopes.iter().zip(&values);
     let given = scoped.map(|(scope, value)| (effective(state, value), folder(scope))).collect();
     take_settings(state, given);
-    state.schedule();
+    state.schedule(Cause::SettingsChanged);
 }
 
 /// Settings of no folder in particular.
@@ -219,9 +243,10 @@ pub fn scan_first(state: &mut State) {
 
 /// Other roots may be known now.
 fn scanned(state: &mut State) {
+    tracing::info!(descriptions = state.world.known_files().len(), "workspace indexed");
     end_progress(state);
     if !state.documents.is_empty() {
-        state.schedule();
+        state.schedule(Cause::Indexed);
         refresh(state);
     }
 }

@@ -67,6 +67,7 @@ fn guarded(state: &mut State, job: Job) {
     let text = panic.downcast_ref::<String>().map(String::as_str);
     let text = text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("unknown error");
     let message = format!("internal error: {text}; please report it with the file that caused it");
+    tracing::error!("{message}");
     state.outbox.log_as(MessageType::ERROR, message.clone());
     if !std::mem::replace(&mut state.fault_shown, true) {
         state.outbox.show(MessageType::ERROR, message);

@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 
 use crate::failure::Failure;
 use crate::requests::expansion::{ExpandError, Root};
-use crate::state::State;
+use crate::state::{Cause, State};
 use analysis::{Analyzed, Context, RootChoice};
 use base::CancelFlag;
 use expand::Origin;
@@ -160,7 +160,7 @@ pub fn set_args(state: &mut State, params: SetArgsParams, cancel: &CancelFlag) -
 /// The user sees files in another way now.
 pub fn context_changed(state: &mut State, cancel: &CancelFlag) {
     tell_contexts(state, cancel);
-    state.schedule();
+    state.schedule(Cause::RobotPicked);
     refresh(state);
 }
 

@@ -10,6 +10,7 @@ use lsp_types::Url;
 use crate::client::ClientFacts;
 use crate::convert;
 use crate::failure::Failure;
+use crate::logging::Log;
 use crate::outbox::Outbox;
 use crate::queue::QueueStatus;
 use analysis::World;
@@ -23,6 +24,50 @@ pub(super) struct OpenDocument {
     pub uri: Url,
     /// Its version, when the client counts them.
     pub version: Option<i32>,
+}
+
+/// Why files are checked.
+#[derive(Clone, Debug, Default)]
+pub(super) enum Cause {
+    #[default]
+    Start,
+    Opened(PathBuf),
+    Edited(PathBuf),
+    Saved(PathBuf),
+    Closed(PathBuf),
+    /// Files that the client watches.
+    FilesChanged(usize),
+    FoldersChanged,
+    SettingsChanged,
+    /// Another robot is shown, or with other arguments.
+    RobotPicked,
+    /// All files of the workspace were read.
+    Indexed,
+    /// The user wants everything to be read again.
+    Restarted,
+    /// The client asks.
+    Requested,
+}
+
+impl std::fmt::Display for Cause {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        match self {
+            Self::Start => f.write_str("server started"),
+            Self::Opened(path) => write!(f, "`{}` opened", name(path)),
+            Self::Edited(path) => write!(f, "`{}` edited", name(path)),
+            Self::Saved(path) => write!(f, "`{}` saved", name(path)),
+            Self::Closed(path) => write!(f, "`{}` closed", name(path)),
+            Self::FilesChanged(1) => f.write_str("1 file changed on disk"),
+            Self::FilesChanged(count) => write!(f, "{count} files changed on disk"),
+            Self::FoldersChanged => f.write_str("workspace folders changed"),
+            Self::SettingsChanged => f.write_str("settings changed"),
+            Self::RobotPicked => f.write_str("robot selected"),
+            Self::Indexed => f.write_str("workspace indexed"),
+            Self::Restarted => f.write_str("analysis restarted"),
+            Self::Requested => f.write_str("requested by the editor"),
+        }
+    }
 }
 
 /// The state of the server.
@@ -48,6 +93,10 @@ pub(super) struct State {
     pub hint_settings: ide::HintSettings,
     /// When diagnostics are to be made.
     pub due: Option<Instant>,
+    /// Why.
+    pub cause: Cause,
+    /// Where the last lines of the log are.
+    pub log: Log,
     /// The pause after the last edit before diagnostics are made.
     pub delay: Duration,
     /// Whether completions may hold places to fill in, as far as the user says.
@@ -77,7 +126,7 @@ impl State {
     /// be noticed.
     pub const DELAY: Duration = Duration::from_millis(20);
 
-    pub fn new(env: Environment, outbox: Outbox, status: QueueStatus) -> Self {
+    pub fn new(env: Environment, outbox: Outbox, status: QueueStatus, log: Log) -> Self {
         Self {
             world: World::new(env, Vec::new()),
             client: ClientFacts::default(),
@@ -92,6 +141,8 @@ impl State {
             told: BTreeMap::new(),
             hint_settings: ide::HintSettings::default(),
             due: None,
+            cause: Cause::default(),
+            log,
             delay: Self::DELAY,
             snippets: true,
             previews: crate::preview::Previews::default(),
@@ -105,7 +156,8 @@ impl State {
     }
 
     /// A check is wanted after the pause.
-    pub fn schedule(&mut self) {
+    pub fn schedule(&mut self, cause: Cause) {
+        self.cause = cause;
         self.previews.due = true;
         self.due = Some(Instant::now() + self.delay);
     }

@@ -1,7 +1,7 @@
 //! A small client: one server process, requests by method and JSON, positions by their text.
 
 use std::collections::HashMap;
-use std::io::{BufRead, BufReader, Write};
+use std::io::{BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{self, Receiver};
@@ -29,6 +29,8 @@ pub struct Options {
     pub deaf: bool,
     /// No folder is open.
     pub no_folder: bool,
+    /// The value of `XACRO_LOG`; standard error is kept then.
+    pub log: Option<&'static str>,
 }
 
 pub struct Client {
@@ -67,8 +69,10 @@ impl Client {
             .current_dir(&folder)
             .env_remove("ROS_PACKAGE_PATH")
             .env("AMENT_PREFIX_PATH", folder.join("none"))
+            .envs(options.log.map(|log| ("XACRO_LOG", log)))
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
+            .stderr(if options.log.is_some() { Stdio::piped() } else { Stdio::inherit() })
             .spawn()
             .unwrap();
         let (sender, messages) = mpsc::channel();
@@ -351,6 +355,16 @@ impl Client {
     }
 
     /// Wait for the end of the process; its exit code.
+    /// What the server wrote to standard error, once it ended.
+    pub fn errors(&mut self) -> String {
+        self.request("shutdown", Value::Null);
+        self.notify("exit", Value::Null);
+        self.exit_code();
+        let mut text = String::new();
+        let _ = self.child.stderr.take().map(|mut errors| errors.read_to_string(&mut text));
+        text
+    }
+
     pub fn exit_code(&mut self) -> i32 {
         let begin = Instant::now();
         loop {

@@ -29,6 +29,16 @@ fn diagnostics() {
 }
 
 #[test]
+fn log_lines() {
+    let mut client = showing("<link name='a'/>");
+    for _ in 0..LOG_LINES {
+        client.edit("r.urdf.xacro", "</robot>", " </robot>");
+        client.diagnostics("r.urdf.xacro");
+    }
+    assert_eq!(client.request("xacro/log", Value::Null).as_array().unwrap().len(), LOG_LINES);
+}
+
+#[test]
 fn related() {
     let calls: String = (0..RELATED * 2).map(|n| format!("<xacro:m n=\"{n}\"/>\n")).collect();
     let body = format!(

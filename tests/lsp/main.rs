@@ -26,6 +26,7 @@ mod hover;
 mod instances;
 mod lifecycle;
 mod limits;
+mod logs;
 mod names;
 mod navigation;
 mod picked;

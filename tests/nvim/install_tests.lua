@@ -50,7 +50,7 @@ return function(test)
     local text = child:wait(
       [[vim.bo.filetype == 'checkhealth' and table.concat(vim.api.nvim_buf_get_lines(0, 0, -1, false), '\n')]]
     )
-    for _, part in ipairs({ 'xacro-lsp 0', 'is shown under: pan_tilt.urdf.xacro', '*.xacro is of filetype xacro' }) do
+    for _, part in ipairs({ 'xacro-lsp 0', 'is shown under: pan_tilt.urdf.xacro', '*.xacro is of filetype xacro', 'log: ' }) do
       assert(text:find(part, 1, true), text)
     end
     assert(not text:find('ERROR'), text)

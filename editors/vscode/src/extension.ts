@@ -67,7 +67,7 @@ export function activate(context: vscode.ExtensionContext): void {
   command("xacro.roots.select", (item: { root: protocol.Root }) => contexts.pick({ uri: item.root.uri }));
   command("xacro.tree.copyName", (node: TreeNode) => vscode.env.clipboard.writeText(node.link));
   command("xacro.copyReport", async () => {
-    await vscode.env.clipboard.writeText(diagnosticReport(context.extension, server, contexts));
+    await vscode.env.clipboard.writeText(await diagnosticReport(context.extension, server, contexts));
     void vscode.window.showInformationMessage("Copied the diagnostic report to the clipboard.");
   });
 

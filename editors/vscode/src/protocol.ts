@@ -111,6 +111,8 @@ export const toExpanded = new RequestType<
   { root: Root; instances: Instance[] },
   void
 >("xacro/toExpanded");
+/** The last lines of the server's log. */
+export const log = new RequestType<null, string[], void>("xacro/log");
 export const roots = new RequestType<{ textDocument: TextDocumentIdentifier }, Roots, void>("xacro/roots");
 export const setRoot = new RequestType<
   { root: Root | null; textDocument?: TextDocumentIdentifier },

@@ -4,9 +4,17 @@
 import * as vscode from "vscode";
 import { argumentsText, rootLabel } from "./contexts";
 import type { Contexts } from "./contexts";
+import { log } from "./protocol";
 import type { Server } from "./server";
 
-export function diagnosticReport(extension: vscode.Extension<unknown>, server: Server, contexts: Contexts): string {
+/** Lines of the server's log in a report. */
+const MOST_LINES = 20;
+
+export async function diagnosticReport(
+  extension: vscode.Extension<unknown>,
+  server: Server,
+  contexts: Contexts,
+): Promise<string> {
   const { version } = extension.packageJSON as { version: string };
   const configured = vscode.workspace.getConfiguration("xacro");
   const counts = new Map<string, number>();
@@ -21,6 +29,7 @@ export function diagnosticReport(extension: vscode.Extension<unknown>, server: S
   const { env, ...rest } = configured.get<{ env?: object }>("server", {});
   // values of environment variables may be secrets
   const shown = { ...configured, server: { ...rest, env: Object.keys(env ?? {}) } };
+  const lines = (await server.ask(log, null)) ?? [];
   const chosen = JSON.stringify(shown, undefined, 2);
   return [
     "## xacro diagnostic report",
@@ -35,6 +44,12 @@ export function diagnosticReport(extension: vscode.Extension<unknown>, server: S
     "",
     "```json",
     chosen,
+    "```",
+    "",
+    "Log of the server:",
+    "",
+    "```text",
+    ...lines.slice(-MOST_LINES),
     "```",
     "",
   ].join("\n");

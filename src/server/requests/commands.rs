@@ -12,7 +12,7 @@ use serde_json::Value;
 
 use crate::client::ClientFacts;
 use crate::failure::Failure;
-use crate::state::State;
+use crate::state::{Cause, State};
 use base::CancelFlag;
 
 /// Makes the edits of an action, for clients that take actions as commands only.
@@ -65,7 +65,7 @@ pub fn command(
         "xacro.preview" => preview_page(state, argument).map(Some),
         "xacro.restartAnalysis" => {
             state.world.reload();
-            state.schedule();
+            state.schedule(Cause::Restarted);
             Ok(None)
         }
         other => Err(Failure::Invalid(format!("unknown command `{other}`"))),

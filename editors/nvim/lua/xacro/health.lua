@@ -35,6 +35,20 @@ local function check_server()
   end
 end
 
+--- The last lines of the server's log.
+local function check_log(client)
+  local reply
+  if vim.fn.has('nvim-0.11') == 1 then
+    reply = client:request_sync('xacro/log', {}, 1000)
+  else
+    reply = client.request_sync('xacro/log', {}, 1000)
+  end
+  local lines = reply and reply.result or {}
+  for index = math.max(1, #lines - 4), #lines do
+    vim.health.info('log: ' .. lines[index])
+  end
+end
+
 local function check_clients()
   local clients = vim.lsp.get_clients({ name = require('xacro.start').name })
   if #clients == 0 then
@@ -53,6 +67,7 @@ local function check_clients()
       vim.health.info(('%s is shown under: %s'):format(name, text ~= '' and text or '(unknown yet)'))
     end
   end
+  check_log(clients[1])
   local others = {}
   for _, client in ipairs(vim.lsp.get_clients()) do
     local filetypes = client.config.filetypes or {}
