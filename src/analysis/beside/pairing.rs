@@ -139,8 +139,8 @@ impl Session {
         let all = self.descriptions_around(path);
         let is_it = |file: &&PathBuf| self.is_robot(file) && self.robot_name(file).as_ref() == Some(&name);
         let found: Vec<&PathBuf> = all.iter().filter(is_it).collect();
-        let own = |path: &Path| self.packages.containing(path).map(|package| package.folder);
-        let near: Vec<&PathBuf> = found.iter().copied().filter(|file| own(file) == own(path)).collect();
+        let near: Vec<&PathBuf> =
+            found.iter().copied().filter(|file| self.home(file) == self.home(path)).collect();
         let found = if near.is_empty() { found } else { near };
         let mut roots: Vec<RootChoice> = found.into_iter().flat_map(|file| self.ways_of(file)).collect();
         roots.truncate(MOST_ROBOTS);
@@ -149,12 +149,7 @@ impl Session {
 
     /// The robots of the SRDFs in the same package; without any, the robots there.
     fn of_the_srdf(&self, path: &Path) -> Pairing {
-        let own = |path: &Path| {
-            self.packages
-                .containing(path)
-                .map_or_else(|| path.parent().map(Path::to_owned), |package| Some(package.folder))
-        };
-        let is_near = |other: &PathBuf| own(other) == own(path);
+        let is_near = |other: &PathBuf| self.home(other) == self.home(path);
         let all = self.beside_around(path);
         let srdfs = all.iter().filter(|file| sort(file) == Some(Sort::Srdf) && is_near(file));
         let mut found = Pairing::default();
@@ -190,6 +185,12 @@ impl Session {
             ways.push(RootChoice::plain(file));
         }
         ways
+    }
+
+    /// The package of a file; without one, its folder.
+    fn home(&self, path: &Path) -> Option<PathBuf> {
+        let package = self.packages.containing(path).map(|package| package.folder);
+        package.or_else(|| path.parent().map(Path::to_owned))
     }
 
     /// The name that the root element of a file says.
