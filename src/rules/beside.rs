@@ -27,6 +27,8 @@ pub struct BesideCx<'a> {
     pub robots: &'a [PairedRobot<'a>],
     /// All files beside these robots.
     pub all: &'a [Content<'a>],
+    /// Whether the package of the file is for ROS 2.
+    pub(super) is_ros2: bool,
     /// Names in further expansions of the robots, asked for only when a name is in none of them.
     pub further: &'a dyn Fn() -> Names,
     /// What these gave.
@@ -102,7 +104,14 @@ impl<'a> BesideCx<'a> {
     ) -> Self {
         let mut names = Names::default();
         robots.iter().for_each(|paired| names.add(paired.robot));
-        Self { file, content, expansion, robots, all, further, known: OnceCell::new(), names }
+        Self { file, content, expansion, robots, all, further, known: OnceCell::new(), names, is_ros2: false }
+    }
+
+    /// The same, in a package for ROS 2 or another one.
+    #[must_use]
+    pub fn in_ros2(mut self, is_ros2: bool) -> Self {
+        self.is_ros2 = is_ros2;
+        self
     }
 
     /// The SRDF, when the file is one.

@@ -15,6 +15,7 @@ use base::{CancelFlag, FastMap, FastSet};
 use expand::{Expansion, Request, expand};
 use model::Robot;
 use rules::{Chosen, Content, Finding, Names, PairedRobot, all, check_beside, is_whole};
+use workspace::Target;
 
 /// Robots and SRDFs, expanded.
 pub(in super::super) type Robots = FastMap<RootChoice, Arc<Analyzed>>;
@@ -126,7 +127,10 @@ impl Session {
         let mut names = Names::default();
         found.iter().filter_map(|one| one.robot.as_ref()).for_each(|robot| names.add(robot));
         let has_arguments = found.iter().any(|one| !one.expansion.arguments.is_empty());
-        let least = match pairing.is_named {
+        // what the SRDF is for, the other settings in its package are for
+        let srdf = pairing.srdf.as_ref().and_then(|srdf| self.beside(srdf, robots));
+        let is_like = srdf.is_some_and(|srdf| likeness(&srdf, &names) >= LIKE);
+        let least = match pairing.is_named || is_like {
             true if has_arguments => NAMED,
             true => 0.0,
             false => LIKE,
@@ -161,7 +165,9 @@ impl Session {
         let contents: Vec<Content<'_>> = std::iter::once(own).chain(around).map(Beside::content).collect();
         let expansion = own.srdf().map_or(first.expansion, |(analyzed, _)| &analyzed.expansion);
         let further = || self.further_names(paired, cancel);
-        let cx = rules::BesideCx::new((own.file, own.content(), expansion), &robots, &contents, &further);
+        let is_ros2 = self.packages.generation(&own.path) == Some(Target::Ros2);
+        let cx = rules::BesideCx::new((own.file, own.content(), expansion), &robots, &contents, &further)
+            .in_ros2(is_ros2);
         let settings = self.settings(&own.path);
         let rules: Vec<_> = all().filter(|rule| settings.runs(rule, &own.path)).collect();
         check_beside(&cx, Chosen { rules: &rules, cancel })

@@ -12,6 +12,7 @@ use super::super::graph::gives_robot;
 use super::super::includes::{reach, tidy_path};
 use super::super::session::Session;
 use super::files::{Sort, sort};
+use workspace::has_name;
 
 /// Robots that one file is compared with.
 const MOST_ROBOTS: usize = 8;
@@ -23,13 +24,15 @@ pub(in super::super) struct Pairing {
     pub roots: Vec<RootChoice>,
     /// Whether a file says so.
     pub is_named: bool,
+    /// The SRDF through which a YAML file is for them: the only one in its package.
+    pub srdf: Option<PathBuf>,
 }
 
 impl Pairing {
     fn named(mut roots: Vec<RootChoice>) -> Option<Self> {
         roots.dedup();
         roots.truncate(MOST_ROBOTS);
-        (!roots.is_empty()).then_some(Self { roots, is_named: true })
+        (!roots.is_empty()).then_some(Self { roots, is_named: true, srdf: None })
     }
 }
 
@@ -81,7 +84,7 @@ impl Session {
         let says = |file: &PathBuf| {
             let text = self.vfs.text(file).ok();
             text.is_some_and(|text| {
-                text.text.contains(name) && text.text.contains("<parameters>") && self.may_mean(file, path)
+                has_name(&text.text, name) && text.text.contains("<parameters>") && self.may_mean(file, path)
             })
         };
         let naming: Vec<PathBuf> =
@@ -96,7 +99,7 @@ impl Session {
         let package = |path: &Path| self.packages.containing(path);
         match (package(path), package(by)) {
             (Some(own), Some(other)) if own.folder == other.folder => true,
-            (Some(own), _) => self.vfs.text(by).is_ok_and(|text| text.text.contains(&own.name)),
+            (Some(own), _) => self.vfs.text(by).is_ok_and(|text| has_name(&text.text, &own.name)),
             (None, _) => path.parent().and_then(Path::parent).is_some_and(|near| by.starts_with(near)),
         }
     }
@@ -109,10 +112,10 @@ impl Session {
             let Ok(text) = self.vfs.text(caller) else { return false };
             let builds = || {
                 text.text.contains("MoveItConfigsBuilder")
-                    && (text.text.contains(&package.name) || caller.starts_with(&package.folder))
+                    && (has_name(&text.text, &package.name) || caller.starts_with(&package.folder))
                     && sort(path) != Some(Sort::Srdf)
             };
-            text.text.contains(name) && self.may_mean(caller, path) || builds()
+            has_name(&text.text, name) && self.may_mean(caller, path) || builds()
         };
         let mut roots: Vec<RootChoice> = Vec::new();
         let calls = self.calls_around(path);
@@ -144,17 +147,20 @@ impl Session {
         let found = if near.is_empty() { found } else { near };
         let mut roots: Vec<RootChoice> = found.into_iter().flat_map(|file| self.ways_of(file)).collect();
         roots.truncate(MOST_ROBOTS);
-        Pairing { roots, is_named: false }
+        Pairing { roots, ..Pairing::default() }
     }
 
     /// The robots of the SRDFs in the same package; without any, the robots there.
     fn of_the_srdf(&self, path: &Path) -> Pairing {
         let is_near = |other: &PathBuf| self.home(other) == self.home(path);
         let all = self.beside_around(path);
-        let srdfs = all.iter().filter(|file| sort(file) == Some(Sort::Srdf) && is_near(file));
+        let srdfs: Vec<&PathBuf> =
+            all.iter().filter(|file| sort(file) == Some(Sort::Srdf) && is_near(file)).collect();
         let mut found = Pairing::default();
-        for pairing in srdfs.map(|srdf| self.pairing(srdf)) {
-            found.is_named |= pairing.is_named;
+        if let [only] = srdfs.as_slice() {
+            (found.is_named, found.srdf) = (self.pairing(only).is_named, Some((*only).clone()));
+        }
+        for pairing in srdfs.iter().map(|srdf| self.pairing(srdf)) {
             let new = pairing.roots.iter().filter(|root| !found.roots.contains(root)).cloned();
             found.roots.extend(new.collect::<Vec<_>>());
         }

@@ -8,6 +8,7 @@ mod config;
 mod read;
 
 pub use called::RobotCall;
+pub use read::has_name;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

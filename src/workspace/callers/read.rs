@@ -191,7 +191,7 @@ fn first_len(text: &str) -> usize {
 }
 
 /// Whether a text holds a name by itself, not as a part of another.
-pub(super) fn has_name(text: &str, name: &str) -> bool {
+pub fn has_name(text: &str, name: &str) -> bool {
     text.match_indices(name).any(|(at, _)| {
         let (before, after) = text.split_at(at);
         !before.ends_with(is_name) && !after.get(name.len()..).is_some_and(|rest| rest.starts_with(is_name))
