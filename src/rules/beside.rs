@@ -29,6 +29,8 @@ pub struct BesideCx<'a> {
     pub all: &'a [Content<'a>],
     /// Whether the package of the file is for ROS 2.
     pub(super) is_ros2: bool,
+    /// Whether an SRDF of the robots depends on arguments.
+    pub(super) has_variants: bool,
     /// Names in further expansions of the robots, asked for only when a name is in none of them.
     pub further: &'a dyn Fn() -> Names,
     /// What these gave.
@@ -64,6 +66,8 @@ pub struct Names {
     pub links: FastSet<EcoString>,
     /// Joints.
     pub joints: FastSet<EcoString>,
+    /// Groups of SRDFs; asked for only where these are expanded in one of several ways.
+    pub groups: FastSet<EcoString>,
 }
 
 impl Names {
@@ -77,7 +81,7 @@ impl Names {
         match kind {
             Kind::Link => Some(&self.links),
             Kind::Joint => Some(&self.joints),
-            Kind::Group => None,
+            Kind::Group => Some(&self.groups),
         }
     }
 }
@@ -104,7 +108,32 @@ impl<'a> BesideCx<'a> {
     ) -> Self {
         let mut names = Names::default();
         robots.iter().for_each(|paired| names.add(paired.robot));
-        Self { file, content, expansion, robots, all, further, known: OnceCell::new(), names, is_ros2: false }
+        for content in all {
+            if let Content::Srdf(srdf) = content {
+                names
+                    .groups
+                    .extend(srdf.groups.iter().filter_map(|group| group.name.as_ref()?.name().cloned()));
+            }
+        }
+        Self {
+            file,
+            content,
+            expansion,
+            robots,
+            all,
+            further,
+            known: OnceCell::new(),
+            names,
+            is_ros2: false,
+            has_variants: false,
+        }
+    }
+
+    /// The same, with SRDFs that depend on arguments or not.
+    #[must_use]
+    pub fn with_variants(mut self, has_variants: bool) -> Self {
+        self.has_variants = has_variants;
+        self
     }
 
     /// The same, in a package for ROS 2 or another one.
@@ -130,7 +159,7 @@ impl<'a> BesideCx<'a> {
         }
     }
 
-    /// Whether a link or joint is in none of the robots, however they are expanded.
+    /// Whether a link or joint is in none of the robots, or a group in none of their SRDFs, however they are expanded.
     pub(super) fn lacks(&self, kind: Kind, name: &str) -> bool {
         let is_in = |names: &Names| names.of(kind).is_none_or(|names| names.contains(name));
         !is_in(&self.names)
@@ -170,13 +199,8 @@ impl<'a> BesideCx<'a> {
 
     /// What to do about the name of a link, joint or group that is not there.
     pub(super) fn advice(&self, kind: Kind, name: &str) -> String {
-        let groups =
-            self.srdfs().flat_map(|srdf| &srdf.groups).filter_map(|group| group.name.as_ref()?.name());
-        let near = match self.names.of(kind) {
-            Some(names) => nearest(name, names.iter().map(EcoString::as_str)),
-            None => nearest(name, groups.map(EcoString::as_str)),
-        };
-        match (near, kind) {
+        let names = self.names.of(kind).into_iter().flatten();
+        match (nearest(name, names.map(EcoString::as_str)), kind) {
             (Some(near), _) => format!("did you mean `{near}`?"),
             (None, Kind::Link) => "use the name of a link of the robot, including its prefix".to_owned(),
             (None, Kind::Joint) => "use the name of a joint of the robot, including its prefix".to_owned(),

@@ -6,15 +6,18 @@ use std::sync::Arc;
 use super::super::analyzed::{Analyzed, job_of};
 use super::super::check::CheckOptions;
 use super::super::context::RootChoice;
+use super::super::includes::reach;
 use super::super::job;
 use super::super::proof::turned_over;
 use super::super::session::Session;
 use super::files::{Beside, Sort, sort};
 use super::pairing::Pairing;
+use ecow::EcoString;
+
 use base::{CancelFlag, FastMap, FastSet};
 use expand::{Expansion, Request, expand};
 use model::Robot;
-use rules::{Chosen, Content, Finding, Names, PairedRobot, all, check_beside, is_whole};
+use rules::{Chosen, Content, Finding, Names, PairedRobot, all, check_beside, is_semantic_name, is_whole};
 use workspace::Target;
 
 /// Robots and SRDFs, expanded.
@@ -35,6 +38,10 @@ const MOST_SWITCHES: usize = 8;
 /// file is, and when a file says so.
 const LIKE: f64 = 0.5;
 const NAMED: f64 = 0.2;
+/// Of several names, one at least has to fit.
+const SEVERAL: u32 = 3;
+/// Descriptions that a robot may include.
+const MOST_FILES: usize = 200;
 
 impl Session {
     /// The files beside robots that a check is about.
@@ -129,13 +136,15 @@ impl Session {
         let has_arguments = found.iter().any(|one| !one.expansion.arguments.is_empty());
         // what the SRDF is for, the other settings in its package are for
         let srdf = pairing.srdf.as_ref().and_then(|srdf| self.beside(srdf, robots));
-        let is_like = srdf.is_some_and(|srdf| likeness(&srdf, &names) >= LIKE);
+        let is_like = srdf.is_some_and(|srdf| likeness(&srdf, &names).1 >= LIKE);
         let least = match pairing.is_named || is_like {
             true if has_arguments => NAMED,
             true => 0.0,
             false => LIKE,
         };
-        (!found.is_empty() && likeness(own, &names) >= least).then_some(found)
+        let (count, likeness) = likeness(own, &names);
+        let is_any = likeness > 0.0 || count < SEVERAL;
+        (!found.is_empty() && is_any && likeness >= least).then_some(found)
     }
 
     /// The files beside the same robots, this one too.
@@ -164,10 +173,18 @@ impl Session {
         let Some(first) = robots.first() else { return Vec::new() };
         let contents: Vec<Content<'_>> = std::iter::once(own).chain(around).map(Beside::content).collect();
         let expansion = own.srdf().map_or(first.expansion, |(analyzed, _)| &analyzed.expansion);
-        let further = || self.further_names(paired, cancel);
+        let further = || {
+            let mut names = self.further_names(paired, cancel);
+            let srdfs = std::iter::once(own).chain(around).filter_map(Beside::srdf);
+            srdfs.for_each(|(srdf, _)| self.add_written(&srdf.root.file, &mut names));
+            names
+        };
+        let srdfs = std::iter::once(own).chain(around).filter_map(Beside::srdf);
+        let has_variants = srdfs.clone().any(|(srdf, _)| has_choices(&srdf.expansion));
         let is_ros2 = self.packages.generation(&own.path) == Some(Target::Ros2);
         let cx = rules::BesideCx::new((own.file, own.content(), expansion), &robots, &contents, &further)
-            .in_ros2(is_ros2);
+            .in_ros2(is_ros2)
+            .with_variants(has_variants);
         let settings = self.settings(&own.path);
         let rules: Vec<_> = all().filter(|rule| settings.runs(rule, &own.path)).collect();
         check_beside(&cx, Chosen { rules: &rules, cancel })
@@ -177,7 +194,7 @@ impl Session {
     fn further_names(&self, paired: &[Arc<Analyzed>], cancel: &CancelFlag) -> Names {
         let mut names = Names::default();
         for analyzed in paired {
-            add_written(&analyzed.expansion, &mut names);
+            self.add_written(&analyzed.root.file, &mut names);
             let switches =
                 analyzed.expansion.arguments.iter().filter_map(|(name, value)| {
                     match turned_over(value).as_slice() {
@@ -199,32 +216,55 @@ impl Session {
     }
 }
 
+impl Session {
+    /// Add the names that the texts of a file and of those that it may include spell out, in branches and macros that take
+    /// no part too.
+    fn add_written(&self, root: &Path, names: &mut Names) {
+        let mut files = vec![root.to_owned()];
+        let mut next = 0;
+        while let Some(source) = files.get(next).map(|file| self.vfs.document(file)) {
+            next += 1;
+            let Ok(source) = source else { continue };
+            let nodes = source.document.parts().flat_map(|(_, item)| item.all_nodes());
+            for node in nodes {
+                let has = |tag: &str| node.child_elements().any(|inner| inner.name() == tag);
+                let list = match node.name() {
+                    "link" if !is_semantic_name(root) => &mut names.links,
+                    // not those of ros2_control or a transmission
+                    "joint" if has("child") => &mut names.joints,
+                    "group" if node.child_elements().next().is_some() => &mut names.groups,
+                    _ => continue,
+                };
+                let name = node.attr("name").map(|name| name.raw());
+                list.extend(name.filter(|name| !name.contains('$')).map(EcoString::from));
+            }
+            let included = reach(&source, &self.packages).files(&self.vfs).flatten().collect::<Vec<_>>();
+            for file in included {
+                if files.len() < MOST_FILES && !files.contains(&file) {
+                    files.push(file);
+                }
+            }
+        }
+    }
+}
+
 /// Whether all names of a robot are known, and all of it is there.
 fn is_settled(analyzed: &Analyzed) -> bool {
     let known =
         analyzed.robot.as_ref().is_some_and(|robot| !robot.links.is_empty() && robot.names_are_known());
     let broken = analyzed.expansion.files.iter().any(|file| !file.source.document.errors().is_empty());
-    known && !broken && is_whole(&analyzed.expansion) && !analyzed.expansion.has_errors()
+    known && !broken && is_whole(&analyzed.expansion)
 }
 
-/// The names that the texts of a robot spell out, in branches and macros that take no part too.
-fn add_written(expansion: &Expansion, names: &mut Names) {
-    for file in &expansion.files {
-        let items = file.source.document.parts();
-        for node in items.flat_map(|(_, item)| item.all_nodes()) {
-            let list = match node.name() {
-                "link" => &mut names.links,
-                "joint" => &mut names.joints,
-                _ => continue,
-            };
-            let name = node.attr("name").map(|name| name.raw());
-            list.extend(name.filter(|name| !name.contains('$')).map(ecow::EcoString::from));
-        }
-    }
+/// Whether conditions of a file decide what it gives.
+fn has_choices(expansion: &Expansion) -> bool {
+    let items = expansion.files.iter().flat_map(|file| file.source.document.parts());
+    let mut nodes = items.flat_map(|(_, item)| item.all_nodes());
+    !expansion.arguments.is_empty() || nodes.any(|node| ["xacro:if", "xacro:unless"].contains(&node.name()))
 }
 
-/// The part of the names of links and joints in a file that a robot has.
-fn likeness(own: &Beside, names: &Names) -> f64 {
+/// How many names of links and joints there are in a file, and which part of them a robot has.
+fn likeness(own: &Beside, names: &Names) -> (u32, f64) {
     let (mut all, mut known) = (0u32, 0u32);
     for (kind, name) in own.names() {
         let list = match kind {
@@ -235,12 +275,12 @@ fn likeness(own: &Beside, names: &Names) -> f64 {
         all += 1;
         known += u32::from(list.contains(name.as_str()));
     }
-    if all == 0 { 1.0 } else { f64::from(known) / f64::from(all) }
+    (all, if all == 0 { 1.0 } else { f64::from(known) / f64::from(all) })
 }
 
 impl Beside {
     /// The different names of links, joints and groups.
-    fn names(&self) -> Vec<(project::Kind, ecow::EcoString)> {
+    fn names(&self) -> Vec<(project::Kind, EcoString)> {
         let mut found: Vec<_> = match (self.srdf(), self.settings()) {
             (Some((_, srdf)), _) => srdf
                 .names()

@@ -48,12 +48,28 @@ impl Session {
     }
 
     fn paired_by_text(&self, path: &Path) -> Pairing {
+        if self.is_loaded_by_xacro(path) {
+            return Pairing::default();
+        }
         let by_name = || match sort(path) {
             Some(Sort::Srdf) => self.of_the_name(path),
             _ => self.of_the_srdf(path),
         };
         let named = self.by_assistant(path).or_else(|| self.by_parameters(path));
         named.or_else(|| self.by_launch(path)).unwrap_or_else(by_name)
+    }
+
+    /// Whether a description of the package loads a YAML file: it holds numbers for xacro, and its keys are no names of the
+    /// robot.
+    fn is_loaded_by_xacro(&self, path: &Path) -> bool {
+        let Some(name) = path.file_name().and_then(|name| name.to_str()) else { return false };
+        let loads = |file: &PathBuf| {
+            let text = self.vfs.text(file);
+            text.is_ok_and(|text| has_name(&text.text, name) && !text.text.contains("<parameters>"))
+        };
+        let is_near = |file: &PathBuf| self.home(file) == self.home(path);
+        let mut near = self.descriptions_around(path).into_iter().filter(is_near);
+        sort(path) == Some(Sort::Yaml) && near.any(|file| loads(&file))
     }
 
     /// The robot that `.setup_assistant` in the same package names.

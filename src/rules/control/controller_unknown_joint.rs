@@ -3,7 +3,7 @@
 use super::super::beside::BesideCx;
 use super::super::registry::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
-use project::{Kind, is_computed};
+use project::{Controller, Kind, is_computed};
 
 pub(super) const RULE: Rule = Rule::beside(
     "CTL025",
@@ -16,11 +16,15 @@ pub(super) const RULE: Rule = Rule::beside(
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     for controller in cx.settings().into_iter().flat_map(|settings| &settings.controllers) {
-        for (key, joint) in &controller.joints {
-            // `pid/joint_1` is an interface of another controller
-            if is_computed(&joint.name) || joint.name.contains('/') || !cx.lacks(Kind::Joint, &joint.name) {
-                continue;
-            }
+        // `pid/joint_1` is an interface of another controller
+        let joints = controller.joints.iter().filter(|(_, joint)| !joint.name.contains('/'));
+        let joints: Vec<_> = joints.filter(|(_, joint)| !is_computed(&joint.name)).collect();
+        let unknown: Vec<_> = joints.iter().filter(|(_, joint)| cx.lacks(Kind::Joint, &joint.name)).collect();
+        let is_for_another = unknown.len() == joints.len() && joints.len() > MOST_RENAMED;
+        if unknown.is_empty() || is_for_another || has_variant(cx, controller) {
+            continue;
+        }
+        for (key, joint) in unknown {
             let message = format!(
                 "`{key}` of controller `{}` has unknown joint `{}`",
                 controller.name.name, joint.name
@@ -28,4 +32,14 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
             cx.report(out, joint, message).help(cx.advice(Kind::Joint, &joint.name)).done();
         }
     }
+}
+
+/// With more joints than these, all of them unknown, a controller is for another robot.
+const MOST_RENAMED: usize = 2;
+
+/// Whether another file has the same controller with joints that the robot has: this one is for another robot.
+fn has_variant(cx: &BesideCx<'_>, controller: &Controller) -> bool {
+    let all = cx.all_settings().flat_map(|settings| &settings.controllers);
+    let mut same = all.filter(|other| other.name.name == controller.name.name && !other.joints.is_empty());
+    same.any(|other| other.joints.iter().all(|(_, joint)| !cx.lacks(Kind::Joint, &joint.name)))
 }

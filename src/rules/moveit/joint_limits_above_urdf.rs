@@ -14,6 +14,9 @@ pub(super) const RULE: Rule = Rule::beside(
     check,
 );
 
+/// Limits that are rounded up are not above.
+const ROUNDED: f64 = 1.01;
+
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     for limit in cx.settings().into_iter().flat_map(|settings| &settings.limits) {
         let Some((value, range)) = limit.value("max_velocity").filter(|_| limit.has("has_velocity_limits"))
@@ -28,7 +31,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
             })
             .collect();
         let is_above = |known: &Option<(f64, Option<Span>)>| {
-            known.is_some_and(|(most, _)| most > 0.0 && value > most * (1.0 + 1e-6) + 1e-4)
+            known.is_some_and(|(most, _)| most > 0.0 && value > most * ROUNDED)
         };
         if !of_robots.iter().all(is_above) {
             continue;
