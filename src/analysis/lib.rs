@@ -47,7 +47,7 @@ mod package_tests;
 
 pub use analyzed::Analyzed;
 pub use baseline::{Baseline, fingerprint};
-pub use beside::Beside;
+pub use beside::{Beside, is_settings};
 pub use candidates::Candidates;
 pub use check::CheckOptions;
 pub use configs::{Overrides, Settings};

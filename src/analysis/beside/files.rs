@@ -50,6 +50,11 @@ pub(crate) fn sort(path: &Path) -> Option<Sort> {
     (["yaml", "yml"].contains(&ending.as_str()) || name == ".setup_assistant").then_some(Sort::Yaml)
 }
 
+/// Whether a file is YAML that may hold settings of a robot, by its name.
+pub fn is_settings(path: &Path) -> bool {
+    sort(path) == Some(Sort::Yaml)
+}
+
 impl Beside {
     /// What it says, for rules.
     pub(super) fn content(&self) -> Content<'_> {

@@ -5,7 +5,7 @@ mod files;
 mod judge;
 mod pairing;
 
-pub use files::Beside;
+pub use files::{Beside, is_settings};
 pub(super) use files::{Sort, sort};
 pub(super) use judge::{Compared, Robots};
 pub(super) use pairing::Pairing;

@@ -15,6 +15,7 @@ pub(crate) mod hover;
 pub(crate) mod lenses;
 pub(crate) mod links;
 pub(crate) mod navigation;
+pub(crate) mod of_description;
 pub(crate) mod refactorings;
 pub(crate) mod references;
 pub(crate) mod rename;
