@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::OnceLock;
 
+use super::check::CheckOptions;
 use super::context::RootChoice;
 use super::job::{self, Outcome};
 use super::roots::{Job, Reason};
@@ -37,6 +38,11 @@ impl Analyzed {
         let kinematics = robot.as_ref().map(Kinematics::of);
         let (outcome, written) = (OnceLock::new(), OnceLock::new());
         Self { root, expansion, robot, kinematics, outcome, written, epoch }
+    }
+
+    /// A root expanded once, for a check.
+    pub(super) fn of(session: &Session, root: &RootChoice, options: &CheckOptions) -> Self {
+        Self::new(root.clone(), job::expansion(session, options, &job_of(root)), 0)
     }
 
     /// The expanded document as text, with its map.

@@ -6,9 +6,12 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::analyzed::Analyzed;
+use super::beside::{Compared, Robots, Sort, sort};
 use super::candidates::Candidates;
 use super::change::Change;
 use super::configs::Settings;
+use super::context::RootChoice;
 use super::job::{self, Outcome};
 use super::merge::merge;
 use super::progress::Progress;
@@ -99,17 +102,25 @@ impl Session {
         if let Some(change) = Change::of(self, options) {
             kept.retain(|outcome| change.is_read_by(outcome));
         }
-        let Report { mut unreadable, skipped, .. } = report;
+        let Report { mut unreadable, mut skipped, .. } = report;
         unreadable.extend(
             self.unreadable_configs().into_iter().map(|error| Unreadable { path: error.path.clone(), error }),
         );
-        Report { unreadable, skipped, reads, ..self.conclude(options, kept) }
+        let files = self.beside_files(options);
+        reads.extend(files.iter().cloned());
+        let robots = self.analyzed_all(options, self.beside_roots(&files));
+        let beside = self.beside_findings(&files, &options.cancel, &robots);
+        let unpaired = options.paths.iter().map(|path| self.vfs.absolute(path));
+        let unpaired = unpaired.filter(|path| files.contains(path) && !beside.files.contains(path));
+        let unpaired = unpaired.filter(|path| sort(path) == Some(Sort::Yaml));
+        skipped.extend(unpaired.map(|path| Skipped { path, reason: SkipReason::NoRobot }));
+        Report { unreadable, skipped, reads, ..self.conclude(options, kept, beside) }
     }
 
     /// Take the words out of findings in files that belong to no robot: a link or an include can lead to any file, and
     /// the report may stand in a public log.
     pub(super) fn conceal(&self, report: &Report, findings: &mut [Finding]) {
-        let around = self.packages.around(report.roots.iter().map(PathBuf::as_path));
+        let around = self.packages.around(report.roots.iter().chain(&report.compared).map(PathBuf::as_path));
         let mut known: FastMap<FileId, bool> = FastMap::default();
         let mut belongs =
             |file: FileId| *known.entry(file).or_insert_with(|| around.hold(&self.vfs.path(file)));
@@ -152,8 +163,27 @@ impl Session {
         }
     }
 
-    /// One report of many outcomes: merged, as configured, in order.
-    pub(super) fn conclude(&self, options: &CheckOptions, mut kept: Vec<Outcome>) -> Report {
+    /// Roots expanded.
+    fn analyzed_all(&self, options: &CheckOptions, roots: Vec<RootChoice>) -> Robots {
+        let make = |root: RootChoice| {
+            let analyzed = Arc::new(Analyzed::of(self, &root, options));
+            (root, analyzed)
+        };
+        match large_stacks().filter(|_| roots.len() > 1) {
+            Some(pool) => pool.install(|| roots.into_par_iter().map(make).collect::<Vec<_>>()),
+            None => roots.into_iter().map(make).collect(),
+        }
+        .into_iter()
+        .collect()
+    }
+
+    /// One report of many outcomes and of what there is to say beside them: merged, as configured, in order.
+    pub(super) fn conclude(
+        &self,
+        options: &CheckOptions,
+        mut kept: Vec<Outcome>,
+        mut beside: Compared,
+    ) -> Report {
         let has_robots = !kept.is_empty();
         let mut report = Report::default();
         for outcome in &kept {
@@ -175,7 +205,12 @@ impl Session {
         }
         let config_findings = self.config_findings(options, &report, &kept);
         let drift_findings = self.drift_findings(options, &kept);
+        beside.findings.retain(|finding| !hiding.hides(finding, &[]));
+        let documents = beside.files.iter().filter_map(|file| self.vfs.document(file).ok());
+        report.files.extend(documents.map(|file| (file.id, file)));
+        report.compared = beside.files;
         let mut findings = merge(kept);
+        findings.extend(beside.findings);
         findings.extend(hiding.finish());
         findings.extend(config_findings);
         findings.extend(drift_findings);
@@ -264,6 +299,8 @@ impl Session {
                 false if self.settings(&path).excludes(&path) => {
                     report.skipped.push(Skipped { path, reason: SkipReason::Excluded });
                 }
+                // settings of a robot are no description
+                false if sort(&path) == Some(Sort::Yaml) => {}
                 false => named.push(path),
             }
         }

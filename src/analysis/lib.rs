@@ -5,6 +5,7 @@
 mod admission;
 mod analyzed;
 mod baseline;
+mod beside;
 mod calls;
 mod candidates;
 mod change;
@@ -46,6 +47,7 @@ mod package_tests;
 
 pub use analyzed::Analyzed;
 pub use baseline::{Baseline, fingerprint};
+pub use beside::{Beside, is_settings};
 pub use candidates::Candidates;
 pub use check::CheckOptions;
 pub use configs::{Overrides, Settings};

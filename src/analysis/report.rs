@@ -32,6 +32,8 @@ pub struct Report {
     pub incomplete: BTreeMap<PathBuf, BTreeSet<String>>,
     /// The robots that errors left out a part of: rules about what is missing or unused do not run on them.
     pub partial: BTreeSet<PathBuf>,
+    /// The files beside robots, such as SRDF, that were compared with them.
+    pub compared: Vec<PathBuf>,
     /// The robots that were checked in place of the files that were named, which are parts of them.
     pub part_of: Vec<PathBuf>,
     /// Paths named by the user that cannot be read.
@@ -56,6 +58,8 @@ pub enum SkipReason {
     Excluded,
     /// The folder cannot be listed.
     Unreadable(LoadError),
+    /// It belongs to a robot, and none that is whole is known.
+    NoRobot,
     /// Places are reported by path, and this path is no text.
     NotUtf8,
 }
@@ -77,6 +81,7 @@ impl std::fmt::Display for SkipReason {
         match self {
             Self::Excluded => f.write_str("it is excluded by the configuration"),
             Self::Unreadable(error) => write!(f, "cannot read the folder: {}", error.reason()),
+            Self::NoRobot => f.write_str("no complete robot is known that it belongs to"),
             Self::NotUtf8 => f.write_str("its name is not valid UTF-8"),
         }
     }

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use super::beside::Pairing;
 use super::configs::{Configs, Overrides, Settings};
 use super::includes::Included;
 use super::runs::Runs;
@@ -30,6 +31,8 @@ pub struct Session {
     pub(super) drift_runs: Runs,
     /// What the descriptions below a folder include.
     included: Mutex<FastMap<PathBuf, Arc<Included>>>,
+    /// The robots that files beside them are for.
+    pairings: Mutex<FastMap<PathBuf, Arc<Pairing>>>,
 }
 
 /// How a session is set up.
@@ -65,6 +68,22 @@ impl Session {
         Self::with(vfs, env, setup, configs)
     }
 
+    /// A session of an editor that shows folders, with the settings it has for them.
+    pub(super) fn of_editor(
+        vfs: &Arc<Vfs>,
+        env: &Environment,
+        folders: &[PathBuf],
+        editor: Vec<(serde_json::Value, PathBuf)>,
+    ) -> Self {
+        let setup = Setup {
+            about: folders.first().cloned().unwrap_or_else(|| env.cwd.clone()),
+            folders: folders.to_vec(),
+            overrides: Overrides { editor, ..Overrides::default() },
+            ..Setup::default()
+        };
+        Self::over(vfs.clone(), env, setup)
+    }
+
     fn with(vfs: Arc<Vfs>, env: &Environment, setup: Setup, configs: Configs) -> Self {
         let about = vfs.absolute(&setup.about);
         let folder = if vfs.is_dir(&about) { Some(about.as_path()) } else { about.parent() };
@@ -97,6 +116,7 @@ impl Session {
             callers: Callers::default(),
             drift_runs: Runs::default(),
             included: Mutex::default(),
+            pairings: Mutex::default(),
         }
     }
 
@@ -127,6 +147,23 @@ impl Session {
     /// The arguments of a description for which launch files declare the values to choose from.
     pub(super) fn launch_choices(&self, file: &Path) -> Axes {
         self.callers.choices(file, &self.packages)
+    }
+
+    /// All calls of robots around a file.
+    pub(super) fn calls_around(&self, file: &Path) -> Arc<Vec<RobotCall>> {
+        self.callers.calls(file, &self.packages)
+    }
+
+    /// The files around a path that may belong to robots, by their names.
+    pub(super) fn beside_around(&self, path: &Path) -> Vec<PathBuf> {
+        let mut found = self.callers.beside(path, &self.packages);
+        found.retain(|file| !self.settings(file).excludes(file));
+        found
+    }
+
+    /// The descriptions around a file.
+    pub(super) fn descriptions_around(&self, file: &Path) -> Vec<PathBuf> {
+        self.callers.descriptions(file, &self.packages)
     }
 
     /// Whether a launch file, script or page names a description.
@@ -193,10 +230,16 @@ impl Session {
         known().entry(folder.to_owned()).or_insert(made).clone()
     }
 
+    /// The robots that files beside them are for, as far as somebody has asked.
+    pub(super) fn pairings(&self) -> MutexGuard<'_, FastMap<PathBuf, Arc<Pairing>>> {
+        self.pairings.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// Forget which files include and call others: some have come, gone or changed.
     pub(super) fn forget_uses(&self) {
         self.callers.forget();
         self.included.lock().unwrap_or_else(PoisonError::into_inner).clear();
+        self.pairings().clear();
     }
 
     /// The settings for a file.

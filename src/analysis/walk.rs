@@ -110,19 +110,21 @@ fn walk(folder: &Path, env: &Environment) -> ignore::Walk {
     walk.build()
 }
 
-/// Whether a file is a description, by its name: `.urdf` and `.xacro`, alone or in front of `.xml`, in letters of any
-/// case.
+/// Whether a file is a description, by its name: `.urdf`, `.srdf` and `.xacro`, alone or in front of `.xml`, in letters of
+/// any case.
 pub(super) fn is_description(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
     let name = name.strip_suffix(".xml").unwrap_or(&name);
-    [".urdf", ".xacro"].iter().any(|ending| name.ends_with(ending))
+    [".urdf", ".srdf", ".xacro"].iter().any(|ending| name.ends_with(ending))
 }
 
 /// Whether a file is certainly no description, by its name: an editor opens configurations and manifests as well.
 pub(super) fn is_something_else(path: &Path) -> bool {
     const ENDINGS: [&str; 4] = ["yaml", "yml", "toml", "json"];
     let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or("");
-    ENDINGS.contains(&ending) || path.file_name().is_some_and(|name| name == "package.xml")
+    const NAMES: [&str; 2] = ["package.xml", ".setup_assistant"];
+    let is_named = |name: &std::ffi::OsStr| NAMES.iter().any(|own| name == *own);
+    ENDINGS.contains(&ending) || path.file_name().is_some_and(is_named)
 }
 
 #[cfg(test)]
@@ -145,6 +147,7 @@ mod tests {
             ("a.XACRO.XML", true),
             ("package.xml", false),
             ("a.srdf.xacro", true),
+            ("a.srdf", true),
             ("a.sdf", false),
             ("urdf", false),
         ] {

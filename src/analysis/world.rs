@@ -7,15 +7,15 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use super::analyzed::{Analyzed, job_of};
+use super::beside::sort;
 use super::check::CheckOptions;
-use super::configs::Overrides;
 use super::context::RootChoice;
 use super::graph::Graph;
 use super::job::{self, Outcome};
 use super::placing;
 use super::proof::{Effort, Roots};
 use super::report::Report;
-use super::session::{Session, Setup};
+use super::session::Session;
 use super::walk::{self, Listing};
 use base::limits::SCAN_FILES;
 use base::{CancelFlag, FastMap, TextRange};
@@ -67,7 +67,7 @@ impl World {
     /// A world that sees `folders`; without any, single files are shown by themselves.
     pub fn new(env: Environment, folders: Vec<PathBuf>) -> Self {
         let vfs = Arc::new(Vfs::with_cwd(config::Limits::default().file_bytes(), env.cwd.clone()));
-        let session = session(&vfs, &env, &folders, Vec::new());
+        let session = Session::of_editor(&vfs, &env, &folders, Vec::new());
         Self {
             session,
             env,
@@ -133,7 +133,7 @@ impl World {
     pub fn reload(&mut self) {
         self.epoch += 1;
         self.named.clear();
-        self.session = session(&self.session.vfs, &self.env, &self.folders, self.editor.clone());
+        self.session = Session::of_editor(&self.session.vfs, &self.env, &self.folders, self.editor.clone());
     }
 
     /// Lay the settings of an editor (what stands below `xacro.`) over every configuration; returns what in
@@ -172,13 +172,18 @@ impl World {
     /// A file was opened, or its whole text replaced.
     pub fn set_text(&mut self, path: &Path, text: String) {
         self.session.vfs.set_buffer(path, Some(text));
+        self.session.pairings().clear();
         self.touch(path);
     }
 
     /// A range of bytes of an open file was replaced.
     pub fn edit(&mut self, path: &Path, range: TextRange, text: &str) {
+        let name = self.session.robot_name(path);
         self.session.vfs.edit_buffer(path, range, text);
         self.touch(path);
+        if self.session.robot_name(path) != name {
+            self.session.pairings().clear();
+        }
     }
 
     /// A file was closed: the disk counts again.
@@ -194,9 +199,13 @@ impl World {
         self.unseen.insert(path.to_path_buf());
         match path.file_name().and_then(|name| name.to_str()) {
             Some(name) if config::CONFIG_NAMES.contains(&name) => self.reload(),
+            // what an expansion reads of them is in its record
+            _ if walk::is_description(path) || sort(path).is_some() => {}
             // manifests are read by rules, which no record tells of
-            _ if !walk::is_description(path) => self.epoch += 1,
-            _ => {}
+            _ => {
+                self.epoch += 1;
+                self.session.pairings().clear();
+            }
         }
     }
 
@@ -449,6 +458,7 @@ impl World {
         self.notice_meshes();
         let mut roots: Vec<RootChoice> = Vec::new();
         let mut own: Vec<RootChoice> = Vec::new();
+        let asked = paths;
         let paths: Vec<&PathBuf> = paths.iter().filter(|path| !walk::is_something_else(path)).collect();
         for path in &paths {
             let root = self.context(path).root.unwrap_or_else(|| RootChoice::plain(path));
@@ -471,7 +481,8 @@ impl World {
         }
         self.keep_meshes();
         let entries: Vec<PathBuf> = paths.iter().map(|path| (*path).clone()).collect();
-        let mut report = self.session.conclude(&self.options(&entries), outcomes);
+        let beside = self.beside_findings(asked, &roots, cancel)?;
+        let mut report = self.session.conclude(&self.options(&entries), outcomes, beside);
         placing::place(&mut report, &self.session.vfs, |path| self.open.contains_key(path));
         Some(report)
     }
@@ -480,20 +491,4 @@ impl World {
     pub(super) fn options(&self, paths: &[PathBuf]) -> CheckOptions {
         CheckOptions { paths: self.folders.clone(), entries: paths.to_vec(), ..CheckOptions::default() }
     }
-}
-
-fn session(
-    vfs: &Arc<Vfs>,
-    env: &Environment,
-    folders: &[PathBuf],
-    editor: Vec<(serde_json::Value, PathBuf)>,
-) -> Session {
-    let about = folders.first().cloned().unwrap_or_else(|| env.cwd.clone());
-    let setup = Setup {
-        about,
-        folders: folders.to_vec(),
-        overrides: Overrides { editor, ..Overrides::default() },
-        ..Setup::default()
-    };
-    Session::over(vfs.clone(), env, setup)
 }

@@ -222,7 +222,11 @@ impl Run<'_> {
             let path = visible(&self.shown(&skipped.path));
             io.line(&format!("warning: {path} was not checked: {}", skipped.reason));
         }
-        if report.roots.is_empty() && report.skipped.is_empty() && !self.args.changed {
+        if report.roots.is_empty()
+            && report.compared.is_empty()
+            && report.skipped.is_empty()
+            && !self.args.changed
+        {
             io.line("warning: no xacro or URDF files found");
         }
         let code = exit_code(&report, self.args);

@@ -144,7 +144,7 @@ impl<'a> Listing<'a> {
     /// That no robot was found, and why: without errors it would look like success.
     fn without_robot(&self) -> Option<String> {
         let Report { robots, roots, nameless, skipped, .. } = self.report;
-        if self.is_change || *robots > 0 || self.has_errors() {
+        if self.is_change || *robots > 0 || self.has_errors() || !self.report.compared.is_empty() {
             return None;
         }
         let why = match (nameless.first(), roots.is_empty(), skipped.is_empty()) {

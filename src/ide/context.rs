@@ -1,5 +1,6 @@
 //! A file in the expansion of its active root.
 
+use super::beside::BesideName;
 use base::{FastMap, FileId, Span, TextRange};
 use expand::{DefinitionId, Expansion, FileIdx, FrameId, Source, SourceRange, SrcId, Use};
 use model::{Kinematics, Robot};
@@ -16,6 +17,8 @@ pub struct Cx<'a> {
     pub robot: Option<&'a Robot>,
     /// How its links hang together.
     pub kinematics: Option<&'a Kinematics>,
+    /// The names in files beside the robot.
+    pub beside: &'a [BesideName],
     /// The macro call that the user looks at: of values that differ by call, its own are shown.
     pub pinned: Option<FrameId>,
 }

@@ -4,6 +4,7 @@
 //! meaning of names take a [`Cx`]: the file in the expansion of its active root.
 
 mod actions;
+mod beside;
 mod calls;
 mod code;
 mod colours;
@@ -43,6 +44,7 @@ pub use actions::{
     Action, ActionKind, MacroFile, NewFile, Refused, before_use, ignored_in_config, include_macro, inlinable,
     inline_macro, move_to_file, of_mesh, other_name, quick_fixes, refactorings, suggested,
 };
+pub use beside::{BesideName, names_in_settings, names_in_srdf};
 pub use calls::{Caller, Calls, caller_target, calls_of, incoming, macro_at, macros_of, outgoing};
 pub use colours::{Colour, colour_text, colours};
 pub use completion::{

@@ -1,5 +1,6 @@
 //! Where names are given and where they are used.
 
+use super::beside::BesideName;
 use super::context::Cx;
 use super::robot_names::named_at;
 use base::{Span, TextRange};
@@ -37,6 +38,13 @@ pub fn definitions(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Target>)>
                 targets.push(target);
             }
         }
+    }
+    // groups and virtual joints are given beside the robot
+    if let Some(asked) = cx.beside.iter().find(|name| name.is_at(cx, offset)) {
+        let is_it =
+            |name: &&BesideName| name.is_definition && name.kind.is(asked.kind) && name.value == asked.value;
+        let given = cx.beside.iter().filter(is_it);
+        targets.extend(given.map(|name| Target { whole: name.place, name: name.place }));
     }
     (!targets.is_empty()).then_some((range, targets))
 }

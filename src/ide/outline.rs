@@ -93,6 +93,10 @@ fn symbol(node: Node<'_>, base: u32, entities: &Entities) -> Option<Outline> {
         "joint" => (OutlineKind::Joint, "name", "type"),
         "material" if node.child_elements().next().is_some() => (OutlineKind::Material, "name", ""),
         "gazebo" => (OutlineKind::Block, "reference", ""),
+        // of SRDF
+        "group" if node.child_elements().next().is_some() => (OutlineKind::Block, "name", ""),
+        "group_state" => (OutlineKind::Block, "name", "group"),
+        "end_effector" | "virtual_joint" | "passive_joint" => (OutlineKind::Block, "name", ""),
         "transmission" | "ros2_control" => (OutlineKind::Block, "name", "type"),
         "xacro:macro" => (OutlineKind::Macro, "name", "params"),
         "xacro:property" => (OutlineKind::Property, "name", "value"),

@@ -4,69 +4,114 @@
 use std::collections::BTreeMap;
 
 use super::context::Cx;
-use super::robot_names::{NameKind, RobotName, all_names};
+use super::robot_names::{NameKind, all_names};
+use ecow::EcoString;
+
 use base::{Encoding, FastMap, FastSet, FileId, Span, TextRange};
-use expand::{FrameKind, Origin, Piece, SourceRange, argument};
+use expand::{FrameKind, Origin, SourceRange, argument};
 use expr::Token;
 use model::Text;
 use vfs::SourceFile;
 
 /// A part of a name and where it is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct NamePart {
+pub(super) struct NamePart {
     /// Bytes of the name.
-    of: TextRange,
+    pub of: TextRange,
     /// The text that says so.
-    written: Span,
+    pub written: Span,
 }
 
-/// The parts of a name that are written as they are: its own text between expressions, and what a call passes for
-/// a parameter.
-fn parts(cx: &Cx<'_>, text: &Text) -> Vec<NamePart> {
-    let mut found = Vec::new();
-    let content = content_pieces(cx, text);
-    let (origin, pieces) = match &content {
-        Some((origin, pieces)) => (*origin, pieces.as_slice()),
-        None => (text.origin, &*text.pieces),
+/// A name of the robot, in the robot or beside it.
+struct Name {
+    value: EcoString,
+    kind: NameKind,
+    is_definition: bool,
+    /// Where it came from in the expansion of the robot.
+    origin: Option<Origin>,
+}
+
+/// The parts of a name that are written as they are: its own text between expressions, and what calls pass for
+/// parameters, which may be put together in the same way.
+pub(super) fn parts(cx: &Cx<'_>, text: &Text) -> Vec<NamePart> {
+    let whole = TextRange::new(0, text.value.len() as u32);
+    let made_by_one = match &*text.pieces {
+        [piece] if piece.source == text.origin => split(cx, &text.value, whole, text.origin),
+        _ => None,
     };
-    let mut at = (0, origin.range.start);
-    let end = (text.value.len() as u32, origin.range.end);
-    let own = |range: TextRange| Origin { range, ..origin };
-    for piece in pieces {
-        let source = piece.source;
-        if source.src != origin.src || source.range.start < at.1 || source.range.end > end.1 {
-            return found;
-        }
-        let before = TextRange::new(at.0, piece.out.start.max(at.0));
-        found.extend(part(cx, text, before, own(TextRange::new(at.1, source.range.start))));
-        found.extend(argument(cx.expansion, source).and_then(|given| part(cx, text, piece.out, given)));
-        at = (piece.out.end, source.range.end);
-    }
-    if at.0 <= end.0 && at.1 <= end.1 {
-        found.extend(part(cx, text, TextRange::new(at.0, end.0), own(TextRange::new(at.1, end.1))));
-    }
+    let pieces = || text.pieces.iter().map(|piece| (piece.out, piece.source)).collect();
+    let (origin, pieces) = made_by_one.unwrap_or_else(|| (text.origin, pieces()));
+    let mut found = Vec::new();
+    add_parts(cx, &text.value, (whole, origin), &pieces, MOST_CALLS, &mut found);
     found
 }
 
-/// The pieces of an element's content, of which the expansion knows only as a whole that expressions made it: the texts
-/// between the expressions tell them apart, when each stands in the value once.
-fn content_pieces(cx: &Cx<'_>, text: &Text) -> Option<(Origin, Vec<Piece>)> {
-    let [whole] = &*text.pieces else { return None };
-    let source = cx.expansion.sources.get(text.origin.src.0 as usize)?;
-    let all = text.origin.range.slice(source.item.text());
-    if whole.source != text.origin || all.contains('&') {
+/// Calls that pass on what they were passed.
+const MOST_CALLS: u32 = 8;
+
+/// Pieces of a value with the expressions that made them.
+type Pieces = Vec<(TextRange, Origin)>;
+
+/// Add the parts of the slice `of` of a value that the text at `origin` gives, with the pieces that expressions made of it.
+fn add_parts(
+    cx: &Cx<'_>,
+    value: &str,
+    (of, origin): (TextRange, Origin),
+    pieces: &Pieces,
+    calls: u32,
+    found: &mut Vec<NamePart>,
+) {
+    let mut at = (of.start, origin.range.start);
+    let end = (of.end, origin.range.end);
+    let own = |range: TextRange| Origin { range, ..origin };
+    for &(out, source) in pieces {
+        if source.src != origin.src || source.range.start < at.1 || source.range.end > end.1 {
+            return;
+        }
+        let before = TextRange::new(at.0, out.start.max(at.0));
+        found.extend(part(cx, value, before, own(TextRange::new(at.1, source.range.start))));
+        if let Some(given) = argument(cx.expansion, source) {
+            add_given(cx, value, out, given, calls, found);
+        }
+        at = (out.end, source.range.end);
+    }
+    if at.0 <= end.0 && at.1 <= end.1 {
+        found.extend(part(cx, value, TextRange::new(at.0, end.0), own(TextRange::new(at.1, end.1))));
+    }
+}
+
+/// Add the parts of a slice of a value that a call passes.
+fn add_given(cx: &Cx<'_>, value: &str, of: TextRange, given: Origin, calls: u32, found: &mut Vec<NamePart>) {
+    if let Some(part) = part(cx, value, of, given) {
+        found.push(part);
+    } else if let (Some((origin, pieces)), Some(calls)) = (split(cx, value, of, given), calls.checked_sub(1))
+    {
+        add_parts(cx, value, (of, origin), &pieces, calls, found);
+    }
+}
+
+/// The pieces of a slice of a value, of which nothing but the text at `origin` is known: the texts between the expressions
+/// tell them apart, when each stands in the value once.
+fn split(cx: &Cx<'_>, value: &str, of: TextRange, origin: Origin) -> Option<(Origin, Pieces)> {
+    let source = cx.expansion.sources.get(origin.src.0 as usize)?;
+    let all = origin.range.slice(source.item.text());
+    let raw = all.trim();
+    if all.contains('&') {
         return None;
     }
-    let raw = all.trim();
-    let start = text.origin.range.start + (all.len() - all.trim_start().len()) as u32;
+    let start = origin.range.start + (all.len() - all.trim_start().len()) as u32;
     let range = TextRange::new(start, start + raw.len() as u32);
+    let value = value.get(..of.end as usize)?;
     let tokens = expr::split(raw).tokens;
-    let mut pieces: Vec<Piece> = Vec::new();
-    let (mut at, mut open) = (0, None);
+    let mut pieces = Pieces::new();
+    let (mut at, mut open) = (of.start, None);
+    let piece = |from, to, source: TextRange| {
+        (TextRange::new(from, to), Origin { range: source.shift(start), ..origin })
+    };
     for (number, token) in tokens.iter().enumerate() {
         match token {
             Token::Text(literal) => {
-                let (literal, rest) = (literal.slice(raw), text.value.get(at as usize..)?);
+                let (literal, rest) = (literal.slice(raw), value.get(at as usize..)?);
                 let is_last = number + 1 == tokens.len();
                 let found = if is_last { rest.strip_suffix(literal)?.len() } else { rest.find(literal)? };
                 let is_first = open.is_none() && found != 0;
@@ -75,53 +120,63 @@ fn content_pieces(cx: &Cx<'_>, text: &Text) -> Option<(Origin, Vec<Piece>)> {
                 }
                 let from = at;
                 at += found as u32;
-                pieces.extend(open.take().map(|source| piece(whole, from, at, source)));
+                pieces.extend(open.take().map(|source| piece(from, at, source)));
                 at += literal.len() as u32;
             }
             // where one expression follows another, nothing says where it begins
-            Token::Expr { .. } | Token::Subst { .. } if open.is_none() => {
-                open = Some(token.range().shift(start))
-            }
+            Token::Expr { .. } | Token::Subst { .. } if open.is_none() => open = Some(token.range()),
             _ => return None,
         }
     }
-    pieces.extend(open.map(|source| piece(whole, at, text.value.len() as u32, source)));
-    Some((Origin { range, ..text.origin }, pieces))
-}
-
-/// What an expression at `source` put into a value.
-fn piece(whole: &Piece, from: u32, to: u32, source: TextRange) -> Piece {
-    let source = Origin { range: source, ..whole.source };
-    Piece { out: TextRange::new(from, to), source, ..whole.clone() }
+    pieces.extend(open.map(|source| piece(at, of.end, source)));
+    Some((Origin { range, ..origin }, pieces))
 }
 
 /// A part that is not empty, when the text says it letter by letter.
-fn part(cx: &Cx<'_>, text: &Text, of: TextRange, origin: Origin) -> Option<NamePart> {
+fn part(cx: &Cx<'_>, value: &str, of: TextRange, origin: Origin) -> Option<NamePart> {
     let source = cx.expansion.sources.get(origin.src.0 as usize)?;
     let same = source.item.text().get(origin.range.start as usize..origin.range.end as usize)
-        == text.value.get(of.start as usize..of.end as usize);
+        == value.get(of.start as usize..of.end as usize);
     let written = cx.span(SourceRange::from(origin))?;
     (same && !of.is_empty()).then_some(NamePart { of, written })
 }
 
-/// The part of a name at an offset of the file, with the names it is part of.
-fn asked(cx: &Cx<'_>, all: &[(RobotName, Vec<NamePart>)], offset: u32) -> Option<Span> {
+/// The part of a name at an offset of the file.
+fn asked(cx: &Cx<'_>, all: &[(Name, Vec<NamePart>)], offset: u32) -> Option<Span> {
     let here = |part: &&NamePart| {
         let range = part.written.range;
         part.written.file == cx.source.id && range.start <= offset && offset <= range.end
     };
-    let mut found = all.iter().flat_map(|(_, parts)| parts.iter().filter(here));
-    found.next().map(|part| part.written)
+    let mut found = all.iter().filter_map(|(name, parts)| Some((name, parts.iter().find(here)?)));
+    let (name, part) = found.next()?;
+    let given = all.iter().find(|(other, _)| {
+        other.is_definition && other.kind.is(name.kind) && other.value == name.value && name.origin.is_none()
+    });
+    Some(given.and_then(|(_, parts)| narrowed(part, parts, offset)).unwrap_or(part.written))
 }
 
-fn with_parts(cx: &Cx<'_>) -> Vec<(RobotName, Vec<NamePart>)> {
+/// The text beside the robot that stands for the same part of the name as where the name is given.
+fn narrowed(part: &NamePart, given: &[NamePart], offset: u32) -> Option<Span> {
+    let Span { file, range } = part.written;
+    let at = part.of.start + (offset - range.start);
+    let own = given.iter().filter(|own| part.of.contains_range(own.of));
+    let own = own.filter(|own| own.of.touches(at)).last()?;
+    let start = range.start + (own.of.start - part.of.start);
+    Some(Span { file, range: TextRange::new(start, start + own.of.len()) })
+}
+
+fn with_parts(cx: &Cx<'_>) -> Vec<(Name, Vec<NamePart>)> {
     let known = all_names(cx).into_iter().filter(|name| name.text.is_known());
-    known
-        .map(|name| {
-            let parts = parts(cx, &name.text);
-            (name, parts)
-        })
-        .collect()
+    let own = known.map(|name| {
+        let (value, origin) = (name.text.value.clone(), Some(name.text.origin));
+        let parts = parts(cx, &name.text);
+        (Name { value, kind: name.kind, is_definition: name.is_definition, origin }, parts)
+    });
+    let beside = cx.beside.iter().map(|name| {
+        let (value, kind, is_definition) = (name.value.clone(), name.kind, name.is_definition);
+        (Name { value, kind, is_definition, origin: None }, name.parts.clone())
+    });
+    own.chain(beside).collect()
 }
 
 /// The text at an offset that is a name of a link, joint or material, or a part of such names.
@@ -157,7 +212,7 @@ pub fn rename(cx: &Cx<'_>, offset: u32, new: &str) -> Result<Vec<Span>, String> 
 /// Names that change, and the texts that make them change.
 struct Work<'a, 'b> {
     cx: &'b Cx<'a>,
-    all: &'b [(RobotName, Vec<NamePart>)],
+    all: &'b [(Name, Vec<NamePart>)],
     /// Which bytes change, by the number of the name.
     changed: BTreeMap<usize, Vec<TextRange>>,
     spans: Vec<Span>,
@@ -170,7 +225,7 @@ struct Written {
 }
 
 impl Written {
-    fn of(all: &[(RobotName, Vec<NamePart>)]) -> Self {
+    fn of(all: &[(Name, Vec<NamePart>)]) -> Self {
         let mut places: BTreeMap<(FileId, u32, u32), Vec<(usize, NamePart)>> = BTreeMap::new();
         for (number, (_, parts)) in all.iter().enumerate() {
             for part in parts {
@@ -197,7 +252,7 @@ impl Work<'_, '_> {
     fn spread(&mut self) -> Result<(), String> {
         let mut by_value: FastMap<&str, Vec<usize>> = FastMap::default();
         for (number, (name, _)) in self.all.iter().enumerate() {
-            by_value.entry(&name.text.value).or_default().push(number);
+            by_value.entry(&name.value).or_default().push(number);
         }
         let written = Written::of(self.all);
         let mut next = 0;
@@ -207,7 +262,7 @@ impl Work<'_, '_> {
                 let Some((name, _)) = self.all.get(number) else { continue };
                 let start = part.of.start + (span.range.start - part.written.range.start);
                 let range = TextRange::new(start, start + span.range.len());
-                for &other in by_value.get(name.text.value.as_str()).into_iter().flatten() {
+                for &other in by_value.get(name.value.as_str()).into_iter().flatten() {
                     if self.all.get(other).is_some_and(|(other, _)| other.kind.is(name.kind)) {
                         self.change(other, range)?;
                     }
@@ -250,9 +305,12 @@ impl Work<'_, '_> {
         let Some((name, _)) = self.all.get(number) else {
             return "this name no longer exists".to_owned();
         };
-        let (cx, text) = (self.cx, &name.text);
-        let mut calls = cx.expansion.frames_of(text.origin).filter(|frame| frame.kind == FrameKind::Macro);
-        let span = cx.span(SourceRange::from(text.origin));
+        let cx = self.cx;
+        let Some(origin) = name.origin else {
+            return format!("`{}` is put together in a file beside the robot", name.value);
+        };
+        let mut calls = cx.expansion.frames_of(origin).filter(|frame| frame.kind == FrameKind::Macro);
+        let span = cx.span(SourceRange::from(origin));
         let file = span.and_then(|span| Some((span, cx.file_of(span.file)?)));
         let line = |(span, file): (Span, &SourceFile)| {
             file.document.line_col(span.range.start, Encoding::Utf8).line + 1
@@ -261,7 +319,7 @@ impl Work<'_, '_> {
         let maker = calls.next().map(|frame| frame.name.to_string()).or_else(|| file.map(raw));
         format!(
             "`{}` comes from `{}` on line {}: rename the suffix there or change the argument",
-            text.value,
+            name.value,
             maker.unwrap_or_default(),
             file.map_or(0, line),
         )
@@ -272,15 +330,14 @@ impl Work<'_, '_> {
         let defined = self.all.iter().enumerate().filter(|(_, (name, _))| name.is_definition);
         let staying: FastMap<&str, NameKind> = defined
             .filter(|(number, _)| !self.changed.contains_key(number))
-            .map(|(_, (name, _))| (name.text.value.as_str(), name.kind))
+            .map(|(_, (name, _))| (name.value.as_str(), name.kind))
             .collect();
         for (number, ranges) in &self.changed {
             let Some((name, _)) = self.all.get(*number) else { continue };
-            let mut changed = name.text.value.to_string();
+            let mut changed = name.value.to_string();
             let mut ranges = ranges.clone();
             ranges.sort_unstable_by_key(|range| std::cmp::Reverse(range.start));
-            let fits =
-                |range: &TextRange| name.text.value.get(range.start as usize..range.end as usize).is_some();
+            let fits = |range: &TextRange| name.value.get(range.start as usize..range.end as usize).is_some();
             for range in ranges.into_iter().filter(fits) {
                 changed.replace_range(range.start as usize..range.end as usize, new);
             }

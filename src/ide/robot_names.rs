@@ -15,8 +15,11 @@ pub struct RobotThing {
     kind: NameKind,
 }
 
-/// The link, joint or material that the text at an offset names.
+/// The link, joint, material or group that the text at an offset names.
 pub fn robot_name_at(cx: &Cx<'_>, offset: u32) -> Option<RobotThing> {
+    if let Some(beside) = cx.beside.iter().find(|name| name.is_at(cx, offset)) {
+        return Some(RobotThing { name: beside.value.to_string(), kind: beside.kind });
+    }
     let (_, names, kind) = named(cx, offset)?;
     let name = names.first()?.name()?.to_string();
     Some(RobotThing { name, kind })
@@ -34,6 +37,12 @@ pub fn uses_of(cx: &Cx<'_>, thing: &RobotThing) -> Vec<NameUse> {
             found.push(NameUse { span, is_definition: other.is_definition });
         }
     }
+    for other in cx.beside.iter().filter(|other| other.kind.is(thing.kind) && *other.value == *thing.name) {
+        let used = NameUse { span: other.place, is_definition: other.is_definition };
+        if !found.iter().any(|known| known.span == used.span) {
+            found.push(used);
+        }
+    }
     found
 }
 
@@ -45,12 +54,14 @@ pub(super) enum NameKind {
     /// `gazebo` says only that it means one of both.
     LinkOrJoint,
     Material,
+    /// A planning group of an SRDF.
+    Group,
 }
 
 impl NameKind {
     /// Whether two names may mean one thing.
     pub fn is(self, other: Self) -> bool {
-        let mixed = |a, b| a == Self::LinkOrJoint && b != Self::Material;
+        let mixed = |a, b| a == Self::LinkOrJoint && matches!(b, Self::Link | Self::Joint);
         self == other || mixed(self, other) || mixed(other, self)
     }
 }
@@ -71,6 +82,13 @@ pub(super) fn named_at(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Text>
 
 fn named(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Text>, NameKind)> {
     let all = all_names(cx);
+    if let Some(beside) = cx.beside.iter().find(|name| name.is_at(cx, offset)) {
+        let is_it = |name: &&RobotName| {
+            name.is_definition && name.kind.is(beside.kind) && name.text.value == beside.value
+        };
+        let given = all.iter().filter(is_it).map(|name| name.text.clone()).collect();
+        return Some((beside.place.range, given, beside.kind));
+    }
     let here = |span: Option<Span>| {
         span.filter(|span| {
             span.file == cx.source.id && span.range.start <= offset && offset <= span.range.end

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use roxmltree::{Attribute, Document, Node, ParsingOptions};
 
-/// The attributes that name a link, joint or material: element, attribute, what it names.
-const SLOTS: [(&str, &str, &[Kind]); 7] = [
+/// The attributes that name a link, joint, material or planning group: element, attribute, what it names.
+const SLOTS: [(&str, &str, &[Kind]); 22] = [
     ("link", "name", &[Kind::Link]),
     ("joint", "name", &[Kind::Joint]),
     ("parent", "link", &[Kind::Link]),
@@ -13,6 +13,22 @@ const SLOTS: [(&str, &str, &[Kind]); 7] = [
     ("mimic", "joint", &[Kind::Joint]),
     ("material", "name", &[Kind::Material]),
     ("gazebo", "reference", &[Kind::Link, Kind::Joint]),
+    // of SRDF
+    ("chain", "base_link", &[Kind::Link]),
+    ("chain", "tip_link", &[Kind::Link]),
+    ("disable_collisions", "link1", &[Kind::Link]),
+    ("disable_collisions", "link2", &[Kind::Link]),
+    ("disable_default_collisions", "link", &[Kind::Link]),
+    ("enable_collisions", "link1", &[Kind::Link]),
+    ("enable_collisions", "link2", &[Kind::Link]),
+    ("end_effector", "group", &[Kind::Group]),
+    ("end_effector", "parent_group", &[Kind::Group]),
+    ("end_effector", "parent_link", &[Kind::Link]),
+    ("group", "name", &[Kind::Group]),
+    ("group_state", "group", &[Kind::Group]),
+    ("passive_joint", "name", &[Kind::Joint]),
+    ("virtual_joint", "child_link", &[Kind::Link]),
+    ("virtual_joint", "name", &[Kind::Joint]),
 ];
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -20,6 +36,7 @@ enum Kind {
     Link,
     Joint,
     Material,
+    Group,
 }
 
 /// What is different in two expanded robots beside names in which `old` became `new`: names of links, joints and materials, and

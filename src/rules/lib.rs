@@ -4,6 +4,7 @@
 //! expander finds on its way have no file: they are lines of a table and a page.
 
 mod arms;
+mod beside;
 mod catalogue;
 pub mod consumers;
 mod context;
@@ -18,6 +19,7 @@ mod inertia;
 mod joint;
 mod linter;
 mod mend;
+mod moveit;
 mod numbers;
 mod package;
 mod place;
@@ -27,6 +29,7 @@ pub mod schema;
 mod selection;
 mod semantic;
 mod sink;
+mod srdf;
 mod structure;
 mod style;
 mod thresholds;
@@ -34,6 +37,7 @@ mod vocabulary;
 mod xacro;
 mod xml;
 
+pub use beside::{BesideCx, Content, Names, PairedRobot, check_beside};
 pub use catalogue::{catalogue, catalogue_of};
 pub use context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings, is_plain_urdf};
 pub use finding::{Edit, Finding, Fix, Related, Way};
@@ -51,7 +55,7 @@ pub use registry::{
 };
 pub use run::{Chosen, check_expansion, check_files, check_recovered, is_whole, rejections};
 pub use selection::{Selection, SelectionOptions};
-pub use semantic::{holds_for_semantic, is_semantic};
+pub use semantic::{holds_for_semantic, is_semantic, is_semantic_name};
 pub use sink::{Sink, calls, span_of};
 pub use thresholds::{THRESHOLDS, Threshold};
 pub use xacro::include_tags;

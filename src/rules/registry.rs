@@ -2,11 +2,12 @@
 
 use std::fmt;
 
+use super::beside::BesideCx;
 use super::context::{DocumentCx, FileCx, RobotCx};
 use super::sink::Sink;
 use super::{
-    consumers, control, conventions, frames, geometry, inertia, joint, linter, package, structure, style,
-    xacro, xml,
+    consumers, control, conventions, frames, geometry, inertia, joint, linter, moveit, package, srdf, structure,
+    style, xacro, xml,
 };
 use workspace::nearest;
 
@@ -60,6 +61,10 @@ pub enum Category {
     Consumers,
     /// Style.
     Style,
+    /// Semantic descriptions beside the URDF.
+    Srdf,
+    /// Settings of MoveIt.
+    Moveit,
     /// Suppressions and configuration of the linter itself.
     Linter,
 }
@@ -113,6 +118,8 @@ pub enum Check {
     /// An expanded robot of which everything is there: the rule says that something is missing. Nothing is missing from
     /// a part of a robot.
     Whole(fn(&RobotCx<'_>, &mut Sink<'_>)),
+    /// A file beside robots of which everything is there.
+    Beside(fn(&BesideCx<'_>, &mut Sink<'_>)),
 }
 
 /// The page of a rule.
@@ -128,6 +135,19 @@ impl Rule {
         docs: &'static str,
     ) -> Self {
         let (default, check) = (Activation::On, Check::Expander);
+        Self { code, name, category, severity, default, since: "0.1", fix: None, docs, check }
+    }
+
+    /// A rule about files beside robots, without fixes.
+    pub(super) const fn beside(
+        code: &'static str,
+        name: &'static str,
+        category: Category,
+        severity: Severity,
+        docs: &'static str,
+        check: fn(&BesideCx<'_>, &mut Sink<'_>),
+    ) -> Self {
+        let (default, check) = (Activation::On, Check::Beside(check));
         Self { code, name, category, severity, default, since: "0.1", fix: None, docs, check }
     }
 
@@ -174,7 +194,7 @@ fn page_url(repository: &str, version: &str, name: &str) -> Option<String> {
 
 impl Category {
     /// All of them, in the order of the catalogue.
-    pub const ALL: [Category; 13] = [
+    pub const ALL: [Category; 15] = [
         Category::Xml,
         Category::Xacro,
         Category::Structure,
@@ -185,6 +205,8 @@ impl Category {
         Category::Conventions,
         Category::Package,
         Category::Control,
+        Category::Srdf,
+        Category::Moveit,
         Category::Consumers,
         Category::Style,
         Category::Linter,
@@ -203,6 +225,8 @@ impl Category {
             Category::Conventions => "conventions",
             Category::Package => "package",
             Category::Control => "control",
+            Category::Srdf => "srdf",
+            Category::Moveit => "moveit",
             Category::Consumers => "consumers",
             Category::Style => "style",
             Category::Linter => "linter",
@@ -222,6 +246,8 @@ impl Category {
             Category::Conventions => "Names",
             Category::Package => "Packages and files",
             Category::Control => "ros2_control, transmissions and Gazebo",
+            Category::Srdf => "SRDF",
+            Category::Moveit => "Settings of MoveIt",
             Category::Consumers => "Programs that read URDF",
             Category::Style => "Style",
             Category::Linter => "The linter itself",
@@ -277,7 +303,7 @@ impl fmt::Display for Severity {
 
 /// All rules, by category and code.
 pub fn all() -> impl Iterator<Item = &'static Rule> {
-    let categories: [&'static [Rule]; 13] = [
+    let categories: [&'static [Rule]; 15] = [
         xml::RULES,
         xacro::RULES,
         structure::RULES,
@@ -288,6 +314,8 @@ pub fn all() -> impl Iterator<Item = &'static Rule> {
         conventions::RULES,
         package::RULES,
         control::RULES,
+        srdf::RULES,
+        moveit::RULES,
         consumers::RULES,
         style::RULES,
         linter::RULES,

@@ -164,7 +164,7 @@ fn named_macros(expansion: &Expansion) -> FastSet<String> {
 }
 
 impl Chosen<'_> {
-    fn run(self, sink: &mut Sink<'_>, mut apply: impl FnMut(&Rule, &mut Sink<'_>)) {
+    pub(super) fn run(self, sink: &mut Sink<'_>, mut apply: impl FnMut(&Rule, &mut Sink<'_>)) {
         for &rule in self.rules.iter().take_while(|_| !self.cancel.is_cancelled()) {
             sink.set_rule(rule);
             apply(rule, sink);

@@ -24,7 +24,7 @@ const ELEMENTS: [&str; 10] = [
 /// SRDF. With a link at the top it is URDF, whatever the folder or the other elements.
 pub fn is_semantic(expansion: &Expansion) -> bool {
     let Some(file) = expansion.files.first() else { return false };
-    if has_srdf_name(&file.source.path) {
+    if is_semantic_name(&file.source.path) {
         return true;
     }
     let Holds { link, srdf } = Holds::of(&file.source.document);
@@ -32,7 +32,8 @@ pub fn is_semantic(expansion: &Expansion) -> bool {
     !link && (srdf || folder.is_some_and(|name| name.eq_ignore_ascii_case("srdf")))
 }
 
-fn has_srdf_name(path: &Path) -> bool {
+/// Whether the name of a file says that it is SRDF, or gives one.
+pub fn is_semantic_name(path: &Path) -> bool {
     let name = path.file_name().map(|name| name.to_string_lossy().to_lowercase()).unwrap_or_default();
     name.ends_with(".srdf") || name.ends_with(".srdf.xacro")
 }

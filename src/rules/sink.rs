@@ -180,6 +180,15 @@ impl Reported<'_, '_> {
         self
     }
 
+    /// With a further place, which may be in a file that does not belong to the expansion.
+    #[must_use]
+    pub fn also_span(mut self, span: Option<Span>, message: impl Into<String>) -> Self {
+        let span = span.filter(|span| *span != self.draft.finding.span);
+        let message = message.into();
+        self.draft.finding.related.extend(span.map(|span| Related { span, message, is_call: false }));
+        self
+    }
+
     /// With another severity than the rule's own.
     #[must_use]
     pub fn severity(mut self, severity: Severity) -> Self {

@@ -19,6 +19,7 @@ use crate::requests::hover::hover;
 use crate::requests::lenses::{lenses, resolve_lens};
 use crate::requests::links::links;
 use crate::requests::navigation::{declaration, definition, highlights, implementation, type_definition};
+use crate::requests::of_description::{OfDocument, Work, of_description};
 use crate::requests::refactorings::resolve_action;
 use crate::requests::references::references;
 use crate::requests::rename::{prepare_rename, rename};
@@ -46,6 +47,15 @@ pub(super) struct Handlers {
 }
 
 impl Handlers {
+    /// A request that is answered for XML alone.
+    async fn about_xml<P, R>(&self, params: P, work: Work<P, R>) -> Result<R>
+    where
+        P: OfDocument + Send + 'static,
+        R: Default + Send + 'static,
+    {
+        self.queue.request((params, work), of_description).await
+    }
+
     pub async fn expand_at(&self, params: ExpandAtParams) -> Result<Option<ExpandedPlace>> {
         self.queue.request(params, expand_at).await
     }
@@ -179,11 +189,11 @@ impl LanguageServer for Handlers {
     }
 
     async fn signature_help(&self, params: SignatureHelpParams) -> Result<Option<SignatureHelp>> {
-        self.queue.request(params, signature_help).await
+        self.about_xml(params, signature_help).await
     }
 
     async fn code_action(&self, params: CodeActionParams) -> Result<Option<CodeActionResponse>> {
-        self.queue.request(params, actions).await
+        self.about_xml(params, actions).await
     }
 
     async fn code_action_resolve(&self, params: CodeAction) -> Result<CodeAction> {
@@ -191,37 +201,37 @@ impl LanguageServer for Handlers {
     }
 
     async fn formatting(&self, params: DocumentFormattingParams) -> Result<Option<Vec<TextEdit>>> {
-        self.queue.request(params, format).await
+        self.about_xml(params, format).await
     }
 
     async fn range_formatting(&self, params: DocumentRangeFormattingParams) -> Result<Option<Vec<TextEdit>>> {
-        self.queue.request(params, format_range).await
+        self.about_xml(params, format_range).await
     }
 
     async fn on_type_formatting(
         &self,
         params: DocumentOnTypeFormattingParams,
     ) -> Result<Option<Vec<TextEdit>>> {
-        self.queue.request(params, on_type).await
+        self.about_xml(params, on_type).await
     }
 
     async fn document_symbol(&self, params: DocumentSymbolParams) -> Result<Option<DocumentSymbolResponse>> {
-        self.queue.request(params, symbols).await
+        self.about_xml(params, symbols).await
     }
 
     async fn folding_range(&self, params: FoldingRangeParams) -> Result<Option<Vec<FoldingRange>>> {
-        self.queue.request(params, folding).await
+        self.about_xml(params, folding).await
     }
 
     async fn selection_range(&self, params: SelectionRangeParams) -> Result<Option<Vec<SelectionRange>>> {
-        self.queue.request(params, selections).await
+        self.about_xml(params, selections).await
     }
 
     async fn linked_editing_range(
         &self,
         params: LinkedEditingRangeParams,
     ) -> Result<Option<LinkedEditingRanges>> {
-        self.queue.request(params, linked_editing).await
+        self.about_xml(params, linked_editing).await
     }
 
     async fn hover(&self, params: HoverParams) -> Result<Option<Hover>> {
@@ -292,29 +302,29 @@ impl LanguageServer for Handlers {
         &self,
         params: SemanticTokensParams,
     ) -> Result<Option<SemanticTokensResult>> {
-        self.queue.request(params, tokens).await
+        self.about_xml(params, tokens).await
     }
 
     async fn semantic_tokens_full_delta(
         &self,
         params: SemanticTokensDeltaParams,
     ) -> Result<Option<SemanticTokensFullDeltaResult>> {
-        self.queue.request(params, tokens_delta).await
+        self.about_xml(params, tokens_delta).await
     }
 
     async fn semantic_tokens_range(
         &self,
         params: SemanticTokensRangeParams,
     ) -> Result<Option<SemanticTokensRangeResult>> {
-        self.queue.request(params, tokens_range).await
+        self.about_xml(params, tokens_range).await
     }
 
     async fn document_link(&self, params: DocumentLinkParams) -> Result<Option<Vec<DocumentLink>>> {
-        self.queue.request(params, links).await
+        self.about_xml(params, links).await
     }
 
     async fn inlay_hint(&self, params: InlayHintParams) -> Result<Option<Vec<InlayHint>>> {
-        self.queue.request(params, hints).await
+        self.about_xml(params, hints).await
     }
 
     async fn inlay_hint_resolve(&self, params: InlayHint) -> Result<InlayHint> {
@@ -322,7 +332,7 @@ impl LanguageServer for Handlers {
     }
 
     async fn document_color(&self, params: DocumentColorParams) -> Result<Vec<ColorInformation>> {
-        self.queue.request(params, colours).await
+        self.about_xml(params, colours).await
     }
 
     async fn color_presentation(&self, params: ColorPresentationParams) -> Result<Vec<ColorPresentation>> {
@@ -330,7 +340,7 @@ impl LanguageServer for Handlers {
     }
 
     async fn code_lens(&self, params: CodeLensParams) -> Result<Option<Vec<CodeLens>>> {
-        self.queue.request(params, lenses).await
+        self.about_xml(params, lenses).await
     }
 
     async fn code_lens_resolve(&self, params: CodeLens) -> Result<CodeLens> {

@@ -9,6 +9,7 @@
 
 mod acceptance;
 mod actions;
+mod beside;
 mod calls;
 mod capabilities;
 mod client;

@@ -2,7 +2,7 @@
 
 use super::super::context::Cx;
 use super::super::locate::{At, Part};
-use super::super::robot_names::{named_at, robot_names};
+use super::super::robot_names::{NameKind, named_at, robot_names};
 use super::expression::call_label;
 use super::files::{lengths, three_digits};
 use super::numbers::{degrees, rounded};
@@ -19,10 +19,15 @@ const MOST: usize = 3;
 /// The links and joints that a text names.
 pub(super) fn about(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
     let (robot, kinematics) = (cx.robot?, cx.kinematics?);
-    let Part::AttrValue(attr) = at.part else { return None };
-    let names = match named_at(cx, at.offset) {
-        Some((_, names)) => names,
-        None => passed(cx, at.shift(attr.value_range()))?,
+    let (range, names) = match (named_at(cx, at.offset), at.part) {
+        (Some((_, names)), Part::AttrValue(attr)) => (at.shift(attr.value_range()), names),
+        // in YAML
+        (Some(found), _) if cx.beside.iter().any(|name| name.is_at(cx, at.offset)) => found,
+        (None, Part::AttrValue(attr)) => {
+            let range = at.shift(attr.value_range());
+            (range, passed(cx, range)?)
+        }
+        _ => return None,
     };
     let mut shown = FastSet::default();
     let names: Vec<&str> = names.iter().filter_map(|text| text.name()).map(|name| name.as_str()).collect();
@@ -30,7 +35,7 @@ pub(super) fn about(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option
     let mut page = Page::default();
     let mut known = 0;
     for name in names.iter().take(MOST) {
-        if let Some(joint) = robot.joint(name).filter(|_| is_joint_name(at)) {
+        if let Some(joint) = robot.joint(name).filter(|_| is_joint_name(cx, at)) {
             joint_page(cx, joint, &mut page);
         } else if let Some(link) = kinematics.link(name).and_then(|index| robot.links.get(index)) {
             link_page(cx, world, (robot, kinematics), link, &mut page);
@@ -44,11 +49,14 @@ pub(super) fn about(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option
     if names.len() > MOST {
         page.add(format!("… ({} names)", names.len()));
     }
-    (known > 0).then(|| (at.shift(attr.value_range()), page))
+    (known > 0).then_some((range, page))
 }
 
 /// Whether a text is meant for a joint, should a link and a joint have one name.
-fn is_joint_name(at: &At<'_>) -> bool {
+fn is_joint_name(cx: &Cx<'_>, at: &At<'_>) -> bool {
+    if let Some(name) = cx.beside.iter().find(|name| name.is_at(cx, at.offset)) {
+        return name.kind == NameKind::Joint;
+    }
     let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else { return false };
     matches!((node.name(), attr.name()), ("joint", "name") | ("mimic", "joint"))
 }

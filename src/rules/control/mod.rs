@@ -1,13 +1,19 @@
 //! ros2_control, transmissions and Gazebo.
 
+mod controller_joint_without_hardware;
+mod controller_unknown_interface;
+mod controller_unknown_joint;
+mod controller_without_parameters;
 mod gazebo_classic_plugin;
 mod gazebo_lumped_reference;
 mod gazebo_missing_reference;
 mod gazebo_plugin_missing_filename;
 mod gazebo_unknown_reference;
+mod hardware;
 mod joints;
 mod misspelled_plugin;
 mod plugin_file_not_found;
+mod plugin_unknown_joint;
 mod plugins;
 mod ros2_control_duplicate_joint;
 mod ros2_control_duplicate_name;
@@ -29,6 +35,7 @@ mod transmission_unknown_type;
 mod transmissions;
 
 use super::registry::Rule;
+pub(crate) use joints::range as limits_of;
 
 /// The rules.
 pub(super) static RULES: &[Rule] = &[
@@ -56,4 +63,9 @@ pub(super) static RULES: &[Rule] = &[
     transmission_missing_actuator::RULE,
     transmission_unknown_type::RULE,
     misspelled_plugin::RULE,
+    controller_unknown_joint::RULE,
+    controller_joint_without_hardware::RULE,
+    controller_unknown_interface::RULE,
+    controller_without_parameters::RULE,
+    plugin_unknown_joint::RULE,
 ];

@@ -1,13 +1,18 @@
 //! Plugins of Gazebo.
 
 use super::super::context::DocumentCx;
-use expand::XId;
+use expand::{XId, XTree};
+use model::Robot;
 
 /// The `plugin` elements inside of `gazebo` elements, without those inside of other plugins: what stands there
 /// is the plugin's own business.
 pub(super) fn plugins(cx: &DocumentCx<'_>) -> Vec<XId> {
-    let tree = &cx.expansion.tree;
-    let blocks = cx.robot.into_iter().flat_map(|robot| &robot.gazebo);
+    cx.robot.map_or_else(Vec::new, |robot| plugins_of(&cx.expansion.tree, robot))
+}
+
+/// The same of a robot.
+pub(super) fn plugins_of(tree: &XTree, robot: &Robot) -> Vec<XId> {
+    let blocks = robot.gazebo.iter();
     let mut open: Vec<XId> = blocks.map(|block| block.element).collect();
     open.reverse();
     let mut found = Vec::new();

@@ -1,5 +1,6 @@
 //! Names of links, joints and materials in branches that are not taken: seen in the expansion that takes them.
 
+use super::beside::names_beside;
 use super::navigation::Asked;
 use crate::failure::Failure;
 use crate::state::State;
@@ -7,7 +8,7 @@ use analysis::{Analyzed, RootChoice};
 use base::limits::RENAME_ROBOTS;
 use base::{CancelFlag, FileId, Span, TextRange};
 use expand::Forced;
-use ide::{self, Cx, TextNames};
+use ide::{self, BesideName, Cx, TextNames};
 use std::sync::Arc;
 
 /// Ways to texts that are looked at in one robot.
@@ -26,8 +27,8 @@ pub fn inside(state: &State, asked: &Asked, cancel: &CancelFlag) -> Result<Optio
     if !analyzed.includes(&asked.source.path) {
         return Ok(None);
     }
-    let (source, offset) = (asked.source.clone(), asked.offset);
-    Ok(Some(Asked { source, offset, around: analyzed.clone(), analyzed, pinned: None }))
+    let (source, offset, beside) = (asked.source.clone(), asked.offset, asked.beside.clone());
+    Ok(Some(Asked { source, offset, around: analyzed.clone(), analyzed, beside, pinned: None }))
 }
 
 /// How one robot comes to its texts.
@@ -84,7 +85,8 @@ pub fn in_all_robots(
         let before = spans.len();
         for root in roots(state, asked, spans) {
             let analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
-            spread(&analyzed, new, spans).map_err(Failure::Refused)?;
+            let beside = names_beside(state, &root, cancel)?;
+            spread(&analyzed, &beside, new, spans).map_err(Failure::Refused)?;
             let branches = Ways::of(state, &analyzed).map(|ways| ways.branches(old, spans));
             for forced in branches.unwrap_or_default() {
                 let key = (root.clone(), forced);
@@ -94,7 +96,7 @@ pub fn in_all_robots(
                 let branch = state.world.forced(&root, key.1.clone(), cancel).ok_or(Failure::Cancelled)?;
                 tried.push(key);
                 // conditions that exclude each other make robots that nobody means: what stands in the way there counts for nothing
-                let _ = spread(&branch, new, spans);
+                let _ = spread(&branch, &[], new, spans);
             }
         }
         if spans.len() == before {
@@ -123,7 +125,12 @@ fn roots(state: &mut State, asked: &Asked, spans: &[Span]) -> Vec<RootChoice> {
 }
 
 /// Add the texts of one expansion that belong to those.
-fn spread(analyzed: &Analyzed, new: &str, spans: &mut Vec<Span>) -> Result<(), String> {
+fn spread(
+    analyzed: &Analyzed,
+    beside: &[BesideName],
+    new: &str,
+    spans: &mut Vec<Span>,
+) -> Result<(), String> {
     let expansion = &analyzed.expansion;
     let (robot, kinematics) = (analyzed.robot.as_ref(), analyzed.kinematics.as_ref());
     let mut covered: Vec<Span> = Vec::new();
@@ -132,7 +139,7 @@ fn spread(analyzed: &Analyzed, new: &str, spans: &mut Vec<Span>) -> Result<(), S
         let Some(source) = file.map(|file| &*file.source).filter(|_| !covered.contains(&span)) else {
             continue;
         };
-        let cx = Cx { source, expansion, robot, kinematics, pinned: None };
+        let cx = Cx { source, expansion, robot, kinematics, beside, pinned: None };
         if ide::renameable_part(&cx, span.range.start).is_some_and(|(range, _)| range == span.range) {
             covered.extend(ide::rename_part(&cx, span.range.start, new)?);
         }

@@ -36,6 +36,7 @@ fn hover_while_typing(
         expansion: &before.expansion,
         robot: before.robot.as_ref(),
         kinematics: before.kinematics.as_ref(),
+        beside: &[],
         pinned: None,
     };
     let offset = convert::offset(&source.document, at.position, state.encoding);

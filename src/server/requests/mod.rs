@@ -1,6 +1,7 @@
 //! What a client asks, one file for each kind of request: functions of the state and the parameters.
 
 pub(crate) mod actions;
+mod beside;
 mod branches;
 pub(crate) mod calls;
 pub(crate) mod colors;
@@ -14,6 +15,7 @@ pub(crate) mod hover;
 pub(crate) mod lenses;
 pub(crate) mod links;
 pub(crate) mod navigation;
+pub(crate) mod of_description;
 pub(crate) mod refactorings;
 pub(crate) mod references;
 pub(crate) mod rename;

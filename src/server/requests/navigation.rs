@@ -1,5 +1,6 @@
 //! Going to definitions, finding references.
 
+use super::beside::{asked_beside, names_beside};
 use super::branches::inside;
 use crate::convert::location;
 use std::sync::Arc;
@@ -15,7 +16,7 @@ use crate::state::State;
 use analysis::{Analyzed, RootChoice};
 use base::{CancelFlag, Span, TextRange};
 use expand::FrameId;
-use ide::{self, Cx, FilePlace, Target, TextNames};
+use ide::{self, BesideName, Cx, FilePlace, Target, TextNames};
 use vfs::SourceFile;
 
 /// A place in a file under its active root.
@@ -26,6 +27,8 @@ pub(crate) struct Asked {
     pub offset: u32,
     /// The active root of the file, whether its expansion came by the file or not.
     pub around: Arc<Analyzed>,
+    /// The names in files beside the robot.
+    pub beside: Vec<BesideName>,
     /// The call that the user picked under this root.
     pub pinned: Option<FrameId>,
 }
@@ -38,6 +41,7 @@ impl Asked {
             expansion: &self.analyzed.expansion,
             robot: self.analyzed.robot.as_ref(),
             kinematics: self.analyzed.kinematics.as_ref(),
+            beside: &self.beside,
             pinned: self.pinned,
         }
     }
@@ -61,6 +65,9 @@ pub fn asked(
 ) -> Result<Asked, Failure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
+    if let Some(asked) = asked_beside(state, (&path, &source), offset, cancel)? {
+        return Ok(asked);
+    }
     let root = state.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path));
     let mut analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
     let around = analyzed.clone();
@@ -70,7 +77,8 @@ pub fn asked(
     }
     let pin = state.pins.get(&analyzed.root.file);
     let pinned = pin.and_then(|pin| ide::pinned(&analyzed.expansion, pin));
-    Ok(Asked { source, analyzed, around, offset, pinned })
+    let beside = names_beside(state, &analyzed.root, cancel)?;
+    Ok(Asked { source, analyzed, around, offset, beside, pinned })
 }
 
 pub fn definition(

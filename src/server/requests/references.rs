@@ -118,7 +118,7 @@ fn in_robot(state: &State, analyzed: &Analyzed, given: &[Span], thing: Option<&R
     for span in given {
         let Some(source) = source(span) else { continue };
         let (kinematics, robot) = (analyzed.kinematics.as_ref(), analyzed.robot.as_ref());
-        let cx = Cx { source, expansion, robot, kinematics, pinned: None };
+        let cx = Cx { source, expansion, robot, kinematics, beside: &[], pinned: None };
         let found = match thing {
             Some(thing) => ide::uses_of(&cx, thing),
             None => ide::occurrences(&cx, &names, span.range.start),

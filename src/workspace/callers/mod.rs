@@ -8,6 +8,7 @@ mod config;
 mod read;
 
 pub use called::RobotCall;
+pub use read::has_name;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -98,6 +99,8 @@ struct Uses {
     /// The files that may hold calls of xacro: read as such when somebody asks for all calls.
     scripts: Vec<PathBuf>,
     files: FastMap<String, Vec<PathBuf>>,
+    /// The files that may belong to robots by their names: SRDF, YAML, what MoveIt's setup assistant wrote down.
+    beside: Vec<PathBuf>,
 }
 
 impl Uses {
@@ -143,6 +146,20 @@ impl Callers {
     fn around(&self, file: &Path, packages: &Packages) -> Option<Arc<Uses>> {
         let top = packages.sources_around(file)?;
         Some(self.below.get(top.clone(), || Arc::new(search(&packages.vfs, &top))))
+    }
+
+    /// The files around `file` that may belong to robots, by their names: SRDF, YAML, what MoveIt's setup assistant wrote.
+    pub fn beside(&self, file: &Path, packages: &Packages) -> Vec<PathBuf> {
+        self.around(file, packages).map_or_else(Vec::new, |all| all.beside.clone())
+    }
+
+    /// The descriptions around `file`, in the order of their paths.
+    pub fn descriptions(&self, file: &Path, packages: &Packages) -> Vec<PathBuf> {
+        let all = self.around(file, packages);
+        let mut found: Vec<PathBuf> =
+            all.iter().flat_map(|all| all.files.values()).flatten().cloned().collect();
+        found.sort();
+        found
     }
 
     /// Whether a file that names the description `file` also says `word`.
@@ -335,6 +352,9 @@ fn search(vfs: &Vfs, top: &Path) -> Uses {
             let path = folder.join(&entry.name);
             let passed_over =
                 entry.name.starts_with('.') || is_built(&entry.name) || entry.name == "node_modules";
+            if !entry.is_dir && read::is_beside(&entry.name) && uses.beside.len() < CALLER_FILES {
+                uses.beside.push(path.clone());
+            }
             match entry.is_dir {
                 true if passed_over || depth >= CALLER_DEPTH => {}
                 true => open.push((path, depth + 1)),
@@ -358,6 +378,7 @@ fn search(vfs: &Vfs, top: &Path) -> Uses {
     }
     uses.callers.sort_by(|a: &Caller, b| a.path.cmp(&b.path));
     uses.scripts.sort();
+    uses.beside.sort();
     config::inherit(&mut uses.callers);
     uses
 }

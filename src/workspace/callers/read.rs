@@ -39,6 +39,13 @@ pub(super) fn is_description(name: &str) -> bool {
     name.ends_with(".xacro") || name.ends_with(".urdf")
 }
 
+/// Whether a file may belong to a robot, by its name: SRDF, YAML, what MoveIt's setup assistant wrote down.
+pub(super) fn is_beside(name: &str) -> bool {
+    let name = name.to_lowercase();
+    let endings = [".srdf", ".srdf.xacro", ".yaml", ".yml"];
+    name == ".setup_assistant" || endings.iter().any(|ending| name.ends_with(ending))
+}
+
 /// What a file calls; none when it names no description. Only then it is read as a launch file.
 pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
     let whole = text;
@@ -184,7 +191,7 @@ fn first_len(text: &str) -> usize {
 }
 
 /// Whether a text holds a name by itself, not as a part of another.
-pub(super) fn has_name(text: &str, name: &str) -> bool {
+pub fn has_name(text: &str, name: &str) -> bool {
     text.match_indices(name).any(|(at, _)| {
         let (before, after) = text.split_at(at);
         !before.ends_with(is_name) && !after.get(name.len()..).is_some_and(|rest| rest.starts_with(is_name))

@@ -1,0 +1,107 @@
+//! Reading files beside robots.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::super::analyzed::Analyzed;
+use super::super::context::RootChoice;
+use super::super::session::Session;
+use super::judge::Robots;
+use base::FileId;
+use project::{Settings, Srdf, may_be_settings};
+use rules::{Content, is_semantic_name};
+
+/// A file beside a robot, read.
+#[derive(Clone)]
+pub struct Beside {
+    /// Its path.
+    pub path: PathBuf,
+    /// Its number.
+    pub file: FileId,
+    /// What it says.
+    pub(super) read: Read,
+}
+
+/// What a file beside a robot says.
+#[derive(Clone)]
+pub(super) enum Read {
+    /// A semantic description, with its expansion.
+    Srdf(Arc<Analyzed>, Arc<Srdf>),
+    /// YAML.
+    Settings(Arc<Settings>),
+}
+
+/// What a file beside a robot is by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sort {
+    /// SRDF, or a xacro file that gives one.
+    Srdf,
+    /// YAML.
+    Yaml,
+}
+
+/// What a file beside a robot may be, by its name.
+pub(crate) fn sort(path: &Path) -> Option<Sort> {
+    let name = path.file_name()?.to_str()?;
+    let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
+    if is_semantic_name(path) {
+        return Some(Sort::Srdf);
+    }
+    (["yaml", "yml"].contains(&ending.as_str()) || name == ".setup_assistant").then_some(Sort::Yaml)
+}
+
+/// Whether a file is YAML that may hold settings of a robot, by its name.
+pub fn is_settings(path: &Path) -> bool {
+    sort(path) == Some(Sort::Yaml)
+}
+
+impl Beside {
+    /// What it says, for rules.
+    pub(super) fn content(&self) -> Content<'_> {
+        match &self.read {
+            Read::Srdf(_, srdf) => Content::Srdf(srdf),
+            Read::Settings(settings) => Content::Settings(settings),
+        }
+    }
+
+    /// The SRDF with its expansion.
+    pub fn srdf(&self) -> Option<(&Analyzed, &Srdf)> {
+        match &self.read {
+            Read::Srdf(analyzed, srdf) => Some((analyzed, srdf)),
+            Read::Settings(_) => None,
+        }
+    }
+
+    /// The settings.
+    pub fn settings(&self) -> Option<&Settings> {
+        match &self.read {
+            Read::Settings(settings) => Some(settings),
+            Read::Srdf(..) => None,
+        }
+    }
+}
+
+impl Session {
+    /// A file beside robots; none when it says nothing about one, or is broken.
+    pub(super) fn beside(&self, path: &Path, robots: &Robots) -> Option<Beside> {
+        let read = match sort(path)? {
+            Sort::Srdf => {
+                let analyzed = robots.get(&RootChoice::plain(path))?.clone();
+                let srdf = Srdf::of(&analyzed.expansion)?;
+                Read::Srdf(analyzed, Arc::new(srdf))
+            }
+            Sort::Yaml => Read::Settings(self.beside_settings(path)?),
+        };
+        Some(Beside { path: path.to_owned(), file: self.vfs.file_id(path), read })
+    }
+
+    /// The settings in a YAML file; none when it has none, or is broken.
+    pub(super) fn beside_settings(&self, path: &Path) -> Option<Arc<Settings>> {
+        let text = self.vfs.text(path).ok()?;
+        if !may_be_settings(&text.text) {
+            return None;
+        }
+        let yaml = self.vfs.yaml(path, "").ok()?;
+        Some(Arc::new(Settings::of(yaml.value.as_ref().ok()?)?))
+    }
+}

@@ -1,0 +1,299 @@
+//! Findings in files beside robots.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::super::analyzed::{Analyzed, job_of};
+use super::super::check::CheckOptions;
+use super::super::context::RootChoice;
+use super::super::includes::reach;
+use super::super::job;
+use super::super::proof::turned_over;
+use super::super::session::Session;
+use super::files::{Beside, Sort, sort};
+use super::pairing::Pairing;
+use ecow::EcoString;
+
+use base::{CancelFlag, FastMap, FastSet};
+use expand::{Expansion, Request, expand};
+use model::Robot;
+use rules::{Chosen, Content, Finding, Names, PairedRobot, all, check_beside, is_semantic_name, is_whole};
+use workspace::Target;
+
+/// Robots and SRDFs, expanded.
+pub(in super::super) type Robots = FastMap<RootChoice, Arc<Analyzed>>;
+
+/// What a comparison of files with their robots gave.
+#[derive(Default)]
+pub(in super::super) struct Compared {
+    /// What is wrong.
+    pub findings: Vec<Finding>,
+    /// The files that were compared.
+    pub files: Vec<PathBuf>,
+}
+
+/// Arguments of a robot that are turned over.
+const MOST_SWITCHES: usize = 8;
+/// The part of the names of links and joints that has to fit when nothing but the name of the robot says for which one a
+/// file is, and when a file says so.
+const LIKE: f64 = 0.5;
+const NAMED: f64 = 0.2;
+/// Of several names, one at least has to fit.
+const SEVERAL: u32 = 3;
+/// Descriptions that a robot may include.
+const MOST_FILES: usize = 200;
+
+impl Session {
+    /// The files beside robots that a check is about.
+    pub(in super::super) fn beside_files(&self, options: &CheckOptions) -> Vec<PathBuf> {
+        let paths = options.paths.iter().chain(&options.entries).map(|path| self.vfs.absolute(path));
+        let below = |path: PathBuf| match self.vfs.is_dir(&path) {
+            true => {
+                let mut found = self.beside_around(&path.join("_"));
+                found.retain(|file| file.starts_with(&path));
+                found
+            }
+            false if sort(&path).is_some() => vec![path],
+            false => Vec::new(),
+        };
+        let mut found: Vec<PathBuf> = paths.flat_map(below).collect();
+        found.sort();
+        found.dedup();
+        found
+    }
+
+    /// The files beside a robot.
+    pub(in super::super) fn beside_of(&self, root: &Path) -> Vec<PathBuf> {
+        let is_for = |file: &PathBuf| self.pairing(file).roots.iter().any(|own| own.file == root);
+        self.beside_around(root).into_iter().filter(is_for).collect()
+    }
+
+    /// What has to be expanded to judge files beside robots: their robots, and the SRDFs beside these.
+    pub(in super::super) fn beside_roots(&self, paths: &[PathBuf]) -> Vec<RootChoice> {
+        let mut found: FastSet<RootChoice> = FastSet::default();
+        for path in paths {
+            let pairing = self.pairing(path);
+            let around = if pairing.roots.is_empty() { Vec::new() } else { self.of_the_same(path, &pairing) };
+            let srdfs = around.iter().filter(|file| sort(file) == Some(Sort::Srdf));
+            found.extend(srdfs.map(|file| RootChoice::plain(file)));
+            found.extend(pairing.roots.iter().cloned());
+        }
+        let mut found: Vec<RootChoice> = found.into_iter().collect();
+        found.sort();
+        found
+    }
+
+    /// What there is to say about files beside robots.
+    pub(in super::super) fn beside_findings(
+        &self,
+        paths: &[PathBuf],
+        cancel: &CancelFlag,
+        robots: &Robots,
+    ) -> Compared {
+        let mut found = Compared::default();
+        let mut read: FastMap<PathBuf, Option<Beside>> = FastMap::default();
+        for path in paths.iter().filter(|_| !cancel.is_cancelled()) {
+            let Some(own) = self.beside_once(path, &mut read, robots) else { continue };
+            let pairing = self.pairing(path);
+            let Some(paired) = self.paired(&own, &pairing, robots) else { continue };
+            let around = self.of_the_same(path, &pairing);
+            let around = around.iter().filter(|other| *other != path);
+            let around: Vec<Beside> =
+                around.filter_map(|other| self.beside_once(other, &mut read, robots)).collect();
+            found.findings.extend(self.judged(&own, &paired, &around, cancel));
+            found.files.push(path.clone());
+        }
+        found
+    }
+
+    fn beside_once(
+        &self,
+        path: &Path,
+        read: &mut FastMap<PathBuf, Option<Beside>>,
+        robots: &Robots,
+    ) -> Option<Beside> {
+        if let Some(known) = read.get(path) {
+            return known.clone();
+        }
+        let made = self.beside(path, robots);
+        read.insert(path.to_owned(), made.clone());
+        made
+    }
+
+    /// The robots of a pairing that may be compared with a file: whole ones, when enough names fit.
+    fn paired(&self, own: &Beside, pairing: &Pairing, robots: &Robots) -> Option<Vec<Arc<Analyzed>>> {
+        let mut found = Vec::new();
+        for root in &pairing.roots {
+            let analyzed = robots.get(root)?.clone();
+            // where a part of a robot is missing, nothing can be said to be missing
+            if !is_settled(&analyzed) {
+                return None;
+            }
+            found.push(analyzed);
+        }
+        let mut names = Names::default();
+        found.iter().filter_map(|one| one.robot.as_ref()).for_each(|robot| names.add(robot));
+        let has_arguments = found.iter().any(|one| !one.expansion.arguments.is_empty());
+        // what the SRDF is for, the other settings in its package are for
+        let srdf = pairing.srdf.as_ref().and_then(|srdf| self.beside(srdf, robots));
+        let is_like = srdf.is_some_and(|srdf| likeness(&srdf, &names).1 >= LIKE);
+        let least = match pairing.is_named || is_like {
+            true if has_arguments => NAMED,
+            true => 0.0,
+            false => LIKE,
+        };
+        let (count, likeness) = likeness(own, &names);
+        let is_any = likeness > 0.0 || count < SEVERAL;
+        (!found.is_empty() && is_any && likeness >= least).then_some(found)
+    }
+
+    /// The files beside the same robots, this one too.
+    fn of_the_same(&self, path: &Path, pairing: &Pairing) -> Vec<PathBuf> {
+        let is_same = |other: &PathBuf| {
+            other == path || self.pairing(other).roots.iter().any(|root| pairing.roots.contains(root))
+        };
+        self.beside_around(path).into_iter().filter(is_same).collect()
+    }
+
+    fn judged(
+        &self,
+        own: &Beside,
+        paired: &[Arc<Analyzed>],
+        around: &[Beside],
+        cancel: &CancelFlag,
+    ) -> Vec<Finding> {
+        let robots: Vec<PairedRobot<'_>> = paired
+            .iter()
+            .filter_map(|one| {
+                let (expansion, robot, kinematics) =
+                    (&one.expansion, one.robot.as_ref()?, one.kinematics.as_ref()?);
+                Some(PairedRobot { expansion, robot, kinematics })
+            })
+            .collect();
+        let Some(first) = robots.first() else { return Vec::new() };
+        let contents: Vec<Content<'_>> = std::iter::once(own).chain(around).map(Beside::content).collect();
+        let expansion = own.srdf().map_or(first.expansion, |(analyzed, _)| &analyzed.expansion);
+        let further = || {
+            let mut names = self.further_names(paired, cancel);
+            let srdfs = std::iter::once(own).chain(around).filter_map(Beside::srdf);
+            srdfs.for_each(|(srdf, _)| self.add_written(&srdf.root.file, &mut names));
+            names
+        };
+        let srdfs = std::iter::once(own).chain(around).filter_map(Beside::srdf);
+        let has_variants = srdfs.clone().any(|(srdf, _)| has_choices(&srdf.expansion));
+        let is_ros2 = self.packages.generation(&own.path) == Some(Target::Ros2);
+        let cx = rules::BesideCx::new((own.file, own.content(), expansion), &robots, &contents, &further)
+            .in_ros2(is_ros2)
+            .with_variants(has_variants);
+        let settings = self.settings(&own.path);
+        let rules: Vec<_> = all().filter(|rule| settings.runs(rule, &own.path)).collect();
+        check_beside(&cx, Chosen { rules: &rules, cancel })
+    }
+
+    /// The names that robots have with other values of their switches, and those that their texts spell out.
+    fn further_names(&self, paired: &[Arc<Analyzed>], cancel: &CancelFlag) -> Names {
+        let mut names = Names::default();
+        for analyzed in paired {
+            self.add_written(&analyzed.root.file, &mut names);
+            let switches =
+                analyzed.expansion.arguments.iter().filter_map(|(name, value)| {
+                    match turned_over(value).as_slice() {
+                        [other] => Some((name.to_string(), (*other).to_owned())),
+                        _ => None,
+                    }
+                });
+            let switches: Vec<(String, String)> = switches.take(MOST_SWITCHES).collect();
+            let single = switches.iter().map(|switch| vec![switch.clone()]);
+            let together = (switches.len() > 1).then(|| switches.clone());
+            for more in single.chain(together) {
+                let base = job::request(self, cancel, &job_of(&analyzed.root));
+                let args = base.args.iter().cloned().chain(more).collect();
+                let expansion = expand(job::world(self), &Request { args, probe: false, ..base });
+                Robot::of(&expansion).iter().for_each(|robot| names.add(robot));
+            }
+        }
+        names
+    }
+}
+
+impl Session {
+    /// Add the names that the texts of a file and of those that it may include spell out, in branches and macros that take
+    /// no part too.
+    fn add_written(&self, root: &Path, names: &mut Names) {
+        let mut files = vec![root.to_owned()];
+        let mut next = 0;
+        while let Some(source) = files.get(next).map(|file| self.vfs.document(file)) {
+            next += 1;
+            let Ok(source) = source else { continue };
+            let nodes = source.document.parts().flat_map(|(_, item)| item.all_nodes());
+            for node in nodes {
+                let has = |tag: &str| node.child_elements().any(|inner| inner.name() == tag);
+                let list = match node.name() {
+                    "link" if !is_semantic_name(root) => &mut names.links,
+                    // not those of ros2_control or a transmission
+                    "joint" if has("child") => &mut names.joints,
+                    "group" if node.child_elements().next().is_some() => &mut names.groups,
+                    _ => continue,
+                };
+                let name = node.attr("name").map(|name| name.raw());
+                list.extend(name.filter(|name| !name.contains('$')).map(EcoString::from));
+            }
+            let included = reach(&source, &self.packages).files(&self.vfs).flatten().collect::<Vec<_>>();
+            for file in included {
+                if files.len() < MOST_FILES && !files.contains(&file) {
+                    files.push(file);
+                }
+            }
+        }
+    }
+}
+
+/// Whether all names of a robot are known, and all of it is there.
+fn is_settled(analyzed: &Analyzed) -> bool {
+    let known =
+        analyzed.robot.as_ref().is_some_and(|robot| !robot.links.is_empty() && robot.names_are_known());
+    let broken = analyzed.expansion.files.iter().any(|file| !file.source.document.errors().is_empty());
+    known && !broken && is_whole(&analyzed.expansion)
+}
+
+/// Whether conditions of a file decide what it gives.
+fn has_choices(expansion: &Expansion) -> bool {
+    let items = expansion.files.iter().flat_map(|file| file.source.document.parts());
+    let mut nodes = items.flat_map(|(_, item)| item.all_nodes());
+    !expansion.arguments.is_empty() || nodes.any(|node| ["xacro:if", "xacro:unless"].contains(&node.name()))
+}
+
+/// How many names of links and joints there are in a file, and which part of them a robot has.
+fn likeness(own: &Beside, names: &Names) -> (u32, f64) {
+    let (mut all, mut known) = (0u32, 0u32);
+    for (kind, name) in own.names() {
+        let list = match kind {
+            project::Kind::Link => &names.links,
+            project::Kind::Joint => &names.joints,
+            project::Kind::Group => continue,
+        };
+        all += 1;
+        known += u32::from(list.contains(name.as_str()));
+    }
+    (all, if all == 0 { 1.0 } else { f64::from(known) / f64::from(all) })
+}
+
+impl Beside {
+    /// The different names of links, joints and groups.
+    fn names(&self) -> Vec<(project::Kind, EcoString)> {
+        let mut found: Vec<_> = match (self.srdf(), self.settings()) {
+            (Some((_, srdf)), _) => srdf
+                .names()
+                .into_iter()
+                .filter_map(|(text, kind, _)| Some((kind, text.name()?.clone())))
+                .collect(),
+            (_, Some(settings)) => {
+                settings.names().into_iter().map(|(name, kind)| (kind, name.name.clone())).collect()
+            }
+            _ => Vec::new(),
+        };
+        found.sort_unstable_by(|(a, one), (b, two)| (*a as u8, one).cmp(&(*b as u8, two)));
+        found.dedup();
+        found
+    }
+}

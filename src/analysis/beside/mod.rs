@@ -1,0 +1,11 @@
+//! Files beside robots that name their links and joints: SRDF, and YAML for controllers and MoveIt.
+
+mod edited;
+mod files;
+mod judge;
+mod pairing;
+
+pub use files::{Beside, is_settings};
+pub(super) use files::{Sort, sort};
+pub(super) use judge::{Compared, Robots};
+pub(super) use pairing::Pairing;

@@ -1,0 +1,250 @@
+//! Which robot a file beside it is for.
+//!
+//! First counts what another file says: the setup assistant of MoveIt, the `<parameters>` of a plugin, a launch file that
+//! names both. Else a robot of the same name is meant, in the same package before others; then most of the names have to
+//! fit. From likeness alone nothing is concluded.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::super::context::RootChoice;
+use super::super::graph::gives_robot;
+use super::super::includes::{reach, tidy_path};
+use super::super::session::Session;
+use super::files::{Sort, sort};
+use workspace::has_name;
+
+/// Robots that one file is compared with.
+const MOST_ROBOTS: usize = 8;
+
+/// The robots that a file may be for.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(in super::super) struct Pairing {
+    /// Their roots.
+    pub roots: Vec<RootChoice>,
+    /// Whether a file says so.
+    pub is_named: bool,
+    /// The SRDF through which a YAML file is for them: the only one in its package.
+    pub srdf: Option<PathBuf>,
+}
+
+impl Pairing {
+    fn named(mut roots: Vec<RootChoice>) -> Option<Self> {
+        roots.dedup();
+        roots.truncate(MOST_ROBOTS);
+        (!roots.is_empty()).then_some(Self { roots, is_named: true, srdf: None })
+    }
+}
+
+impl Session {
+    /// The robots that a file beside them may be for.
+    pub(in super::super) fn pairing(&self, path: &Path) -> Arc<Pairing> {
+        if let Some(known) = self.pairings().get(path) {
+            return known.clone();
+        }
+        let made = Arc::new(self.paired_by_text(path));
+        self.pairings().insert(path.to_owned(), made.clone());
+        made
+    }
+
+    fn paired_by_text(&self, path: &Path) -> Pairing {
+        if self.is_loaded_by_xacro(path) {
+            return Pairing::default();
+        }
+        let by_name = || match sort(path) {
+            Some(Sort::Srdf) => self.of_the_name(path),
+            _ => self.of_the_srdf(path),
+        };
+        let named = self.by_assistant(path).or_else(|| self.by_parameters(path));
+        named.or_else(|| self.by_launch(path)).unwrap_or_else(by_name)
+    }
+
+    /// Whether a description of the package loads a YAML file: it holds numbers for xacro, and its keys are no names of the
+    /// robot.
+    fn is_loaded_by_xacro(&self, path: &Path) -> bool {
+        let Some(name) = path.file_name().and_then(|name| name.to_str()) else { return false };
+        let loads = |file: &PathBuf| {
+            let text = self.vfs.text(file);
+            text.is_ok_and(|text| has_name(&text.text, name) && !text.text.contains("<parameters>"))
+        };
+        let is_near = |file: &PathBuf| self.home(file) == self.home(path);
+        let mut near = self.descriptions_around(path).into_iter().filter(is_near);
+        sort(path) == Some(Sort::Yaml) && near.any(|file| loads(&file))
+    }
+
+    /// The robot that `.setup_assistant` in the same package names.
+    fn by_assistant(&self, path: &Path) -> Option<Pairing> {
+        let package = self.packages.containing(path)?;
+        let file = package.folder.join(".setup_assistant");
+        let settings = self.vfs.is_file(&file).then(|| self.beside_settings(&file))??;
+        let assistant = settings.assistant.as_ref()?;
+        let is_other = |srdf: &str| self.vfs.absolute(&package.folder.join(srdf)) != path;
+        if sort(path) == Some(Sort::Srdf) && assistant.srdf.as_ref().is_some_and(|srdf| is_other(&srdf.name))
+        {
+            return None;
+        }
+        let (name, urdf) = (assistant.package.as_ref()?, assistant.urdf.as_ref()?);
+        let folder = self.packages.find(&name.name, path).ok()?.path;
+        let file = self.packages.present(&folder.join(urdf.name.as_str())).into_owned();
+        let file = tidy_path(&self.vfs.absolute(&file));
+        let root = RootChoice { args: assistant.given(), ..RootChoice::plain(&file) };
+        self.vfs.is_file(&file).then(|| Pairing::named(vec![root]))?
+    }
+
+    /// The robots with a plugin that names the file.
+    fn by_parameters(&self, path: &Path) -> Option<Pairing> {
+        let name = path.file_name()?.to_str()?;
+        if sort(path) != Some(Sort::Yaml) {
+            return None;
+        }
+        let says = |file: &PathBuf| {
+            let text = self.vfs.text(file).ok();
+            text.is_some_and(|text| {
+                has_name(&text.text, name) && text.text.contains("<parameters>") && self.may_mean(file, path)
+            })
+        };
+        let naming: Vec<PathBuf> =
+            self.descriptions_around(path).into_iter().filter(|file| says(file)).take(MOST_ROBOTS).collect();
+        let roots = naming.iter().flat_map(|file| self.roots_reading(file));
+        Pairing::named(roots.flat_map(|root| self.ways_of(&root)).collect())
+    }
+
+    /// Whether a text that names a file without its folder may mean this one: it lies in the same package, or the text
+    /// says the package.
+    fn may_mean(&self, by: &Path, path: &Path) -> bool {
+        let package = |path: &Path| self.packages.containing(path);
+        match (package(path), package(by)) {
+            (Some(own), Some(other)) if own.folder == other.folder => true,
+            (Some(own), _) => self.vfs.text(by).is_ok_and(|text| has_name(&text.text, &own.name)),
+            (None, _) => path.parent().and_then(Path::parent).is_some_and(|near| by.starts_with(near)),
+        }
+    }
+
+    /// The robots that a launch file calls which names the file, or builds the configuration of its package.
+    fn by_launch(&self, path: &Path) -> Option<Pairing> {
+        let name = path.file_name()?.to_str()?;
+        let package = self.packages.containing(path)?;
+        let says = |caller: &Path| {
+            let Ok(text) = self.vfs.text(caller) else { return false };
+            let builds = || {
+                text.text.contains("MoveItConfigsBuilder")
+                    && (has_name(&text.text, &package.name) || caller.starts_with(&package.folder))
+                    && sort(path) != Some(Sort::Srdf)
+            };
+            has_name(&text.text, name) && self.may_mean(caller, path) || builds()
+        };
+        let mut roots: Vec<RootChoice> = Vec::new();
+        let calls = self.calls_around(path);
+        for group in calls.chunk_by(|a, b| a.call.caller == b.call.caller) {
+            let is_meant = group.first().is_some_and(|first| says(&first.call.caller));
+            for call in group.iter().filter(|_| is_meant) {
+                let Some(file) = call.target.as_ref().filter(|file| self.is_robot(file)) else { continue };
+                let args = call.call.args.iter().filter_map(|argument| {
+                    let value = argument.value.value(&self.packages, &call.call.caller)?;
+                    Some((argument.name.clone(), value))
+                });
+                let root = RootChoice { args: args.collect(), ..RootChoice::plain(file) };
+                if !roots.contains(&root) {
+                    roots.push(root);
+                }
+            }
+        }
+        Pairing::named(roots)
+    }
+
+    /// The robots of the name that an SRDF says.
+    fn of_the_name(&self, path: &Path) -> Pairing {
+        let Some(name) = self.robot_name(path) else { return Pairing::default() };
+        let all = self.descriptions_around(path);
+        let is_it = |file: &&PathBuf| self.is_robot(file) && self.robot_name(file).as_ref() == Some(&name);
+        let found: Vec<&PathBuf> = all.iter().filter(is_it).collect();
+        let near: Vec<&PathBuf> =
+            found.iter().copied().filter(|file| self.home(file) == self.home(path)).collect();
+        let found = if near.is_empty() { found } else { near };
+        let mut roots: Vec<RootChoice> = found.into_iter().flat_map(|file| self.ways_of(file)).collect();
+        roots.truncate(MOST_ROBOTS);
+        Pairing { roots, ..Pairing::default() }
+    }
+
+    /// The robots of the SRDFs in the same package; without any, the robots there.
+    fn of_the_srdf(&self, path: &Path) -> Pairing {
+        let is_near = |other: &PathBuf| self.home(other) == self.home(path);
+        let all = self.beside_around(path);
+        let srdfs: Vec<&PathBuf> =
+            all.iter().filter(|file| sort(file) == Some(Sort::Srdf) && is_near(file)).collect();
+        let mut found = Pairing::default();
+        if let [only] = srdfs.as_slice() {
+            (found.is_named, found.srdf) = (self.pairing(only).is_named, Some((*only).clone()));
+        }
+        for pairing in srdfs.iter().map(|srdf| self.pairing(srdf)) {
+            let new = pairing.roots.iter().filter(|root| !found.roots.contains(root)).cloned();
+            found.roots.extend(new.collect::<Vec<_>>());
+        }
+        if found.roots.is_empty() {
+            let robots = self.descriptions_around(path).into_iter();
+            let robots = robots.filter(|file| is_near(file) && self.is_robot(file));
+            found.roots.extend(robots.flat_map(|file| self.ways_of(&file)));
+        }
+        found.roots.truncate(MOST_ROBOTS);
+        found
+    }
+
+    /// A robot as the configuration and launch files expand it; else with its defaults.
+    fn ways_of(&self, file: &Path) -> Vec<RootChoice> {
+        let settings = self.settings(file);
+        let mut ways: Vec<RootChoice> = Vec::new();
+        for root in &settings.config.roots {
+            if root.files(&self.vfs).iter().any(|listed| self.vfs.absolute(listed) == file) {
+                let variants = self.variants(root, file).into_iter();
+                ways.extend(variants.map(|one| RootChoice {
+                    file: file.to_owned(),
+                    args: one.args,
+                    preset: one.preset,
+                }));
+            }
+        }
+        if ways.is_empty() {
+            ways.push(RootChoice::plain(file));
+        }
+        ways
+    }
+
+    /// The package of a file; without one, its folder.
+    fn home(&self, path: &Path) -> Option<PathBuf> {
+        let package = self.packages.containing(path).map(|package| package.folder);
+        package.or_else(|| path.parent().map(Path::to_owned))
+    }
+
+    /// The name that the root element of a file says.
+    pub(in super::super) fn robot_name(&self, path: &Path) -> Option<String> {
+        let source = self.vfs.document(path).ok()?;
+        let name = source.document.root()?.attr("name")?.raw().to_owned();
+        (!name.is_empty()).then_some(name)
+    }
+
+    fn is_robot(&self, path: &Path) -> bool {
+        sort(path).is_none() && self.vfs.document(path).is_ok_and(|source| gives_robot(&source.document))
+    }
+
+    /// The robots that include a description, or are it.
+    fn roots_reading(&self, file: &Path) -> Vec<PathBuf> {
+        const MOST_LEVELS: usize = 6;
+        let all = self.descriptions_around(file);
+        let mut reading = vec![file.to_owned()];
+        for _ in 0..MOST_LEVELS {
+            let before = reading.len();
+            for other in &all {
+                let Ok(source) = self.vfs.document(other) else { continue };
+                let may_include = reach(&source, &self.packages);
+                if !reading.contains(other) && reading.iter().any(|known| may_include.has(known)) {
+                    reading.push(other.clone());
+                }
+            }
+            if reading.len() == before {
+                break;
+            }
+        }
+        reading.retain(|file| self.is_robot(file));
+        reading
+    }
+}

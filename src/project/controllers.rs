@@ -1,0 +1,106 @@
+//! Parameters of controllers, of ros2_control and of the older ros_control.
+
+use super::value::{Named, entries, get, text};
+use yaml::{Kind, Node};
+
+/// The parameters of one controller.
+#[derive(Clone, Debug)]
+pub struct Controller {
+    /// The last part of the name of its node.
+    pub name: Named,
+    /// Its class, when these parameters say it.
+    pub class: Option<Named>,
+    /// The joints it names, with the keys that hold them.
+    pub joints: Vec<(&'static str, Named)>,
+    /// `command_interfaces` of each joint.
+    pub commands: Vec<Named>,
+    /// `state_interfaces` of each joint.
+    pub states: Vec<Named>,
+    /// Whether these are parameters of a node of ROS 2.
+    pub is_ros2: bool,
+}
+
+/// A controller that a controller manager may load.
+#[derive(Clone, Debug)]
+pub struct Listed {
+    /// Its name.
+    pub name: Named,
+    /// Its class.
+    pub class: Named,
+}
+
+/// The parameters of controllers that hold names of joints.
+/// Source: the parameter files of ros2_controllers and the parameters of ros_controllers.
+const JOINT_KEYS: [&str; 18] = [
+    "joint",
+    "joints",
+    "command_joints",
+    "dof_names",
+    "left_wheel",
+    "left_wheel_names",
+    "right_wheel",
+    "right_wheel_names",
+    "front_wheels_names",
+    "rear_wheels_names",
+    "traction_joint_name",
+    "steering_joint_name",
+    "traction_joints_names",
+    "steering_joints_names",
+    "front_left_wheel_command_joint_name",
+    "front_right_wheel_command_joint_name",
+    "rear_left_wheel_command_joint_name",
+    "rear_right_wheel_command_joint_name",
+];
+
+/// The parameters of controllers that hold names of joints.
+pub fn joint_keys() -> &'static [&'static str] {
+    &JOINT_KEYS
+}
+
+/// Deepest nesting of namespaces above the parameters of a node.
+const DEPTH: u32 = 4;
+
+/// Add the controllers below a node, and those that controller managers list.
+pub(super) fn read(node: &Node, listed: &mut Vec<Listed>, found: &mut Vec<Controller>) {
+    below(node, DEPTH, listed, found);
+}
+
+fn below(node: &Node, depth: u32, listed: &mut Vec<Listed>, found: &mut Vec<Controller>) {
+    for (key, value) in entries(node) {
+        let name = Named { name: key.name.rsplit('/').next().unwrap_or_default().into(), range: key.range };
+        match get(value, "ros__parameters") {
+            Some(parameters) if name.name == "controller_manager" => manager(parameters, listed),
+            Some(parameters) => found.extend(controller(name, parameters, true)),
+            None if is_ros1(value) => found.extend(controller(name, value, false)),
+            None if depth > 0 => below(value, depth - 1, listed, found),
+            None => {}
+        }
+    }
+}
+
+/// `type: position_controllers/JointTrajectoryController`
+fn is_ros1(node: &Node) -> bool {
+    text(node, "type").is_some_and(|class| {
+        let mut parts = class.name.split('/');
+        parts.next().is_some_and(|package| package.contains("controller")) && parts.count() == 1
+    })
+}
+
+fn manager(parameters: &Node, listed: &mut Vec<Listed>) {
+    let with_class = entries(parameters).filter_map(|(name, value)| Some((name, text(value, "type")?)));
+    listed.extend(with_class.map(|(name, class)| Listed { name, class }));
+}
+
+fn controller(name: Named, parameters: &Node, is_ros2: bool) -> Option<Controller> {
+    let list = |key: &str| get(parameters, key).map(Named::list).unwrap_or_default();
+    let joints = JOINT_KEYS.iter().flat_map(|key| list(key).into_iter().map(move |name| (*key, name)));
+    let is_map = matches!(parameters.kind, Kind::Map(_));
+    is_map.then(|| Controller {
+        class: text(parameters, "type"),
+        joints: joints.collect(),
+        commands: list("command_interfaces"),
+        states: list("state_interfaces"),
+        name,
+        is_ros2,
+    })
+}

@@ -1,0 +1,40 @@
+//! The files beside a robot that name its links and joints: its semantic description (SRDF), and YAML files for
+//! controllers and MoveIt. Each reader gives the names with the text that says them; what names mean is for rules.
+
+mod controllers;
+mod moveit;
+mod settings;
+mod srdf;
+#[cfg(test)]
+mod tests;
+mod value;
+
+pub use controllers::{Controller, Listed, joint_keys};
+pub use moveit::{Assistant, JointLimit, MoveitController};
+pub use settings::{Settings, may_be_settings};
+pub use srdf::{Chain, EndEffector, Group, GroupState, Pair, Srdf, VirtualJoint};
+pub use value::Named;
+
+use ecow::EcoString;
+
+/// What a name in a file beside the robot is the name of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// A link of the robot.
+    Link,
+    /// A joint of the robot.
+    Joint,
+    /// A planning group of its SRDF.
+    Group,
+}
+
+/// Whether a name is put together when the file is read by something else, as `$(var prefix)joint_1` is: nothing is
+/// known of it.
+pub fn is_computed(name: &str) -> bool {
+    name.contains(['$', '{', '<']) || name.is_empty()
+}
+
+/// The joint part of a name of an interface, `joint_1/position`, or of a plain joint.
+pub fn joint_of(name: &EcoString) -> &str {
+    name.split('/').next().unwrap_or(name)
+}

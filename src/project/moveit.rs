@@ -1,0 +1,157 @@
+//! Settings of MoveIt: controllers, limits of joints, kinematics, planners, and what the setup assistant wrote down.
+
+use super::value::{Named, entries, get, number, text};
+use base::TextRange;
+use yaml::Node;
+
+/// A controller as MoveIt knows it.
+#[derive(Clone, Debug)]
+pub struct MoveitController {
+    /// Its name.
+    pub name: Named,
+    /// Its joints.
+    pub joints: Vec<Named>,
+}
+
+/// The limits of a joint.
+#[derive(Clone, Debug)]
+pub struct JointLimit {
+    /// The joint.
+    pub joint: Named,
+    /// Numbers: the key, the value, whether it is written as an integer, and its place.
+    pub values: Vec<(Named, f64, bool, TextRange)>,
+    /// Keys that say whether a limit holds, and whether it does.
+    pub switches: Vec<(Named, bool)>,
+}
+
+impl JointLimit {
+    /// Whether a limit holds: `has_velocity_limits` is true.
+    pub fn has(&self, switch: &str) -> bool {
+        self.switches.iter().any(|(name, on)| name.name == switch && *on)
+    }
+
+    /// A number: its value and its place.
+    pub fn value(&self, key: &str) -> Option<(f64, TextRange)> {
+        self.values.iter().find(|(name, ..)| name.name == key).map(|(_, value, _, place)| (*value, *place))
+    }
+}
+
+/// What `.setup_assistant` says: the files of a robot.
+#[derive(Clone, Debug)]
+pub struct Assistant {
+    /// The package of the description.
+    pub package: Option<Named>,
+    /// The path of the description in this package.
+    pub urdf: Option<Named>,
+    /// The arguments of the description, as on the command line of xacro.
+    pub arguments: Option<Named>,
+    /// The path of the SRDF in the package of this file.
+    pub srdf: Option<Named>,
+}
+
+impl Assistant {
+    pub(super) fn of(root: &Node) -> Option<Self> {
+        let config = get(root, "moveit_setup_assistant_config")?;
+        let urdf = get(config, "URDF").or_else(|| get(config, "urdf"));
+        let srdf = get(config, "SRDF").or_else(|| get(config, "srdf"));
+        let of = |node: Option<&Node>, key: &str| text(node?, key).filter(|text| !text.name.is_empty());
+        Some(Self {
+            package: of(urdf, "package"),
+            urdf: of(urdf, "relative_path"),
+            arguments: of(urdf, "xacro_args"),
+            srdf: of(srdf, "relative_path"),
+        })
+    }
+
+    /// The arguments by name.
+    pub fn given(&self) -> Vec<(String, String)> {
+        let words = self.arguments.iter().flat_map(|text| text.name.split_whitespace());
+        words
+            .filter_map(|word| word.split_once(":="))
+            .map(|(name, value)| (name.to_owned(), value.to_owned()))
+            .collect()
+    }
+}
+
+/// The node that holds settings which launch files put below one of these keys: the file itself, or what is below the key.
+fn inside<'n>(root: &'n Node, keys: &[&str]) -> &'n Node {
+    let mut node = root;
+    for key in keys {
+        node = get(node, key).unwrap_or(node);
+    }
+    node
+}
+
+const NODE: [&str; 2] = ["/**", "ros__parameters"];
+
+/// The controllers of `moveit_simple_controller_manager` and of `controller_list`.
+pub(super) fn controllers(root: &Node) -> Vec<MoveitController> {
+    let top = inside(root, &NODE);
+    let mut found = Vec::new();
+    for manager in [Some(top), get(top, "moveit_simple_controller_manager")].into_iter().flatten() {
+        let names = get(manager, "controller_names").map(Named::list).unwrap_or_default();
+        for name in names {
+            let joints = get(manager, &name.name).and_then(|own| get(own, "joints"));
+            found.push(MoveitController { joints: joints.map(Named::list).unwrap_or_default(), name });
+        }
+        if let Some(Node { kind: yaml::Kind::List(items), .. }) = get(manager, "controller_list") {
+            found.extend(items.iter().filter_map(|item| {
+                let joints = get(item, "joints").map(Named::list).unwrap_or_default();
+                Some(MoveitController { name: text(item, "name")?, joints })
+            }));
+        }
+    }
+    found
+}
+
+/// The limits of joints.
+pub(super) fn limits(root: &Node) -> Vec<JointLimit> {
+    const WORDS: [&str; 6] = [
+        "has_velocity_limits",
+        "has_acceleration_limits",
+        "has_position_limits",
+        "has_jerk_limits",
+        "max_velocity",
+        "max_acceleration",
+    ];
+    let top = inside(root, &[NODE[0], NODE[1], "robot_description_planning"]);
+    let Some(limits) = get(top, "joint_limits") else { return Vec::new() };
+    let is_limit = |value: &Node| WORDS.iter().any(|word| get(value, word).is_some());
+    let own = entries(limits).filter(|(_, value)| is_limit(value));
+    own.map(|(joint, value)| JointLimit {
+        joint,
+        values: entries(value)
+            .filter_map(|(key, value)| number(value).map(|(number, int)| (key, number, int, value.range)))
+            .collect(),
+        switches: entries(value)
+            .filter_map(|(key, value)| match value.kind {
+                yaml::Kind::Bool(on) => Some((key, on)),
+                _ => None,
+            })
+            .collect(),
+    })
+    .collect()
+}
+
+/// The groups that have a solver for inverse kinematics.
+pub(super) fn kinematics(root: &Node) -> Vec<Named> {
+    let top = inside(root, &[NODE[0], NODE[1], "robot_description_kinematics"]);
+    entries(top)
+        .filter(|(_, value)| get(value, "kinematics_solver").is_some())
+        .map(|(name, _)| name)
+        .collect()
+}
+
+/// The groups that have planners.
+pub(super) fn planners(root: &Node) -> Vec<Named> {
+    let top = inside(root, &[NODE[0], NODE[1], "ompl"]);
+    if get(top, "planner_configs").is_none() {
+        return Vec::new();
+    }
+    let keys = ["planner_configs", "default_planner_config", "projection_evaluator"];
+    let is_group = |value: &Node| keys.iter().any(|key| get(value, key).is_some());
+    entries(top)
+        .filter(|(name, value)| name.name != "planner_configs" && is_group(value))
+        .map(|(name, _)| name)
+        .collect()
+}

@@ -1,0 +1,80 @@
+//! What a YAML file says about a robot.
+
+use super::controllers::{self, Controller, Listed};
+use super::moveit::{self, Assistant, JointLimit, MoveitController};
+use super::value::Named;
+use super::{Kind, is_computed};
+use yaml::Node;
+
+/// What a YAML file says about links, joints and groups of a robot; everything in the order of the text.
+#[derive(Clone, Debug, Default)]
+pub struct Settings {
+    /// What the controller managers may load.
+    pub listed: Vec<Listed>,
+    /// Parameters of controllers.
+    pub controllers: Vec<Controller>,
+    /// The controllers that MoveIt sends trajectories to.
+    pub moveit: Vec<MoveitController>,
+    /// Limits of joints.
+    pub limits: Vec<JointLimit>,
+    /// The groups with a solver for inverse kinematics.
+    pub kinematics: Vec<Named>,
+    /// The groups with planners.
+    pub planners: Vec<Named>,
+    /// What MoveIt's setup assistant wrote down.
+    pub assistant: Option<Assistant>,
+}
+
+/// Whether a text may hold settings of a robot: most YAML files do not.
+pub fn may_be_settings(text: &str) -> bool {
+    const WORDS: [&str; 7] = [
+        "controller",
+        "joint_limits",
+        "kinematics_solver",
+        "planner_configs",
+        "moveit_setup_assistant_config",
+        "joints:",
+        "joint:",
+    ];
+    WORDS.iter().any(|word| text.contains(word))
+}
+
+impl Settings {
+    /// The settings in a YAML document; none when it says nothing about a robot.
+    pub fn of(root: &Node) -> Option<Self> {
+        let mut settings = Self {
+            moveit: moveit::controllers(root),
+            limits: moveit::limits(root),
+            kinematics: moveit::kinematics(root),
+            planners: moveit::planners(root),
+            assistant: Assistant::of(root),
+            ..Self::default()
+        };
+        controllers::read(root, &mut settings.listed, &mut settings.controllers);
+        let is_of_robot = |controller: &Controller| !controller.joints.is_empty();
+        if settings.listed.is_empty() && !settings.controllers.iter().any(is_of_robot) {
+            settings.controllers.clear();
+        }
+        let is_empty = settings.listed.is_empty()
+            && settings.controllers.is_empty()
+            && settings.moveit.is_empty()
+            && settings.limits.is_empty()
+            && settings.kinematics.is_empty()
+            && settings.planners.is_empty()
+            && settings.assistant.is_none();
+        (!is_empty).then_some(settings)
+    }
+
+    /// Every name of a joint or group that is written out.
+    pub fn names(&self) -> Vec<(&Named, Kind)> {
+        let mut found: Vec<(&Named, Kind)> = Vec::new();
+        let joints = self.controllers.iter().flat_map(|one| one.joints.iter().map(|(_, joint)| joint));
+        let joints = joints.chain(self.moveit.iter().flat_map(|one| &one.joints));
+        let joints = joints.chain(self.limits.iter().map(|limit| &limit.joint));
+        found.extend(joints.map(|joint| (joint, Kind::Joint)));
+        let groups = self.kinematics.iter().chain(&self.planners);
+        found.extend(groups.map(|group| (group, Kind::Group)));
+        found.retain(|(name, _)| !is_computed(&name.name));
+        found
+    }
+}

@@ -1,0 +1,233 @@
+//! What rules see of a file beside a robot, such as its SRDF: the file, and the robots that it is for.
+
+use std::cell::OnceCell;
+
+use ecow::EcoString;
+
+use super::finding::Finding;
+use super::grouping::Group;
+use super::registry::{Check, all};
+use super::run::Chosen;
+use super::sink::{Reported, Sink, span_of};
+use base::{FastSet, FileId, Span};
+use expand::{Expansion, Origin};
+use model::{Joint, Kinematics, Robot, Text};
+use project::{Kind, Named, Settings, Srdf};
+use workspace::nearest;
+
+/// A file beside a robot.
+pub struct BesideCx<'a> {
+    /// The file.
+    pub file: FileId,
+    /// What it says.
+    pub content: Content<'a>,
+    /// The expansion of the file, and of the robot where the file is not expanded.
+    pub expansion: &'a Expansion,
+    /// The robots that the file is for, at least one; all their links and joints are there.
+    pub robots: &'a [PairedRobot<'a>],
+    /// All files beside these robots.
+    pub all: &'a [Content<'a>],
+    /// Whether the package of the file is for ROS 2.
+    pub(super) is_ros2: bool,
+    /// Whether an SRDF of the robots depends on arguments.
+    pub(super) has_variants: bool,
+    /// Names in further expansions of the robots, asked for only when a name is in none of them.
+    pub further: &'a dyn Fn() -> Names,
+    /// What these gave.
+    pub(super) known: OnceCell<Names>,
+    /// The names in the robots.
+    pub(super) names: Names,
+}
+
+/// What a file beside a robot says.
+#[derive(Clone, Copy)]
+pub enum Content<'a> {
+    /// A semantic description.
+    Srdf(&'a Srdf),
+    /// YAML.
+    Settings(&'a Settings),
+}
+
+/// A robot that a file is for.
+#[derive(Clone, Copy)]
+pub struct PairedRobot<'a> {
+    /// Its expansion.
+    pub expansion: &'a Expansion,
+    /// The robot.
+    pub robot: &'a Robot,
+    /// How its links hang together.
+    pub kinematics: &'a Kinematics,
+}
+
+/// Names of links and joints.
+#[derive(Clone, Debug, Default)]
+pub struct Names {
+    /// Links.
+    pub links: FastSet<EcoString>,
+    /// Joints.
+    pub joints: FastSet<EcoString>,
+    /// Groups of SRDFs; asked for only where these are expanded in one of several ways.
+    pub groups: FastSet<EcoString>,
+}
+
+impl Names {
+    /// Add the names in a robot.
+    pub fn add(&mut self, robot: &Robot) {
+        self.links.extend(robot.links.iter().filter_map(|link| link.name.as_ref()?.name().cloned()));
+        self.joints.extend(robot.joints.iter().filter_map(|joint| joint.name.as_ref()?.name().cloned()));
+    }
+
+    fn of(&self, kind: Kind) -> Option<&FastSet<EcoString>> {
+        match kind {
+            Kind::Link => Some(&self.links),
+            Kind::Joint => Some(&self.joints),
+            Kind::Group => Some(&self.groups),
+        }
+    }
+}
+
+/// What the rules say about a file beside robots.
+pub fn check_beside(cx: &BesideCx<'_>, chosen: Chosen<'_>) -> Vec<Finding> {
+    let Some(first) = all().next() else { return Vec::new() };
+    let mut sink = Sink::new(cx.expansion, first);
+    chosen.run(&mut sink, |rule, sink| {
+        if let Check::Beside(check) = rule.check {
+            check(cx, sink);
+        }
+    });
+    sink.finish()
+}
+
+impl<'a> BesideCx<'a> {
+    /// A file with what is around it.
+    pub fn new(
+        (file, content, expansion): (FileId, Content<'a>, &'a Expansion),
+        robots: &'a [PairedRobot<'a>],
+        all: &'a [Content<'a>],
+        further: &'a dyn Fn() -> Names,
+    ) -> Self {
+        let mut names = Names::default();
+        robots.iter().for_each(|paired| names.add(paired.robot));
+        for content in all {
+            if let Content::Srdf(srdf) = content {
+                names
+                    .groups
+                    .extend(srdf.groups.iter().filter_map(|group| group.name.as_ref()?.name().cloned()));
+            }
+        }
+        Self {
+            file,
+            content,
+            expansion,
+            robots,
+            all,
+            further,
+            known: OnceCell::new(),
+            names,
+            is_ros2: false,
+            has_variants: false,
+        }
+    }
+
+    /// The same, with SRDFs that depend on arguments or not.
+    #[must_use]
+    pub fn with_variants(mut self, has_variants: bool) -> Self {
+        self.has_variants = has_variants;
+        self
+    }
+
+    /// The same, in a package for ROS 2 or another one.
+    #[must_use]
+    pub fn in_ros2(mut self, is_ros2: bool) -> Self {
+        self.is_ros2 = is_ros2;
+        self
+    }
+
+    /// The SRDF, when the file is one.
+    pub(super) fn srdf(&self) -> Option<&'a Srdf> {
+        match self.content {
+            Content::Srdf(srdf) => Some(srdf),
+            Content::Settings(_) => None,
+        }
+    }
+
+    /// The settings, when the file holds some.
+    pub(super) fn settings(&self) -> Option<&'a Settings> {
+        match self.content {
+            Content::Settings(settings) => Some(settings),
+            Content::Srdf(_) => None,
+        }
+    }
+
+    /// Whether a link or joint is in none of the robots, or a group in none of their SRDFs, however they are expanded.
+    pub(super) fn lacks(&self, kind: Kind, name: &str) -> bool {
+        let is_in = |names: &Names| names.of(kind).is_none_or(|names| names.contains(name));
+        !is_in(&self.names)
+            && !self.is_virtual(kind, name)
+            && !is_in(self.known.get_or_init(|| (self.further)()))
+    }
+
+    /// Whether a joint is a virtual joint of an SRDF.
+    fn is_virtual(&self, kind: Kind, name: &str) -> bool {
+        let is_it = |text: &Option<Text>| text.as_ref().is_some_and(|text| text.value == name);
+        kind == Kind::Joint && self.srdfs().any(|srdf| srdf.virtual_joints.iter().any(|one| is_it(&one.name)))
+    }
+
+    /// The SRDFs of the robots.
+    pub(super) fn srdfs(&self) -> impl Iterator<Item = &'a Srdf> + '_ {
+        self.all.iter().filter_map(|content| match content {
+            Content::Srdf(srdf) => Some(*srdf),
+            Content::Settings(_) => None,
+        })
+    }
+
+    /// All settings of the robots.
+    pub(super) fn all_settings(&self) -> impl Iterator<Item = &'a Settings> + '_ {
+        self.all.iter().filter_map(|content| match content {
+            Content::Settings(settings) => Some(*settings),
+            Content::Srdf(_) => None,
+        })
+    }
+
+    /// The joints of a name, one of each robot that has it.
+    pub(super) fn joints<'s>(
+        &'s self,
+        name: &'s str,
+    ) -> impl Iterator<Item = (&'a PairedRobot<'a>, &'a Joint)> + 's {
+        self.robots.iter().filter_map(move |paired| Some((paired, paired.robot.joint(name)?)))
+    }
+
+    /// What to do about the name of a link, joint or group that is not there.
+    pub(super) fn advice(&self, kind: Kind, name: &str) -> String {
+        let names = self.names.of(kind).into_iter().flatten();
+        match (nearest(name, names.map(EcoString::as_str)), kind) {
+            (Some(near), _) => format!("did you mean `{near}`?"),
+            (None, Kind::Link) => "use the name of a link of the robot, including its prefix".to_owned(),
+            (None, Kind::Joint) => "use the name of a joint of the robot, including its prefix".to_owned(),
+            (None, Kind::Group) => "use the name of a group of the SRDF".to_owned(),
+        }
+    }
+
+    /// Report a name in YAML.
+    pub(super) fn report<'s, 'e>(
+        &self,
+        out: &'s mut Sink<'e>,
+        name: &Named,
+        message: impl Into<String>,
+    ) -> Reported<'s, 'e> {
+        out.report_span(Span { file: self.file, range: name.range }, message)
+    }
+}
+
+impl PairedRobot<'_> {
+    /// Where a text of the robot stands.
+    pub(super) fn span(&self, origin: Origin) -> Option<Span> {
+        span_of(self.expansion, origin)
+    }
+}
+
+/// A name in an SRDF that is not there.
+pub(super) fn unknown(cx: &BesideCx<'_>, out: &mut Sink<'_>, text: &Text, kind: Kind, message: String) {
+    let report = out.report(text.origin, message).group(Group::Name(text.value.clone()));
+    report.help(cx.advice(kind, &text.value)).done();
+}

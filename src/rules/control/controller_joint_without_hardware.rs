@@ -1,0 +1,35 @@
+//! A controller with a joint that is in no `<ros2_control>` of the robot.
+
+use super::super::beside::BesideCx;
+use super::super::registry::{Category, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::hardware::Hardware;
+
+pub(super) const RULE: Rule = Rule::beside(
+    "CTL026",
+    "controller-joint-without-hardware",
+    Category::Control,
+    Severity::Warning,
+    page("controller-joint-without-hardware"),
+    check,
+);
+
+fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
+    let Some(hardware) = Hardware::of(cx) else { return };
+    let controllers = cx.settings().into_iter().flat_map(|settings| &settings.controllers);
+    for controller in controllers.filter(|controller| controller.is_ros2) {
+        for (key, joint) in &controller.joints {
+            // the joints that the broadcaster publishes need no hardware
+            let is_driven = *key != "joints" || !controller.commands.is_empty();
+            if !is_driven || hardware.has(&joint.name) || cx.joints(&joint.name).next().is_none() {
+                continue;
+            }
+            let message = format!(
+                "joint `{}` of controller `{}` is not in `<ros2_control>`",
+                joint.name, controller.name.name
+            );
+            let help = format!("add <joint name=\"{}\"> with its interfaces to `<ros2_control>`", joint.name);
+            cx.report(out, joint, message).help(help).done();
+        }
+    }
+}

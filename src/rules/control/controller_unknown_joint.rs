@@ -1,0 +1,45 @@
+//! A controller with a joint that the robot does not have.
+
+use super::super::beside::BesideCx;
+use super::super::registry::{Category, Rule, Severity, page};
+use super::super::sink::Sink;
+use project::{Controller, Kind, is_computed};
+
+pub(super) const RULE: Rule = Rule::beside(
+    "CTL025",
+    "controller-unknown-joint",
+    Category::Control,
+    Severity::Error,
+    page("controller-unknown-joint"),
+    check,
+);
+
+fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
+    for controller in cx.settings().into_iter().flat_map(|settings| &settings.controllers) {
+        // `pid/joint_1` is an interface of another controller
+        let joints = controller.joints.iter().filter(|(_, joint)| !joint.name.contains('/'));
+        let joints: Vec<_> = joints.filter(|(_, joint)| !is_computed(&joint.name)).collect();
+        let unknown: Vec<_> = joints.iter().filter(|(_, joint)| cx.lacks(Kind::Joint, &joint.name)).collect();
+        let is_for_another = unknown.len() == joints.len() && joints.len() > MOST_RENAMED;
+        if unknown.is_empty() || is_for_another || has_variant(cx, controller) {
+            continue;
+        }
+        for (key, joint) in unknown {
+            let message = format!(
+                "`{key}` of controller `{}` has unknown joint `{}`",
+                controller.name.name, joint.name
+            );
+            cx.report(out, joint, message).help(cx.advice(Kind::Joint, &joint.name)).done();
+        }
+    }
+}
+
+/// With more joints than these, all of them unknown, a controller is for another robot.
+const MOST_RENAMED: usize = 2;
+
+/// Whether another file has the same controller with joints that the robot has: this one is for another robot.
+fn has_variant(cx: &BesideCx<'_>, controller: &Controller) -> bool {
+    let all = cx.all_settings().flat_map(|settings| &settings.controllers);
+    let mut same = all.filter(|other| other.name.name == controller.name.name && !other.joints.is_empty());
+    same.any(|other| other.joints.iter().all(|(_, joint)| !cx.lacks(Kind::Joint, &joint.name)))
+}

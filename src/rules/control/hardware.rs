@@ -1,0 +1,50 @@
+//! The joints and interfaces that the hardware of a robot offers to controllers.
+
+use super::super::beside::BesideCx;
+use base::FastMap;
+use model::{ControlJoint, Interface};
+
+/// The joints of all `<ros2_control>` of the robots.
+pub(super) struct Hardware<'a> {
+    joints: FastMap<&'a str, Vec<&'a ControlJoint>>,
+}
+
+impl<'a> Hardware<'a> {
+    /// None where a robot has no hardware, or not all names are known.
+    pub fn of(cx: &BesideCx<'a>) -> Option<Self> {
+        let mut joints: FastMap<&str, Vec<&ControlJoint>> = FastMap::default();
+        for paired in cx.robots {
+            let listed: Vec<&ControlJoint> =
+                paired.robot.controls.iter().flat_map(|control| &control.joints).collect();
+            if listed.is_empty() {
+                return None;
+            }
+            for joint in listed {
+                let named =
+                    |interface: &Interface| interface.name.as_ref().is_some_and(|name| name.is_known());
+                if !joint.interfaces().all(named) {
+                    return None;
+                }
+                joints.entry(joint.name.as_ref()?.name()?.as_str()).or_default().push(joint);
+            }
+        }
+        Some(Self { joints })
+    }
+
+    /// Whether a joint is there.
+    pub fn has(&self, joint: &str) -> bool {
+        self.joints.contains_key(joint)
+    }
+
+    /// Whether a joint is there, and does not offer an interface.
+    pub fn lacks(&self, joint: &str, interface: &str, is_command: bool) -> bool {
+        self.has(joint) && !self.offered(joint, is_command).iter().any(|offered| *offered == interface)
+    }
+
+    /// The interfaces that a joint offers.
+    pub fn offered(&self, joint: &str, is_command: bool) -> Vec<&'a str> {
+        let listed = self.joints.get(joint).into_iter().flatten();
+        let interfaces = listed.flat_map(|joint| if is_command { &joint.commands } else { &joint.states });
+        interfaces.filter_map(|interface| Some(interface.name.as_ref()?.value.as_str())).collect()
+    }
+}

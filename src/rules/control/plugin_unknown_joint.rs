@@ -1,0 +1,77 @@
+//! A plugin of Gazebo with a joint that the robot does not have.
+
+use super::super::context::RobotCx;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::joints::unknown_joints;
+use super::plugins::plugins_of;
+use model::Text;
+
+pub(super) const RULE: Rule = Rule {
+    code: "CTL029",
+    name: "plugin-unknown-joint",
+    category: Category::Control,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page("plugin-unknown-joint"),
+    check: Check::Whole(check),
+};
+
+/// Wheels by their side.
+const WHEELS: &[&str] = &[
+    "left_joint",
+    "right_joint",
+    "leftJoint",
+    "rightJoint",
+    "left_steering_joint",
+    "right_steering_joint",
+    "front_left_joint",
+    "front_right_joint",
+    "rear_left_joint",
+    "rear_right_joint",
+    "back_left_joint",
+    "back_right_joint",
+    "leftFrontJoint",
+    "rightFrontJoint",
+    "leftRearJoint",
+    "rightRearJoint",
+    "steering_wheel_joint",
+    "steeringJoint",
+    "actuatedWheelJoint",
+    "encoderWheelLeftJoint",
+    "encoderWheelRightJoint",
+];
+
+/// Parameters that hold the name of a joint: what the file name of the plugin contains, and the tags.
+/// Source: the systems of gz-sim, the plugins of gazebo_ros_pkgs and of roboticsgroup_gazebo_plugins.
+const TAGS: [(&str, &[&str]); 11] = [
+    ("diff-drive", WHEELS),
+    ("diff_drive", WHEELS),
+    ("skid_steer_drive", WHEELS),
+    ("tricycle_drive", WHEELS),
+    ("ackermann", WHEELS),
+    ("mecanum-drive", WHEELS),
+    ("joint-position-controller", &["joint_name"]),
+    ("joint-controller", &["joint_name"]),
+    ("joint-state-publisher", &["joint_name"]),
+    ("joint-trajectory-controller", &["joint_name"]),
+    ("mimic_joint", &["joint", "mimicJoint"]),
+];
+
+fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
+    let tree = &cx.expansion.tree;
+    let mut names: Vec<Text> = Vec::new();
+    for plugin in plugins_of(tree, cx.robot) {
+        let Some(file) = Text::attr(tree, plugin, "filename") else { continue };
+        let known = TAGS.iter().find(|(part, _)| file.value.contains(part));
+        let Some((_, tags)) = known.filter(|_| file.is_known()) else { continue };
+        for parameter in tree.elements(plugin).filter(|&one| tags.contains(&tree.get(one).text.as_str())) {
+            // lists, and names in other models, are not looked at
+            let is_plain = |text: &Text| !text.value.contains([',', ':', '/', ' ']);
+            names.extend(Text::content(tree, parameter).filter(is_plain));
+        }
+    }
+    unknown_joints(cx, out, names.iter(), "plugin", RULE.severity);
+}

@@ -1,0 +1,22 @@
+//! Groups in settings of MoveIt.
+
+use super::super::beside::BesideCx;
+use super::super::sink::Sink;
+use model::Text;
+use project::{Kind, Named, is_computed};
+
+/// Report the groups that no SRDF of the robot defines.
+pub(super) fn unknown(cx: &BesideCx<'_>, out: &mut Sink<'_>, groups: &[Named], what: &str) {
+    // what an SRDF defines is known only where there is one, and where its arguments do not decide the names in it
+    let mut names = cx.srdfs().flat_map(|srdf| &srdf.groups).map(|group| group.name.as_ref());
+    let is_sure = |name: &Text| name.is_known() && (name.is_literal() || !cx.has_variants);
+    if cx.srdfs().next().is_none() || !names.all(|name| name.is_some_and(is_sure)) {
+        return;
+    }
+    for group in groups.iter().filter(|group| !is_computed(&group.name)) {
+        if cx.lacks(Kind::Group, &group.name) {
+            let message = format!("{what} for unknown group `{}`", group.name);
+            cx.report(out, group, message).help(cx.advice(Kind::Group, &group.name)).done();
+        }
+    }
+}

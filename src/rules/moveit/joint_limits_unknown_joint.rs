@@ -1,0 +1,25 @@
+//! Limits of a joint that the robot does not have.
+
+use super::super::beside::BesideCx;
+use super::super::registry::{Category, Rule, Severity, page};
+use super::super::sink::Sink;
+use project::Kind;
+
+pub(super) const RULE: Rule = Rule::beside(
+    "MOV001",
+    "joint-limits-unknown-joint",
+    Category::Moveit,
+    Severity::Warning,
+    page("joint-limits-unknown-joint"),
+    check,
+);
+
+fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
+    for limit in cx.settings().into_iter().flat_map(|settings| &settings.limits) {
+        let joint = &limit.joint;
+        if cx.lacks(Kind::Joint, &joint.name) {
+            let message = format!("limits of unknown joint `{}`", joint.name);
+            cx.report(out, joint, message).help(cx.advice(Kind::Joint, &joint.name)).done();
+        }
+    }
+}

@@ -1,0 +1,20 @@
+//! A solver for a group that the SRDF does not define.
+
+use super::super::beside::BesideCx;
+use super::super::registry::{Category, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::groups::unknown;
+
+pub(super) const RULE: Rule = Rule::beside(
+    "MOV004",
+    "kinematics-unknown-group",
+    Category::Moveit,
+    Severity::Warning,
+    page("kinematics-unknown-group"),
+    check,
+);
+
+fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
+    let Some(settings) = cx.settings() else { return };
+    unknown(cx, out, &settings.kinematics, "kinematics solver");
+}

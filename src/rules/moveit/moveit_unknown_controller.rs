@@ -1,0 +1,44 @@
+//! A controller of MoveIt that no controller manager of the robot lists.
+
+use super::super::beside::BesideCx;
+use super::super::registry::{Category, Rule, Severity, page};
+use super::super::sink::Sink;
+use base::FastSet;
+use workspace::nearest;
+
+pub(super) const RULE: Rule = Rule::beside(
+    "MOV007",
+    "moveit-unknown-controller",
+    Category::Moveit,
+    Severity::Warning,
+    page("moveit-unknown-controller"),
+    check,
+);
+
+fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
+    let listed: FastSet<&str> = cx
+        .all_settings()
+        .flat_map(|settings| &settings.listed)
+        .map(|listed| listed.name.name.as_str())
+        .collect();
+    // controllers of other programs, such as drivers, are listed nowhere
+    let controllers = cx.settings().into_iter().flat_map(|settings| &settings.moveit);
+    let is_any_listed = controllers.clone().any(|one| listed.contains(last(&one.name.name)));
+    for controller in controllers.filter(|_| is_any_listed) {
+        let name = last(&controller.name.name);
+        if listed.contains(name) || project::is_computed(name) {
+            continue;
+        }
+        let message = format!("controller `{name}` is not in any controller manager of the robot");
+        let help = match nearest(name, listed.iter().copied()) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("add `{name}` with its `type` to the parameters of the controller manager"),
+        };
+        cx.report(out, &controller.name, message).help(help).done();
+    }
+}
+
+/// A name without its namespace.
+fn last(name: &str) -> &str {
+    name.rsplit('/').next().unwrap_or(name)
+}

@@ -1,0 +1,20 @@
+//! Planners of a group that the SRDF does not define.
+
+use super::super::beside::BesideCx;
+use super::super::registry::{Category, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::groups::unknown;
+
+pub(super) const RULE: Rule = Rule::beside(
+    "MOV005",
+    "planning-unknown-group",
+    Category::Moveit,
+    Severity::Warning,
+    page("planning-unknown-group"),
+    check,
+);
+
+fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
+    let Some(settings) = cx.settings() else { return };
+    unknown(cx, out, &settings.planners, "planners");
+}

@@ -1,0 +1,59 @@
+//! Which links are adjacent: those that a joint connects, or that only links without collision geometry are between.
+//! Source: `computeConnectionGraph` of the MoveIt setup assistant.
+
+use super::super::beside::PairedRobot;
+use base::FastSet;
+use model::{Joint, Link};
+
+/// Links without geometry that are looked through, one behind the other.
+const MOST_STEPS: usize = 64;
+
+/// Whether two links are adjacent; none when one of them is not there.
+pub(super) fn are_adjacent(paired: &PairedRobot<'_>, one: &str, two: &str) -> Option<bool> {
+    let (one, two) = (paired.kinematics.link(one)?, paired.kinematics.link(two)?);
+    let mut seen: FastSet<usize> = FastSet::from_iter([one]);
+    let mut open = vec![one];
+    for _ in 0..MOST_STEPS {
+        let mut next = Vec::new();
+        for link in open {
+            for neighbor in neighbors(paired, link) {
+                if neighbor == two {
+                    return Some(true);
+                }
+                if seen.insert(neighbor) && !has_body(paired, neighbor) {
+                    next.push(neighbor);
+                }
+            }
+        }
+        if next.is_empty() {
+            return Some(false);
+        }
+        open = next;
+    }
+    None
+}
+
+fn neighbors(paired: &PairedRobot<'_>, link: usize) -> impl Iterator<Item = usize> {
+    let kinematics = paired.kinematics;
+    let up = kinematics.up(link).iter().filter_map(|&joint| Some(kinematics.ends(joint)?.0));
+    let down = kinematics.down(link).iter().filter_map(|&joint| Some(kinematics.ends(joint)?.1));
+    up.chain(down).collect::<Vec<_>>().into_iter()
+}
+
+fn has_body(paired: &PairedRobot<'_>, link: usize) -> bool {
+    paired.robot.links.get(link).is_some_and(|link| !link.collisions.is_empty())
+}
+
+/// The joints between two links that both have collision geometry, with these links, the lesser name first.
+pub(super) fn touching<'a>(paired: &PairedRobot<'a>) -> Vec<(&'a Joint, (&'a str, &'a str))> {
+    let link = |index: usize| {
+        let link: &'a Link = paired.robot.links.get(index)?;
+        (!link.collisions.is_empty()).then(|| link.name.as_ref()?.name())?
+    };
+    let pair = |(number, joint): (usize, &'a Joint)| {
+        let (parent, child) = paired.kinematics.ends(number)?;
+        let (one, two) = (link(parent)?.as_str(), link(child)?.as_str());
+        Some((joint, (one.min(two), one.max(two))))
+    };
+    paired.robot.joints.iter().enumerate().filter_map(pair).collect()
+}

@@ -1,0 +1,34 @@
+//! A pair of links whose collisions are disabled twice.
+
+use super::super::beside::BesideCx;
+use super::super::grouping::Group;
+use super::super::registry::{Category, Rule, Severity, page};
+use super::super::sink::Sink;
+use base::FastMap;
+use model::tag_start;
+use project::Pair;
+
+pub(super) const RULE: Rule = Rule::beside(
+    "SRD010",
+    "srdf-duplicate-pair",
+    Category::Srdf,
+    Severity::Warning,
+    page("srdf-duplicate-pair"),
+    check,
+);
+
+fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
+    let Some(srdf) = cx.srdf() else { return };
+    let mut first: FastMap<(&str, &str), &Pair> = FastMap::default();
+    for pair in &srdf.disabled {
+        let Some(links) = pair.links() else { continue };
+        let known = *first.entry(links).or_insert(pair);
+        if std::ptr::eq(known, pair) {
+            continue;
+        }
+        let message = format!("collisions between `{}` and `{}` are disabled twice", links.0, links.1);
+        let report = out.report(tag_start(cx.expansion, pair.element), message).group(Group::File);
+        let known = tag_start(cx.expansion, known.element);
+        report.also(known, "first disabled here").help("remove this element").done();
+    }
+}

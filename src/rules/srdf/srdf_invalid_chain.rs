@@ -1,0 +1,44 @@
+//! A chain that does not lead from its base down to its tip.
+
+use super::super::beside::{BesideCx, PairedRobot};
+use super::super::registry::{Category, Rule, Severity, page};
+use super::super::sink::Sink;
+use project::Chain;
+
+pub(super) const RULE: Rule = Rule::beside(
+    "SRD005",
+    "srdf-invalid-chain",
+    Category::Srdf,
+    Severity::Error,
+    page("srdf-invalid-chain"),
+    check,
+);
+
+fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
+    let groups = cx.srdf().into_iter().flat_map(|srdf| &srdf.groups);
+    for chain in groups.flat_map(|group| &group.chains) {
+        let (Some(base), Some(tip)) = (&chain.base, &chain.tip) else { continue };
+        if !cx.robots.iter().all(|paired| is_reversed(paired, chain)) {
+            continue;
+        }
+        let (message, help) = match base.value == tip.value {
+            true => (
+                format!("chain begins and ends at link `{}`", base.value),
+                "write the last link of the chain as `tip_link`".to_owned(),
+            ),
+            false => (
+                format!("chain from `{}` to `{}` leads up the tree", base.value, tip.value),
+                format!("exchange them: base_link=\"{}\" tip_link=\"{}\"", tip.value, base.value),
+            ),
+        };
+        out.report(tip.origin, message).help(help).done();
+    }
+}
+
+/// Whether both links are there, and the base is the tip or below it.
+fn is_reversed(paired: &PairedRobot<'_>, chain: &Chain) -> bool {
+    let link = |text: &Option<model::Text>| paired.kinematics.link(text.as_ref()?.name()?);
+    let (Some(base), Some(tip)) = (link(&chain.base), link(&chain.tip)) else { return false };
+    let parent = |joint: usize| paired.kinematics.ends(joint).map(|(parent, _)| parent);
+    base == tip || paired.kinematics.above(base).any(|joint| parent(joint) == Some(tip))
+}

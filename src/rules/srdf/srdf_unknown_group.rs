@@ -1,0 +1,24 @@
+//! A group in an SRDF that it does not define.
+
+use super::super::beside::{BesideCx, unknown};
+use super::super::registry::{Category, Rule, Severity, page};
+use super::super::sink::Sink;
+use project::Kind;
+
+pub(super) const RULE: Rule = Rule::beside(
+    "SRD004",
+    "srdf-unknown-group",
+    Category::Srdf,
+    Severity::Error,
+    page("srdf-unknown-group"),
+    check,
+);
+
+fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
+    let Some(srdf) = cx.srdf() else { return };
+    for (text, kind, is_given) in srdf.names() {
+        let is_unknown = |name: &str| kind == Kind::Group && !is_given && srdf.group(name).is_none();
+        let Some(name) = text.name().filter(|name| is_unknown(name)) else { continue };
+        unknown(cx, out, text, kind, format!("SRDF refers to unknown group `{name}`"));
+    }
+}

@@ -1,0 +1,25 @@
+//! A link in an SRDF that the robot does not have.
+
+use super::super::beside::{BesideCx, unknown};
+use super::super::registry::{Category, Rule, Severity, page};
+use super::super::sink::Sink;
+use project::Kind;
+
+pub(super) const RULE: Rule = Rule::beside(
+    "SRD002",
+    "srdf-unknown-link",
+    Category::Srdf,
+    Severity::Error,
+    page("srdf-unknown-link"),
+    check,
+);
+
+fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
+    let Some(srdf) = cx.srdf() else { return };
+    for (text, kind, _) in srdf.names() {
+        let Some(name) = text.name().filter(|name| kind == Kind::Link && cx.lacks(kind, name)) else {
+            continue;
+        };
+        unknown(cx, out, text, kind, format!("SRDF refers to unknown link `{name}`"));
+    }
+}

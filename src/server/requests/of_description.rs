@@ -1,0 +1,57 @@
+//! Requests about XML. In YAML, which other servers know better, names of the robot are answered for and nothing else.
+
+use crate::failure::Failure;
+use crate::state::State;
+use analysis::is_settings;
+use base::CancelFlag;
+use lsp_types::*;
+
+/// What answers a request.
+pub type Work<P, R> = fn(&mut State, P, &CancelFlag) -> Result<R, Failure>;
+
+/// Parameters of a request about a document.
+pub trait OfDocument {
+    /// The document.
+    fn uri(&self) -> &Url;
+}
+
+macro_rules! of_document {
+    ($($params:ty: $($field:ident).+;)+) => {
+        $(impl OfDocument for $params {
+            fn uri(&self) -> &Url {
+                &self.$($field).+
+            }
+        })+
+    };
+}
+
+of_document! {
+    SignatureHelpParams: text_document_position_params.text_document.uri;
+    CodeActionParams: text_document.uri;
+    DocumentFormattingParams: text_document.uri;
+    DocumentRangeFormattingParams: text_document.uri;
+    DocumentOnTypeFormattingParams: text_document_position.text_document.uri;
+    DocumentSymbolParams: text_document.uri;
+    FoldingRangeParams: text_document.uri;
+    SelectionRangeParams: text_document.uri;
+    LinkedEditingRangeParams: text_document_position_params.text_document.uri;
+    SemanticTokensParams: text_document.uri;
+    SemanticTokensDeltaParams: text_document.uri;
+    SemanticTokensRangeParams: text_document.uri;
+    DocumentLinkParams: text_document.uri;
+    InlayHintParams: text_document.uri;
+    DocumentColorParams: text_document.uri;
+    CodeLensParams: text_document.uri;
+}
+
+/// Answer a request, unless it is about YAML.
+pub fn of_description<P: OfDocument, R: Default>(
+    state: &mut State,
+    (params, work): (P, Work<P, R>),
+    cancel: &CancelFlag,
+) -> Result<R, Failure> {
+    match is_settings(&state.path(params.uri())) {
+        true => Ok(R::default()),
+        false => work(state, params, cancel),
+    }
+}
