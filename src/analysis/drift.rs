@@ -237,7 +237,7 @@ fn is_for_old_xacro(text: &str) -> bool {
 
 impl Way {
     fn job(&self) -> Job {
-        Job { file: self.source.clone(), reason: Reason::Named, args: self.args.clone(), preset: None }
+        Job::new(self.source.clone(), Reason::Named, self.args.clone())
     }
 }
 
@@ -350,7 +350,11 @@ mod tests {
         let other = [("arm/package.xml", "<package><name>arm</name></package>"), ("arm/b.xacro", SOURCE)];
         for (banner, expected) in [("b.xacro", 0), ("arm/b.xacro", 1)] {
             let made = generated(banner, "5");
-            assert_eq!(found(&[&[("r.urdf", made.as_str())], &other[..]].concat()).1.len(), expected, "{banner}");
+            assert_eq!(
+                found(&[&[("r.urdf", made.as_str())], &other[..]].concat()).1.len(),
+                expected,
+                "{banner}"
+            );
         }
     }
 
