@@ -666,6 +666,20 @@ fn drift_runs() {
 }
 
 #[test]
+fn call_runs() {
+    let folder = folder();
+    let robot = "<robot name='r' xmlns:xacro='x'><xacro:arg name='n' default='x'/><link name='a'/>\
+                 <xacro:if value=\"${'$(arg n)' == 'LAST'}\"><link name='a'/></xacro:if></robot>";
+    write(&folder, "r.xacro", robot.replace("LAST", &(CALL_RUNS - 1).to_string()));
+    let calls = (0..=CALL_RUNS).map(|n| format!("xacro r.xacro n:={n}\n"));
+    write(&folder, "a.sh", calls.collect::<String>());
+    let check = || run(&folder, &["check", "--format", "concise"], &mut std::io::empty());
+    assert!(check().contains(&format!("[in 1 of {} calls]", CALL_RUNS + 1)), "{}", check());
+    write(&folder, "r.xacro", robot.replace("LAST", &CALL_RUNS.to_string()));
+    assert!(!check().contains("duplicate-link-name"), "{}", check());
+}
+
+#[test]
 fn drift_sources() {
     assert!(!is_out_of_date(DRIFT_SOURCES, 7, ""));
     assert!(is_out_of_date(DRIFT_SOURCES + 1, 7, ""));

@@ -85,5 +85,5 @@ impl Analyzed {
 /// The expansion of a root.
 pub(super) fn job_of(root: &RootChoice) -> Job {
     let RootChoice { file, args, preset } = root.clone();
-    Job { file, reason: Reason::Named, args, preset }
+    Job { preset, ..Job::new(file, Reason::Named, args) }
 }

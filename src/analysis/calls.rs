@@ -11,19 +11,19 @@ use workspace::GivenArg;
 const MOST_CALLERS: usize = 6;
 
 /// The expansion of a file as it is called, when with its defaults (`first`) something fails that an argument may
-/// decide and a call is known with which less fails. Else `first`.
+/// decide and a call is known with which less fails. Else `first`, and `false`.
 pub(super) fn as_called(
     session: &Session,
     world: World<'_>,
     file: &Path,
     request: &Request,
     first: Expansion,
-) -> Expansion {
+) -> (Expansion, bool) {
     let mut fails = Failures::of(&first);
     if fails.count() == 0 || request.cancel.is_cancelled() {
-        return first;
+        return (first, false);
     }
-    let mut best = first;
+    let (mut best, mut is_called) = (first, false);
     let mut tried: Vec<Request> = Vec::new();
     for args in session.given_args(file).take(MOST_CALLERS) {
         for with_all in [false, true] {
@@ -37,14 +37,14 @@ pub(super) fn as_called(
             tried.push(request);
             let left = Failures::of(&next);
             if left.count() < fails.count() && left.errors <= fails.errors {
-                (best, fails) = (next, left);
+                (best, fails, is_called) = (next, left, true);
             }
             if fails.count() == 0 {
-                return best;
+                return (best, is_called);
             }
         }
     }
-    best
+    (best, is_called)
 }
 
 /// What an expansion lacks that an argument may give.

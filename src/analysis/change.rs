@@ -49,12 +49,7 @@ impl<'a> Change<'a> {
             own.is_some_and(|own| !known.contains(&own)) && !self.session.settings(path).excludes(path)
         };
         let files = self.paths.iter().filter(|path| is_description(path) && self.session.vfs.is_file(path));
-        let job = |file: &PathBuf| Job {
-            file: file.clone(),
-            reason: Reason::Walked,
-            args: args.to_vec(),
-            preset: None,
-        };
+        let job = |file: &PathBuf| Job::new(file.clone(), Reason::Walked, args.to_vec());
         files.filter(is_new).map(job).collect()
     }
 

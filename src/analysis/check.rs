@@ -13,6 +13,7 @@ use super::change::Change;
 use super::configs::Settings;
 use super::context::RootChoice;
 use super::job::{self, Outcome};
+use super::launched::prefer_calls;
 use super::merge::merge;
 use super::progress::Progress;
 use super::report::{Report, SkipReason, Skipped, Unreadable};
@@ -52,6 +53,12 @@ pub(super) struct Done {
 /// What tells a job from others.
 type JobKey = (PathBuf, Reason, Vec<(String, String)>, Option<String>);
 
+/// The files that expansions read; parts are named by many robots.
+fn read_by(outcomes: &[Outcome]) -> BTreeSet<PathBuf> {
+    let read: FastSet<&PathBuf> = outcomes.iter().flat_map(|outcome| &outcome.reads).collect();
+    read.into_iter().cloned().collect()
+}
+
 fn key(job: &Job) -> JobKey {
     (job.file.clone(), job.reason, job.args.clone(), job.preset.clone())
 }
@@ -62,6 +69,12 @@ impl Done {
         self.outcomes.retain(|_, outcome| {
             !is_changed(&outcome.job.file) && !outcome.reads.iter().any(|path| is_changed(path))
         });
+    }
+
+    /// Keep what was done, where somebody wants it.
+    fn note(&mut self, outcomes: &[Outcome], is_wanted: bool) {
+        let known = outcomes.iter().filter(|_| is_wanted);
+        self.outcomes.extend(known.map(|outcome| (key(&outcome.job), outcome.clone())));
     }
 
     /// Forget everything.
@@ -77,7 +90,7 @@ impl Session {
     }
 
     /// The same; what `done` holds is not done again, and what is done is put there.
-    pub(super) fn check_with(&self, options: &CheckOptions, mut done: Option<&mut Done>) -> Report {
+    pub(super) fn check_with(&self, options: &CheckOptions, done: Option<&mut Done>) -> Report {
         let _held = self.vfs.hold();
         let mut report = Report::default();
         let jobs = self.jobs(options, &mut report);
@@ -90,15 +103,20 @@ impl Session {
         let later = self.uncovered(later, &outcomes);
         options.progress.skip(waiting - later.len());
         outcomes.extend(self.run_all(options, later, done.as_deref()));
-        if let Some(done) = &mut done {
-            done.outcomes = outcomes.iter().map(|outcome| (key(&outcome.job), outcome.clone())).collect();
+        let mut made = Done::default();
+        made.note(&outcomes, done.is_some());
+        reads.extend(read_by(&outcomes));
+        let mut kept = self.keep(outcomes);
+        let called = self.called(options, &kept, done.as_deref());
+        made.note(&called, done.is_some());
+        reads.extend(read_by(&called));
+        kept.extend(called);
+        prefer_calls(&mut kept);
+        if let Some(done) = done {
+            *done = made;
         }
-        // parts are named by many robots
-        let read: FastSet<&PathBuf> = outcomes.iter().flat_map(|outcome| &outcome.reads).collect();
-        reads.extend(read.into_iter().cloned());
         reads.extend(self.config_files());
         reads.extend(self.mesh_files());
-        let mut kept = self.keep(outcomes);
         if let Some(change) = Change::of(self, options) {
             kept.retain(|outcome| change.is_read_by(outcome));
         }
@@ -115,6 +133,13 @@ impl Session {
         let unpaired = unpaired.filter(|path| sort(path) == Some(Sort::Yaml));
         skipped.extend(unpaired.map(|path| Skipped { path, reason: SkipReason::NoRobot }));
         Report { unreadable, skipped, reads, ..self.conclude(options, kept, beside) }
+    }
+
+    /// The same robots as launch files call them. Whoever gives arguments asks for these.
+    fn called(&self, options: &CheckOptions, kept: &[Outcome], done: Option<&Done>) -> Vec<Outcome> {
+        let jobs = if options.args.is_empty() { self.launched_jobs(kept) } else { Vec::new() };
+        options.progress.add(jobs.len());
+        self.run_all(options, jobs, done)
     }
 
     /// Take the words out of findings in files that belong to no robot: a link or an include can lead to any file, and
@@ -150,7 +175,10 @@ impl Session {
     fn run_all(&self, options: &CheckOptions, jobs: Vec<Job>, done: Option<&Done>) -> Vec<Outcome> {
         let run = |job| {
             let known = done.and_then(|done| done.outcomes.get(&key(&job)).cloned());
-            let outcome = known.unwrap_or_else(|| job::run(self, options, job));
+            let outcome = match known {
+                Some(known) => Outcome { job, ..known },
+                None => job::run(self, options, job),
+            };
             options.progress.step();
             outcome
         };
@@ -187,6 +215,10 @@ impl Session {
         let has_robots = !kept.is_empty();
         let mut report = Report::default();
         for outcome in &kept {
+            report.files.extend(outcome.files.iter().map(|file| (file.id, file.clone())));
+            if outcome.job.called.is_some() {
+                continue;
+            }
             report.roots.push(outcome.job.file.clone());
             report.robots += usize::from(outcome.is_robot);
             if !outcome.unfound.is_empty() {
@@ -195,7 +227,6 @@ impl Session {
             }
             report.partial.extend(outcome.is_partial.then(|| outcome.job.file.clone()));
             report.nameless.extend(outcome.is_nameless.then(|| outcome.job.file.clone()));
-            report.files.extend(outcome.files.iter().map(|file| (file.id, file.clone())));
         }
         let homes = self.homes(options);
         let mut hiding = Hiding::new(self, options, &kept);
@@ -209,11 +240,13 @@ impl Session {
         let documents = beside.files.iter().filter_map(|file| self.vfs.document(file).ok());
         report.files.extend(documents.map(|file| (file.id, file)));
         report.compared = beside.files;
+        let missing_arguments = self.missing_arguments(&mut kept);
         let mut findings = merge(kept);
         findings.extend(beside.findings);
         findings.extend(hiding.finish());
         findings.extend(config_findings);
         findings.extend(drift_findings);
+        findings.extend(missing_arguments);
         if has_robots {
             findings.extend(self.launch_findings(options));
         }
@@ -268,7 +301,7 @@ impl Session {
     /// The jobs for what is named, whatever changed.
     pub(super) fn all_jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<Job> {
         let absolute = |path: &PathBuf| self.vfs.absolute(path);
-        let plain = |file, reason| Job { file, reason, args: options.args.clone(), preset: None };
+        let plain = |file, reason| Job::new(file, reason, options.args.clone());
         let entries = options.entries.iter().map(|path| plain(absolute(path), Reason::Root));
         let mut jobs: Vec<Job> = entries.collect();
         let (named, walked) = self.named_and_walked(options, report);

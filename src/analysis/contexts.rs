@@ -2,10 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
+use ecow::EcoString;
 use indexmap::IndexSet;
 
 use super::context::RootChoice;
 use super::job::Outcome;
+use super::launched::Called;
 use super::roots::Job;
 use super::world::World;
 use base::{FastSet, FileId, Span, TextRange};
@@ -16,14 +18,23 @@ use workspace::config::Variant;
 /// Contexts listed with a finding.
 const MOST_PLACES: usize = 10;
 
+/// Arguments of a call that are named.
+const MOST_ARGUMENTS: usize = 5;
+
 /// One expansion among those of a check.
 pub(super) struct Run {
     /// The file of the root.
     file: PathBuf,
     /// Its arguments; later ones win.
     args: Vec<(String, String)>,
+    /// The values of all arguments.
+    values: Vec<(EcoString, EcoString)>,
+    /// The calls in launch files that it is made for.
+    called: Option<Called>,
     /// Whether it is a context, as others are of the same files.
     is_context: bool,
+    /// Whether it has arguments of a caller, since it fails with the defaults.
+    is_as_called: bool,
     /// Whether it gives a robot, and everything of it is known.
     is_whole_robot: bool,
     /// The descriptions that were read.
@@ -34,11 +45,13 @@ pub(super) struct Run {
 
 impl Run {
     pub(super) fn of(outcome: &Outcome) -> Self {
-        let Job { file, args, .. } = outcome.job.clone();
+        let Job { file, args, called, .. } = outcome.job.clone();
         let reads = outcome.files.iter().map(|file| file.id).collect();
         let start = outcome.files.first().map(|source| start(source));
         let is_whole_robot = outcome.is_robot && outcome.complete;
-        Self { file, args, is_context: outcome.is_context, is_whole_robot, reads, start }
+        let (values, is_context) = (outcome.arguments.clone(), outcome.is_context);
+        let is_as_called = outcome.is_as_called;
+        Self { file, args, values, called, is_as_called, is_context, is_whole_robot, reads, start }
     }
 }
 
@@ -107,6 +120,69 @@ impl Contexts {
             Some(Related { span: self.runs.get(number)?.start?, message, is_call: false })
         };
         runs.iter().filter_map(place).take(MOST_PLACES).collect()
+    }
+
+    /// The numbers of the runs of the same robots that launch files call; none of robots that no launch file calls.
+    pub(super) fn of_called(&self, file: FileId, by: &[usize]) -> Vec<usize> {
+        let called = self.runs.iter().filter(|run| run.called.is_some()).map(|run| &run.file);
+        let called: FastSet<&PathBuf> = called.collect();
+        let files: FastSet<&PathBuf> = by.iter().filter_map(|&n| Some(&self.runs.get(n)?.file)).collect();
+        let is_one =
+            |run: &Run| files.contains(&run.file) && called.contains(&run.file) && run.reads.contains(&file);
+        self.runs.iter().enumerate().filter(|(_, run)| is_one(run)).map(|(number, _)| number).collect()
+    }
+
+    /// What the message of a finding ends with that these runs have, when all of them are made for calls in launch files:
+    /// ` [in 2 of 5 calls]`
+    pub(super) fn calls(&self, runs: &[usize]) -> Option<String> {
+        let called =
+            |&number: &usize| self.runs.get(number).and_then(|run| Some((run, run.called.as_ref()?)));
+        let runs: Vec<(&Run, &Called)> = runs.iter().map(called).collect::<Option<_>>()?;
+        let own: usize = runs.iter().map(|(_, called)| called.calls.len()).sum();
+        let mut seen = FastSet::default();
+        let robots = runs.iter().filter(|(run, _)| seen.insert(&run.file));
+        let all: usize = robots.map(|(_, called)| called.of).sum();
+        let is_as_called =
+            |other: &Run| other.is_as_called && runs.iter().any(|(run, _)| run.file == other.file);
+        if own == all && self.runs.iter().any(is_as_called) {
+            return Some(String::new());
+        }
+        Some(match (own, all) {
+            (_, 1) => " [in the only call]".to_owned(),
+            (own, all) if own == all => format!(" [in all {all} calls]"),
+            (own, all) => format!(" [in {own} of {all} calls]"),
+        })
+    }
+
+    /// The calls in launch files that these runs are made for.
+    pub(super) fn call_places(&self, runs: &[usize]) -> Vec<Related> {
+        let runs = runs.iter().filter_map(|&number| self.runs.get(number));
+        let places = runs.flat_map(|run| {
+            let message = match self.differing(run) {
+                args if args.is_empty() => "in this call".to_owned(),
+                args => format!("in this call: {args}"),
+            };
+            let calls = run.called.iter().flat_map(|called| &called.calls);
+            calls.map(move |&span| Related { span, message: message.clone(), is_call: false })
+        });
+        places.take(MOST_PLACES).collect()
+    }
+
+    /// The first arguments of a call that are not those that the robot has without it.
+    fn differing(&self, run: &Run) -> String {
+        let plain = self
+            .runs
+            .iter()
+            .find(|other| other.called.is_none() && !other.is_as_called && other.file == run.file);
+        let has = |(name, value): &&(String, String)| {
+            !plain.is_some_and(|plain| plain.values.iter().any(|(own, old)| own == name && old == value))
+        };
+        let mut args: Vec<String> =
+            run.args.iter().filter(has).map(|(name, value)| format!("{name}:={value}")).collect();
+        let more = args.len().saturating_sub(MOST_ARGUMENTS);
+        args.truncate(MOST_ARGUMENTS);
+        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        args.join(" ") + &more
     }
 
     fn label(&self, number: usize) -> Option<String> {

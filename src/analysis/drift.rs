@@ -237,7 +237,7 @@ fn is_for_old_xacro(text: &str) -> bool {
 
 impl Way {
     fn job(&self) -> Job {
-        Job { file: self.source.clone(), reason: Reason::Named, args: self.args.clone(), preset: None }
+        Job::new(self.source.clone(), Reason::Named, self.args.clone())
     }
 }
 

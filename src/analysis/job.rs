@@ -4,6 +4,8 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use ecow::EcoString;
+
 use super::calls::as_called;
 use super::check::CheckOptions;
 use super::configs::Settings;
@@ -33,6 +35,8 @@ pub(super) struct Outcome {
     pub(super) is_partial: bool,
     /// Whether it is one of the contexts that are checked: findings say in which of these they occur.
     pub(super) is_context: bool,
+    /// Whether it has arguments of a caller, since it fails with the defaults.
+    pub(super) is_as_called: bool,
     /// Whether everything was read and expanded, so that what was not found is not there.
     pub(super) complete: bool,
     /// Files that were read, the root file left out.
@@ -40,8 +44,8 @@ pub(super) struct Outcome {
     /// Descriptions that were read.
     pub(super) files: Vec<Arc<SourceFile>>,
     pub(super) findings: Vec<Finding>,
-    /// Whether it has arguments: with others it may be another robot.
-    pub(super) has_arguments: bool,
+    /// Its arguments with their values: with others it may be another robot.
+    pub(super) arguments: Vec<(EcoString, EcoString)>,
     /// The files that were included, each with the tag that did.
     pub(super) includes: Vec<(FileId, Span)>,
     /// The macros that were called: where each is defined.
@@ -50,24 +54,30 @@ pub(super) struct Outcome {
 
 /// Expand a file and check the result.
 pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcome {
-    let expansion = expanded(session, &job, &request(session, &options.cancel, &job));
+    let (expansion, is_as_called) = expanded(session, &job, &request(session, &options.cancel, &job));
     let robot = Robot::of(&expansion);
-    judge(session, &options.cancel, job, &expansion, robot.as_ref())
+    let outcome = judge(session, &options.cancel, job, &expansion, robot.as_ref());
+    Outcome { is_as_called, ..outcome }
 }
 
 /// Expand a file, for somebody who keeps the result.
 pub(super) fn expansion(session: &Session, options: &CheckOptions, job: &Job) -> Expansion {
-    expanded(session, job, &Request { keep: true, ..request(session, &options.cancel, job) })
+    expanded(session, job, &Request { keep: true, ..request(session, &options.cancel, job) }).0
 }
 
 /// Expand a file with the outcome of conditions given.
 pub(super) fn forced(session: &Session, cancel: &CancelFlag, job: &Job, forced: Vec<Forced>) -> Expansion {
-    expanded(session, job, &Request { keep: true, forced, ..request(session, cancel, job) })
+    expanded(session, job, &Request { keep: true, forced, ..request(session, cancel, job) }).0
 }
 
-fn expanded(session: &Session, job: &Job, request: &Request) -> Expansion {
+/// The expansion, and whether its arguments are those of a caller, since it fails with the defaults.
+fn expanded(session: &Session, job: &Job, request: &Request) -> (Expansion, bool) {
     let first = expand(world(session), request);
-    as_called(session, world(session), &job.file, request, first)
+    // what a call does not give is missing
+    match job.called {
+        Some(_) => (first, false),
+        None => as_called(session, world(session), &job.file, request, first),
+    }
 }
 
 pub(super) fn world(session: &Session) -> World<'_> {
@@ -118,12 +128,13 @@ pub(super) fn judge(
         unfound: if is_meant { missing_packages(expansion, around) } else { BTreeSet::new() },
         is_partial: is_meant && !is_whole(expansion),
         is_context: job.reason == Reason::Root,
+        is_as_called: false,
         complete: expansion.whole
             && expansion.files.iter().all(|file| file.source.document.errors().is_empty()),
         reads: reads(expansion),
         files: expansion.files.iter().map(|file| file.source.clone()).collect(),
         findings,
-        has_arguments: !expansion.arguments.is_empty(),
+        arguments: expansion.arguments.clone(),
         includes: include_tags(expansion, around),
         called: called(expansion),
         job,

@@ -11,6 +11,7 @@ use super::includes::reach;
 use super::session::Session;
 use base::{FastMap, FastSet, Span, TextRange};
 use rules::{Finding, launched_file_not_found, unknown_launch_argument};
+use vfs::SourceFile;
 use workspace::launch::{Argument, Call};
 use workspace::{RobotCall, nearest};
 
@@ -19,10 +20,12 @@ const MOST_FILES: usize = 500;
 
 /// The arguments that a description knows.
 #[derive(Default)]
-struct Known {
-    names: FastSet<EcoString>,
+pub(super) struct Known {
+    pub(super) names: FastSet<EcoString>,
     /// Whether all that may be included was read, and each name is written out.
-    complete: bool,
+    pub(super) complete: bool,
+    /// The files that were read.
+    pub(super) files: Vec<Arc<SourceFile>>,
 }
 
 impl Session {
@@ -37,15 +40,20 @@ impl Session {
         let folders = options.paths.iter().map(|path| self.vfs.absolute(path));
         for folder in folders.filter(|path| self.vfs.is_dir(path)) {
             let calls = self.robot_calls(&folder);
+            let is_checked = |call: &RobotCall| !self.settings(&call.call.caller).excludes(&call.call.caller);
             for group in calls.chunk_by(|a, b| same_place(&a.call, &b.call)) {
                 if options.cancel.is_cancelled() {
                     return found;
                 }
-                let is_checked =
-                    |call: &RobotCall| !self.settings(&call.call.caller).excludes(&call.call.caller);
                 if group.first().is_some_and(is_checked) {
                     self.findings_of(group, &mut known, &mut found);
                 }
+            }
+            found.extend(self.outside_choices(&folder));
+            for (robot, known) in &known {
+                let of = |call: &&RobotCall| call.target.as_ref() == Some(robot) && is_checked(call);
+                let of: Vec<&RobotCall> = calls.iter().filter(of).collect();
+                found.extend(self.value_findings(robot, known, &of));
             }
         }
         found
@@ -141,7 +149,7 @@ impl Session {
     }
 
     /// The arguments that a description and everything that it may include declare or read, in any branch.
-    fn known(&self, robot: &Path) -> Known {
+    pub(super) fn known(&self, robot: &Path) -> Known {
         let mut known = Known { complete: true, ..Known::default() };
         let mut seen: FastSet<PathBuf> = FastSet::default();
         let mut open = vec![robot.to_owned()];
@@ -160,6 +168,7 @@ impl Session {
                 break;
             }
             known.names.extend(arguments(&source));
+            known.files.push(source.clone());
             let reach = reach(&source, &self.packages);
             known.complete &= !reach.anything;
             for files in reach.files(&self.vfs) {
@@ -172,7 +181,7 @@ impl Session {
     }
 
     /// Where a call writes the name of an argument.
-    fn place_of(&self, call: &Call, argument: &Argument) -> Span {
+    pub(super) fn place_of(&self, call: &Call, argument: &Argument) -> Span {
         let file = self.vfs.file_id(&call.caller);
         let text = self.vfs.text(&call.caller);
         let text = text.as_ref().map_or("", |file| &*file.text);

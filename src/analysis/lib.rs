@@ -24,6 +24,8 @@ mod guard;
 mod includes;
 mod job;
 mod launch_findings;
+mod launch_values;
+mod launched;
 mod merge;
 mod named;
 mod parts;

@@ -88,8 +88,18 @@ impl Merged {
             };
             self.finding.severity = self.finding.severity.min(most);
         }
-        let possible = contexts.that_read(self.finding.span.file, &self.outcomes);
         let has = |number: &usize| self.outcomes.contains(number);
+        if self.finding.rule.name.starts_with("unused-")
+            && !contexts.of_called(self.finding.span.file, &self.outcomes).iter().all(has)
+        {
+            return None;
+        }
+        if let Some(suffix) = contexts.calls(&self.outcomes) {
+            self.finding.message.push_str(&suffix);
+            self.finding.related.extend(contexts.call_places(&self.outcomes));
+            return Some(self.finding);
+        }
+        let possible = contexts.that_read(self.finding.span.file, &self.outcomes);
         if possible.iter().all(has) {
             // what holds in all contexts may still blame a call that only some of them make
             return Some(self.finding);

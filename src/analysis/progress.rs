@@ -21,6 +21,11 @@ impl Progress {
         self.counts.1.store(all, Ordering::Relaxed);
     }
 
+    /// More expansions are to be made.
+    pub(super) fn add(&self, expansions: usize) {
+        self.counts.1.fetch_add(expansions, Ordering::Relaxed);
+    }
+
     pub(super) fn step(&self) {
         self.skip(1);
     }

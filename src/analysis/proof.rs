@@ -262,7 +262,7 @@ impl<'a> Trial<'a> {
 
 /// The expansion of a file that was named.
 fn named(file: &Path) -> Job {
-    Job { file: file.to_owned(), reason: Reason::Named, args: Vec::new(), preset: None }
+    Job::new(file.to_owned(), Reason::Named, Vec::new())
 }
 
 /// The elements of these names around a range, outermost first.

@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use super::launched::Called;
 use super::session::Session;
-use workspace::config::{Axes, Root, Variant};
+use workspace::config::{Args, Axes, Root, Variant};
 
 /// Why a file is expanded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -26,9 +27,18 @@ pub(super) struct Job {
     /// Why.
     pub(super) reason: Reason,
     /// Arguments; later ones win.
-    pub(super) args: Vec<(String, String)>,
+    pub(super) args: Args,
     /// Name of the preset.
     pub(super) preset: Option<String>,
+    /// The calls in launch files that it is made for.
+    pub(super) called: Option<Called>,
+}
+
+impl Job {
+    /// A file with arguments.
+    pub(super) fn new(file: PathBuf, reason: Reason, args: Args) -> Self {
+        Self { file, reason, args, preset: None, called: None }
+    }
 }
 
 impl Session {
@@ -44,11 +54,9 @@ impl Session {
 
     /// The expansions of one file of a configured root; `args` go over all others.
     pub(super) fn jobs_of(&self, root: &Root, file: &Path, args: &[(String, String)]) -> Vec<Job> {
-        let job = |variant: Variant| Job {
-            file: file.to_path_buf(),
-            reason: Reason::Root,
-            args: variant.args.into_iter().chain(args.iter().cloned()).collect(),
-            preset: variant.preset,
+        let job = |variant: Variant| {
+            let args = variant.args.into_iter().chain(args.iter().cloned()).collect();
+            Job { preset: variant.preset, ..Job::new(file.to_path_buf(), Reason::Root, args) }
         };
         self.variants(root, file).into_iter().map(job).collect()
     }

@@ -13,7 +13,7 @@ use model::Meshes;
 use rules::{Manifests, Surroundings};
 use vfs::{Environment, LoadError, Vfs};
 use workspace::config::{self, Axes, Config, ConfigWarning};
-use workspace::{Caller, Callers, Era, GivenArg, PackageOptions, Packages, RobotCall};
+use workspace::{Caller, Callers, Era, Excluded, GivenArg, PackageOptions, Packages, RobotCall};
 
 /// Files, packages, environment and configuration.
 pub struct Session {
@@ -142,6 +142,11 @@ impl Session {
         let all = self.callers.calls(&path, &self.packages);
         let concerns = |call: &&RobotCall| call.call.caller == path || call.target.as_ref() == Some(&path);
         all.iter().filter(concerns).cloned().collect()
+    }
+
+    /// The values below a folder that launch files give and that choices rule out.
+    pub(super) fn excluded_values(&self, folder: &Path) -> Arc<Vec<Excluded>> {
+        self.callers.excluded_values(folder, &self.packages)
     }
 
     /// The arguments of a description for which launch files declare the values to choose from.

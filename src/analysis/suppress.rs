@@ -42,7 +42,7 @@ impl<'a> Hiding<'a> {
         files.retain(|_, (_, found)| !found.list.is_empty());
         let judged = judged(session, options, outcomes);
         let called = outcomes.iter().flat_map(|outcome| outcome.called.iter().copied()).collect();
-        let variable = outcomes.iter().filter(|outcome| outcome.has_arguments);
+        let variable = outcomes.iter().filter(|outcome| !outcome.arguments.is_empty());
         let variable = variable.flat_map(|outcome| outcome.files.iter().map(|file| file.id)).collect();
         Self { session, files, judged, used: FastSet::default(), called, variable }
     }

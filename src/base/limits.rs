@@ -147,6 +147,8 @@ limits! {
         SCAN_DEPTH: usize = 64, "deeper packages are not found";
         /// Descriptions in a workspace that the server reads to find robots.
         SCAN_FILES: usize = 20_000, "the others are read when you open them";
+        /// Combinations of arguments from launch files with which one robot is checked.
+        CALL_RUNS: usize = 20, "the robot is not checked with the others";
         /// Launch files, scripts and pages in a workspace that are searched for calls of xacro.
         CALLER_FILES: usize = 5_000, "arguments in the others are unknown";
         /// Bytes of each of them.

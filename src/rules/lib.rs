@@ -47,7 +47,9 @@ pub use linter::{
     Directive, Malformed, Selector, Suppression, Suppressions, invalid_config, unused_suppression,
 };
 pub use package::{
-    Manifests, generated_urdf_out_of_date, launched_file_not_found, missing_packages, unknown_launch_argument,
+    Manifests, argument_never_set, generated_urdf_out_of_date, launched_file_not_found,
+    missing_launch_argument, missing_packages, unknown_launch_argument, value_never_compared,
+    value_outside_choices,
 };
 pub use registry::{
     Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector,

@@ -6,8 +6,8 @@ use super::beside::BesideCx;
 use super::context::{DocumentCx, FileCx, RobotCx};
 use super::sink::Sink;
 use super::{
-    consumers, control, conventions, frames, geometry, inertia, joint, linter, moveit, package, srdf, structure,
-    style, xacro, xml,
+    consumers, control, conventions, frames, geometry, inertia, joint, linter, moveit, package, srdf,
+    structure, style, xacro, xml,
 };
 use workspace::nearest;
 

@@ -22,7 +22,7 @@ mod uri;
 mod tests;
 
 pub use belonging::{UNQUOTED, Vicinity};
-pub use callers::{Caller, Callers, Era, GivenArg, RobotCall, has_name};
+pub use callers::{Caller, Callers, Era, Excluded, GivenArg, RobotCall, has_name};
 pub use install::{BUILD_FILES, Build, Built};
 pub use packages::{Entry, Found, NotFound, Package, PackageOptions, Packages, Target};
 pub use root::is_built;

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use super::super::context::RootChoice;
 use super::super::graph::gives_robot;
-use super::super::includes::{reach, tidy_path};
+use super::super::includes::reach;
 use super::super::session::Session;
 use super::files::{Sort, sort};
 use workspace::has_name;
@@ -86,7 +86,7 @@ impl Session {
         let (name, urdf) = (assistant.package.as_ref()?, assistant.urdf.as_ref()?);
         let folder = self.packages.find(&name.name, path).ok()?.path;
         let file = self.packages.present(&folder.join(urdf.name.as_str())).into_owned();
-        let file = tidy_path(&self.vfs.absolute(&file));
+        let file = vfs::without_parents(&self.vfs.absolute(&file));
         let root = RootChoice { args: assistant.given(), ..RootChoice::plain(&file) };
         self.vfs.is_file(&file).then(|| Pairing::named(vec![root]))?
     }

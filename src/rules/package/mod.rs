@@ -1,5 +1,6 @@
 //! Packages and files of the workspace.
 
+mod argument_never_set;
 mod deprecated_xacro_cli;
 mod description_package_name;
 mod generated_urdf_out_of_date;
@@ -9,22 +10,29 @@ mod launched_file_not_found;
 mod malformed_package_xml;
 mod manifest;
 mod mentions;
+mod missing_launch_argument;
 mod missing_package_dependency;
 mod package_not_found;
 mod resource_not_installed;
 mod unknown_launch_argument;
+mod value_never_compared;
+mod value_outside_choices;
 mod xacro_not_in_package;
 
 use super::registry::Rule;
 
+pub use argument_never_set::argument_never_set;
 pub use generated_urdf_out_of_date::generated_urdf_out_of_date;
 pub(super) use launch::reads_as_it_stands;
 pub use launched_file_not_found::launched_file_not_found;
 pub use manifest::Manifests;
 pub(super) use mentions::Mention;
+pub use missing_launch_argument::missing_launch_argument;
 pub use package_not_found::missing_packages;
 pub(super) use package_not_found::{is_news, warn_once};
 pub use unknown_launch_argument::unknown_launch_argument;
+pub use value_never_compared::value_never_compared;
+pub use value_outside_choices::value_outside_choices;
 
 /// The rules.
 pub(super) static RULES: &[Rule] = &[
@@ -39,4 +47,8 @@ pub(super) static RULES: &[Rule] = &[
     unknown_launch_argument::RULE,
     launched_file_not_found::RULE,
     generated_urdf_out_of_date::RULE,
+    missing_launch_argument::RULE,
+    value_outside_choices::RULE,
+    value_never_compared::RULE,
+    argument_never_set::RULE,
 ];

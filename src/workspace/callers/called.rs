@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use base::FastMap;
 use base::limits::{CALLER_CALLS, LAUNCH_INCLUDES};
 
+use super::choices::{Excluded, excluded};
 use super::{Callers, GivenArg, Uses, search};
 use crate::Packages;
-use crate::config::Axes;
-use crate::launch::{self, Call, Context, LaunchFile, Word, calls_in, included};
+use crate::launch::{self, Call, Context, LaunchFile, calls_in, included};
 use std::sync::Arc;
 
 /// A call, and the description that it names.
@@ -21,6 +21,13 @@ pub struct RobotCall {
     pub target: Option<PathBuf>,
 }
 
+/// What the launch files below a folder say.
+pub(super) struct Called {
+    pub calls: Arc<Vec<RobotCall>>,
+    /// The values that choices rule out.
+    pub excluded: Arc<Vec<Excluded>>,
+}
+
 impl Callers {
     /// All calls in the sources around a file, in the order of the paths of the files that call.
     pub fn calls(&self, file: &Path, packages: &Packages) -> Arc<Vec<RobotCall>> {
@@ -30,6 +37,11 @@ impl Callers {
 
     /// All calls below a folder.
     pub fn calls_below(&self, top: &Path, packages: &Packages) -> Arc<Vec<RobotCall>> {
+        self.called_below(top, packages).calls.clone()
+    }
+
+    /// What the launch files below a folder say.
+    pub(super) fn called_below(&self, top: &Path, packages: &Packages) -> Arc<Called> {
         let uses = self.below.get(top.to_owned(), || Arc::new(search(&packages.vfs, top)));
         self.called.get(top.to_owned(), || Arc::new(all(&uses, packages)))
     }
@@ -49,67 +61,10 @@ impl Callers {
         };
         calls.map(given).collect()
     }
-
-    /// The arguments of the description `file` that launch files pass on from an argument of theirs with declared choices,
-    /// with the values that these choices give.
-    pub fn choices(&self, file: &Path, packages: &Packages) -> Axes {
-        let mut axes = Axes::new();
-        let mut launch_files: Vec<PathBuf> = Vec::new();
-        for call in self.calls(file, packages).iter().filter(|call| call.target.as_deref() == Some(file)) {
-            if !launch_files.contains(&call.call.caller) {
-                launch_files.push(call.call.caller.clone());
-            }
-        }
-        let read = |path: &PathBuf| launch::read(path, &packages.vfs.text(path).ok()?.text);
-        for launch_file in launch_files.iter().filter_map(read) {
-            let mut calls = 0;
-            for declared in &launch_file.declared {
-                let Some(choices) = &declared.choices else { continue };
-                for choice in choices {
-                    calls += 1;
-                    if calls > CALLER_CALLS {
-                        return axes;
-                    }
-                    let value = (declared.name.clone(), Word::plain(choice));
-                    let context = Context { values: vec![value], ..Context::default() };
-                    add_chosen(&mut axes, &launch_file, &declared.name, &context, |call| {
-                        target(call, packages).as_deref() == Some(file)
-                    });
-                }
-            }
-        }
-        axes
-    }
-}
-
-/// Add the values of the arguments that depend on the argument `name` of a launch file, which has a value in `context`.
-fn add_chosen(
-    axes: &mut Axes,
-    launch_file: &LaunchFile,
-    name: &str,
-    context: &Context,
-    is_meant: impl Fn(&Call) -> bool,
-) {
-    const OTHER: &str = "\u{fffd}";
-    let other = Context { values: vec![(name.to_owned(), Word::plain(OTHER))], ..Context::default() };
-    let others = calls_in(launch_file, &other);
-    for call in calls_in(launch_file, context).iter().filter(|call| is_meant(call)) {
-        let same = others.iter().find(|other| other.range == call.range);
-        for argument in &call.args {
-            let depends = same.and_then(|same| same.args.iter().find(|own| own.name == argument.name));
-            let depends = depends.is_some_and(|own| own.value.shown().contains(OTHER));
-            let Some(value) = argument.value.literal().filter(|_| depends) else { continue };
-            match axes.iter_mut().find(|(known, _)| *known == argument.name) {
-                Some((_, values)) if values.contains(&value) => {}
-                Some((_, values)) => values.push(value),
-                None => axes.push((argument.name.clone(), vec![value])),
-            }
-        }
-    }
 }
 
 /// The calls of all launch files, and of those again that others include with further arguments.
-fn all(uses: &Uses, packages: &Packages) -> Vec<RobotCall> {
+fn all(uses: &Uses, packages: &Packages) -> Called {
     let read = |path: &PathBuf| launch::read(path, &packages.vfs.text(path).ok()?.text);
     let files: Vec<LaunchFile> = uses.scripts.iter().filter_map(read).collect();
     let by_path: FastMap<&Path, &LaunchFile> = files.iter().map(|file| (file.path.as_path(), file)).collect();
@@ -122,7 +77,8 @@ fn all(uses: &Uses, packages: &Packages) -> Vec<RobotCall> {
     }
     found.truncate(CALLER_CALLS);
     found.sort_by(|a, b| (&a.caller, a.range.start, &a.through).cmp(&(&b.caller, b.range.start, &b.through)));
-    found.into_iter().map(|call| RobotCall { target: target(&call, packages), call }).collect()
+    let calls = found.into_iter().map(|call| RobotCall { target: target(&call, packages), call });
+    Called { calls: Arc::new(calls.collect()), excluded: Arc::new(excluded(&files, &by_path, packages)) }
 }
 
 /// The calls of the files that a launch file includes.
@@ -153,7 +109,7 @@ fn through(
 }
 
 /// The description that a call names, as it is in the source tree.
-fn target(call: &Call, packages: &Packages) -> Option<PathBuf> {
+pub(super) fn target(call: &Call, packages: &Packages) -> Option<PathBuf> {
     let path = call.file.path(packages, &call.caller)?;
     Some(packages.present(&path).into_owned())
 }

@@ -4,10 +4,12 @@
 //! Read as text, never executed: which values a launch file computes is not known then, only that it gives them.
 
 mod called;
+mod choices;
 mod config;
 mod read;
 
 pub use called::RobotCall;
+pub use choices::Excluded;
 pub use read::has_name;
 
 use std::path::{Path, PathBuf};
@@ -89,7 +91,7 @@ pub struct GivenArg {
 #[derive(Default)]
 pub struct Callers {
     below: Memo<PathBuf, Arc<Uses>>,
-    called: Memo<PathBuf, Arc<Vec<RobotCall>>>,
+    called: Memo<PathBuf, Arc<called::Called>>,
 }
 
 /// Who calls descriptions below a folder, and the descriptions there, by name.

@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 use base::TextRange;
 
 pub use resolve::{Argument, Call, Why, Word, calls};
-pub(crate) use resolve::{Context, calls_in, included};
+pub(crate) use resolve::{Context, calls_in, included, values_given};
 use text::Text;
 
 /// What a launch file says.
@@ -44,6 +44,14 @@ pub struct LaunchFile {
 impl LaunchFile {
     fn of(path: &Path) -> Self {
         Self { path: path.to_owned(), shares: true, ..Self::default() }
+    }
+
+    /// The values that an argument may have: those of all its declarations; none where it may have any.
+    pub(crate) fn choices_of(&self, name: &str) -> Option<Vec<String>> {
+        let mut own = self.declared.iter().filter(|declared| declared.name == name).peekable();
+        own.peek()?;
+        let all: Option<Vec<_>> = own.map(|declared| declared.choices.clone()).collect();
+        Some(all?.concat())
     }
 
     fn is_declared(&self, name: &str) -> bool {

@@ -120,6 +120,36 @@ pub(crate) fn included(file: &LaunchFile, context: &Context) -> Vec<(Word, Conte
     file.includes.iter().map(given).collect()
 }
 
+/// A value that a launch file gives to an argument.
+pub(crate) struct GivenValue {
+    /// The launch file whose argument it is; none for its own.
+    pub to: Option<Word>,
+    pub name: String,
+    pub value: String,
+    /// What gives it.
+    pub range: TextRange,
+}
+
+/// The values that a launch file gives to its own arguments by their defaults, and to those of the files that it includes.
+pub(crate) fn values_given(file: &LaunchFile) -> Vec<GivenValue> {
+    let context = Context::default();
+    let own = Resolver::new(file, &context, &[]);
+    let defaults = file.declared.iter().filter_map(|declared| {
+        let value = own.word(declared.default.as_ref()?).literal()?;
+        Some(GivenValue { to: None, name: declared.name.clone(), value, range: declared.range })
+    });
+    let included = file.includes.iter().flat_map(|include| {
+        let resolver = Resolver::new(file, &context, &include.assumed);
+        let to = resolver.word(&include.file);
+        let given = |(name, value): &(String, Text)| {
+            let value = resolver.word(value).literal()?;
+            Some(GivenValue { to: Some(to.clone()), name: name.clone(), value, range: include.range })
+        };
+        include.args.iter().filter_map(given).collect::<Vec<_>>()
+    });
+    defaults.chain(included).collect()
+}
+
 impl Call {
     /// Whether another call gives the same robot the same.
     pub fn is_same(&self, other: &Self) -> bool {

@@ -1,0 +1,251 @@
+//! Robots as launch files call them: each distinct call is expanded and checked as well.
+
+use std::path::{Path, PathBuf};
+
+use super::job::Outcome;
+use super::roots::Job;
+use super::session::Session;
+use base::limits::CALL_RUNS;
+use base::{FastMap, FastSet, Span};
+use rules::{Finding, missing_launch_argument};
+use workspace::RobotCall;
+use workspace::config::Args;
+
+/// One way in which launch files call a robot.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Launched {
+    /// The name of the launch file that is started.
+    pub name: String,
+    /// All arguments.
+    pub args: Args,
+    /// The calls.
+    pub calls: Vec<Span>,
+}
+
+/// The calls that an expansion is made for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Called {
+    /// The calls.
+    pub calls: Vec<Span>,
+    /// How many calls of the robot there are whose arguments are known.
+    pub of: usize,
+}
+
+impl Session {
+    /// The distinct calls of a robot of which all arguments are known, in the order of the paths of the launch files.
+    pub(super) fn launched(&self, robot: &Path) -> Vec<Launched> {
+        let mut found: Vec<Launched> = Vec::new();
+        let mut known = None;
+        for call in self.robot_calls(robot).iter().filter(|call| call.target.as_deref() == Some(robot)) {
+            let Some(mut args) = self.known_args(call) else { continue };
+            // what the robot does not read makes no difference
+            let known = known.get_or_insert_with(|| self.known(robot));
+            args.retain(|(name, _)| !known.complete || known.names.contains(name.as_str()));
+            let site = Span { file: self.vfs.file_id(&call.call.caller), range: call.call.range };
+            match found.iter_mut().find(|launched| same(&launched.args, &args)) {
+                Some(launched) if launched.calls.contains(&site) => {}
+                Some(launched) => launched.calls.push(site),
+                None => {
+                    let file = call.call.through.first().unwrap_or(&call.call.caller);
+                    let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+                    found.push(Launched { name, args, calls: vec![site] });
+                }
+            }
+        }
+        found
+    }
+
+    /// The arguments of a call, where all of them are known.
+    fn known_args(&self, call: &RobotCall) -> Option<Args> {
+        let value = |argument: &workspace::launch::Argument| {
+            let value = argument.value.value(&self.packages, &call.call.caller)?;
+            Some((argument.name.clone(), value))
+        };
+        if call.call.open { None } else { call.call.args.iter().map(value).collect() }
+    }
+
+    /// The expansions to be made for calls, beside those with defaults: at most [`CALL_RUNS`] for each robot.
+    pub(super) fn launched_jobs(&self, outcomes: &[Outcome]) -> Vec<Job> {
+        let with_arguments = outcomes.iter().filter(|outcome| {
+            let reads_some = !outcome.arguments.is_empty() || outcome.findings.iter().any(is_not_given);
+            reads_some && !self.is_configured(&outcome.job.file)
+        });
+        with_arguments.flat_map(|outcome| self.launched_jobs_of(outcome)).collect()
+    }
+
+    /// Whether the configuration says with which arguments a file is expanded.
+    fn is_configured(&self, file: &Path) -> bool {
+        let settings = self.settings(file);
+        settings.config.roots.iter().any(|root| root.files(&self.vfs).iter().any(|own| own == file))
+    }
+
+    fn launched_jobs_of(&self, outcome: &Outcome) -> Vec<Job> {
+        let launched = self.launched(&outcome.job.file);
+        let of = launched.iter().map(|launched| launched.calls.len()).sum();
+        let has = |(name, value): &(String, String)| {
+            outcome.arguments.iter().any(|(own, default)| own == name && default == value)
+        };
+        let is_other = |launched: &Launched| outcome.is_as_called || !launched.args.iter().all(has);
+        let job = |launched: Launched| Job {
+            args: launched.args,
+            preset: Some(launched.name),
+            called: Some(Called { calls: launched.calls, of }),
+            ..outcome.job.clone()
+        };
+        launched.into_iter().filter(is_other).take(CALL_RUNS).map(job).collect()
+    }
+
+    /// Take the errors about arguments that a call does not give out of the robots: they belong to the launch files. A robot
+    /// that no call gives an argument has the error itself.
+    pub(super) fn missing_arguments(&self, outcomes: &mut [Outcome]) -> Vec<Finding> {
+        let lacking = |outcome: &Outcome| -> Vec<(PathBuf, Span)> {
+            let findings = outcome.findings.iter().filter(|finding| is_not_given(finding));
+            findings.map(|finding| (outcome.job.file.clone(), finding.span)).collect()
+        };
+        let as_written = outcomes.iter().filter(|outcome| outcome.job.called.is_none());
+        let always: FastSet<(PathBuf, Span)> = as_written.flat_map(lacking).collect();
+        let mut found: FastMap<(Span, String), Finding> = FastMap::default();
+        for outcome in outcomes {
+            let Some(called) = &outcome.job.called else { continue };
+            let file = &outcome.job.file;
+            outcome.findings.retain(|finding| {
+                let Some(name) = not_given(finding) else { return true };
+                if always.contains(&(file.clone(), finding.span)) {
+                    return true;
+                }
+                for &call in &called.calls {
+                    let missing = || missing_launch_argument(call, name, file, finding.span);
+                    found.entry((call, name.to_owned())).or_insert_with(missing);
+                }
+                false
+            });
+        }
+        found.into_values().collect()
+    }
+}
+
+/// Of robots that fail with their defaults, what the calls say counts.
+pub(super) fn prefer_calls(outcomes: &mut [Outcome]) {
+    let works =
+        |outcome: &&Outcome| outcome.job.called.is_some() && !outcome.findings.iter().any(is_not_given);
+    let working = outcomes.iter().filter(works).map(|outcome| outcome.job.file.clone());
+    let working: FastSet<PathBuf> = working.collect();
+    for outcome in outcomes.iter_mut().filter(|outcome| outcome.is_as_called) {
+        if working.contains(&outcome.job.file) {
+            outcome.findings.clear();
+        }
+    }
+}
+
+/// The argument that is read and not given; a misspelled name is another mistake.
+fn not_given(finding: &Finding) -> Option<&str> {
+    match &finding.outside {
+        Some(expand::Outside::Argument(name)) if finding.rule.code == "XAC003" => {
+            (!finding.probed && finding.fix.is_none()).then_some(name)
+        }
+        _ => None,
+    }
+}
+
+fn is_not_given(finding: &Finding) -> bool {
+    not_given(finding).is_some()
+}
+
+/// Whether two lists give the same arguments the same values.
+fn same(a: &Args, b: &Args) -> bool {
+    let sorted = |args: &Args| {
+        let args: std::collections::BTreeMap<String, String> = args.iter().cloned().collect();
+        args
+    };
+    sorted(a) == sorted(b)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{CheckOptions, Session, Setup};
+    use vfs::testing::Tree;
+
+    /// An unknown type with `side:=right`; and an argument without a default unless `sim` is true.
+    const ROBOT: &str = "<robot name='r' xmlns:xacro='x'><xacro:arg name='side' default='left'/>\
+                         <xacro:arg name='sim' default='true'/><link name='a'/>\
+                         <xacro:property name='type' value=\"${'fix' if '$(arg side)' == 'right' else 'fixed'}\"/>\
+                         <joint name='j' type='${type}'><parent link='a'/><child link='b'/></joint><link name='b'/>\
+                         <xacro:unless value='$(arg sim)'><gazebo><p>$(arg ip)</p></gazebo></xacro:unless></robot>";
+
+    /// Check a robot with a script: severity, message and lines of the related places of all that is an error.
+    fn check_script(robot: &str, script: &str, args: &[(&str, &str)], expected: &[&str]) {
+        let tree = Tree::new();
+        tree.write("r.xacro", robot);
+        tree.write("a.sh", script);
+        let (about, folders) = (tree.root().to_owned(), vec![tree.root().to_owned()]);
+        let session =
+            Session::new(&tree.environment(&[]), Setup { about, folders, ..Setup::default() }).unwrap();
+        let args = args.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
+        let options = CheckOptions { paths: vec![tree.root().to_owned()], args, ..CheckOptions::default() };
+        let report = session.check(&options);
+        let found = report.findings.iter().filter(|finding| finding.severity == rules::Severity::Error);
+        let found: Vec<String> = found
+            .map(|finding| {
+                let in_script = |span: base::Span| report.path(span.file).ends_with("a.sh");
+                let places = finding.related.iter().filter(|related| in_script(related.span));
+                let places = places.map(|related| related.message.as_str());
+                let own = if in_script(finding.span) { " at the call" } else { "" };
+                let places: Vec<&str> =
+                    std::iter::once(own).chain(places).filter(|s| !s.is_empty()).collect();
+                format!("{}{}", finding.message, places.join("; ").replace("in this call", " in this call"))
+            })
+            .collect();
+        assert_eq!(found, expected, "{script}");
+        assert_eq!(report.robots, 1);
+    }
+
+    #[test]
+    fn findings_of_some_calls() {
+        let unknown = "joint `j` has unknown type `fix`";
+        check_script(ROBOT, "xacro r.xacro side:=left\n", &[], &[]);
+        check_script(
+            ROBOT,
+            "xacro r.xacro side:=left\nxacro r.xacro side:=right\n",
+            &[],
+            &[&format!("{unknown} [in 1 of 2 calls] in this call: side:=right")],
+        );
+        check_script(
+            ROBOT,
+            "xacro r.xacro side:=right sim:=true\n",
+            &[],
+            &[&format!("{unknown} [in the only call] in this call: side:=right")],
+        );
+        // what the robot does not know makes no other call
+        check_script(
+            ROBOT,
+            "xacro r.xacro side:=right\nxacro r.xacro side:=right n:=2\n",
+            &[],
+            &[
+                "unknown argument `n` of `r.xacro` at the call",
+                &format!("{unknown} [in all 2 calls] in this call: side:=right;  in this call: side:=right"),
+            ],
+        );
+        // a value that is not known
+        check_script(ROBOT, "xacro r.xacro side:=right sim:=$1\n", &[], &[]);
+        // with the defaults as well
+        let always = ROBOT.replace("'left'", "'right'");
+        check_script(&always, "xacro r.xacro side:=right\nxacro r.xacro sim:=True\n", &[], &[unknown]);
+    }
+
+    #[test]
+    fn arguments_of_the_command_line_are_all_that_count() {
+        check_script(ROBOT, "xacro r.xacro side:=right\n", &[("sim", "true")], &[]);
+    }
+
+    #[test]
+    fn arguments_that_a_call_does_not_give() {
+        let missing = "missing argument `ip` of `r.xacro` at the call";
+        check_script(ROBOT, "xacro r.xacro sim:=false\n", &[], &[missing]);
+        check_script(ROBOT, "xacro r.xacro sim:=false ip:=1\n", &[], &[]);
+        check_script(ROBOT, "xacro r.xacro sim:=false $MORE\n", &[], &[]);
+        // the robot fails with its defaults
+        let real = ROBOT.replace("'true'", "'false'");
+        check_script(&real, "xacro r.xacro ip:=1\nxacro r.xacro side:=left\n", &[], &[missing]);
+        check_script(&real, "xacro r.xacro side:=left\n", &[], &["argument `ip` is not defined"]);
+    }
+}
