@@ -107,6 +107,8 @@ fn files(block: &Block) -> (Vec<(String, String)>, Vec<Place>) {
 fn write(rule: &Rule, number: usize, block: &Block, folder: &Path) -> (PathBuf, Vec<Place>) {
     let folder = folder.join(rule.name).join(number.to_string());
     let _ = fs::remove_dir_all(&folder);
+    // a repository of its own: nothing is read of folders above
+    fs::create_dir_all(folder.join(".git")).unwrap();
     let (files, places) = files(block);
     for (name, text) in &files {
         // `//- part.stl: box 0.1` is a binary mesh

@@ -158,6 +158,8 @@ fn messages_follow_the_style_guide() {
     for rule in rules::all() {
         for (number, files) in examples(rule.docs).into_iter().enumerate() {
             let folder = folder.join(rule.name).join(number.to_string());
+            // a repository of its own: nothing is read of folders above
+            fs::create_dir_all(folder.join(".git")).unwrap();
             for (name, content) in &files {
                 let path = folder.join(name);
                 fs::create_dir_all(path.parent().unwrap()).unwrap();
