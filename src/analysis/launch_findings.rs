@@ -1,5 +1,6 @@
 //! What launch files say of robots that is not so: arguments that no robot knows, descriptions that are not there.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -9,7 +10,7 @@ use super::check::CheckOptions;
 use super::config_findings::arguments;
 use super::includes::reach;
 use super::session::Session;
-use base::{FastMap, FastSet, Span, TextRange};
+use base::{FastSet, Span, TextRange};
 use rules::{Finding, launched_file_not_found, unknown_launch_argument};
 use vfs::SourceFile;
 use workspace::launch::{Argument, Call};
@@ -31,7 +32,7 @@ pub(super) struct Known {
 impl Session {
     /// What is wrong in the calls of the launch files below the folders that are checked.
     pub(super) fn launch_findings(&self, options: &CheckOptions) -> Vec<Finding> {
-        let mut known: FastMap<PathBuf, Arc<Known>> = FastMap::default();
+        let mut known: BTreeMap<PathBuf, Arc<Known>> = BTreeMap::new();
         let mut found = Vec::new();
         // an editor asks about the files that it shows
         if !options.entries.is_empty() {
@@ -53,7 +54,9 @@ impl Session {
             for (robot, known) in &known {
                 let of = |call: &&RobotCall| call.target.as_ref() == Some(robot) && is_checked(call);
                 let of: Vec<&RobotCall> = calls.iter().filter(of).collect();
-                found.extend(self.value_findings(robot, known, &of));
+                if !of.is_empty() {
+                    found.extend(self.value_findings(robot, known, &of));
+                }
             }
         }
         found
@@ -104,7 +107,7 @@ impl Session {
     fn findings_of(
         &self,
         group: &[RobotCall],
-        known: &mut FastMap<PathBuf, Arc<Known>>,
+        known: &mut BTreeMap<PathBuf, Arc<Known>>,
         found: &mut Vec<Finding>,
     ) {
         let targets: Vec<&PathBuf> = group.iter().filter_map(|call| call.target.as_ref()).collect();

@@ -160,7 +160,7 @@ fn narrowed(part: &NamePart, given: &[NamePart], offset: u32) -> Option<Span> {
     let Span { file, range } = part.written;
     let at = part.of.start + (offset - range.start);
     let own = given.iter().filter(|own| part.of.contains_range(own.of));
-    let own = own.filter(|own| own.of.touches(at)).last()?;
+    let own = own.filter(|own| own.of.touches(at)).next_back()?;
     let start = range.start + (own.of.start - part.of.start);
     Some(Span { file, range: TextRange::new(start, start + own.of.len()) })
 }

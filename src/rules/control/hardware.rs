@@ -38,7 +38,7 @@ impl<'a> Hardware<'a> {
 
     /// Whether a joint is there, and does not offer an interface.
     pub fn lacks(&self, joint: &str, interface: &str, is_command: bool) -> bool {
-        self.has(joint) && !self.offered(joint, is_command).iter().any(|offered| *offered == interface)
+        self.has(joint) && !self.offered(joint, is_command).contains(&interface)
     }
 
     /// The interfaces that a joint offers.
