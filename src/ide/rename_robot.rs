@@ -159,8 +159,7 @@ fn asked(cx: &Cx<'_>, all: &[(Name, Vec<NamePart>)], offset: u32) -> Option<Span
 fn narrowed(part: &NamePart, given: &[NamePart], offset: u32) -> Option<Span> {
     let Span { file, range } = part.written;
     let at = part.of.start + (offset - range.start);
-    let own = given.iter().filter(|own| part.of.contains_range(own.of));
-    let own = own.filter(|own| own.of.touches(at)).next_back()?;
+    let own = given.iter().rfind(|own| part.of.contains_range(own.of) && own.of.touches(at))?;
     let start = range.start + (own.of.start - part.of.start);
     Some(Span { file, range: TextRange::new(start, start + own.of.len()) })
 }
