@@ -119,6 +119,7 @@ fn hover(bencher: Bencher<'_, '_>, calls: usize) {
             expansion: &analyzed.expansion,
             robot: analyzed.robot.as_ref(),
             kinematics: analyzed.kinematics.as_ref(),
+            beside: &[],
             pinned: None,
         };
         let around = session.world.session().surroundings(&settings.config);
