@@ -1,8 +1,10 @@
 //! The joints and interfaces that the hardware of a robot offers to controllers.
 
-use super::super::beside::BesideCx;
-use base::FastMap;
-use model::{ControlJoint, Interface};
+use super::super::beside::{BesideCx, PairedRobot};
+use super::ros2_control_unknown_interface::is_misspelled;
+use super::ros2_control_unknown_tag::is_known_in_joint;
+use base::{FastMap, FastSet};
+use model::{ControlJoint, Interface, Ros2Control};
 
 /// The joints of all `<ros2_control>` of the robots.
 pub(super) struct Hardware<'a> {
@@ -10,13 +12,14 @@ pub(super) struct Hardware<'a> {
 }
 
 impl<'a> Hardware<'a> {
-    /// None where a robot has no hardware, or not all names are known.
+    /// None where a robot has no hardware, not all names are known, or the hardware has a mistake of its own: what it offers
+    /// is not what was meant then.
     pub fn of(cx: &BesideCx<'a>) -> Option<Self> {
         let mut joints: FastMap<&str, Vec<&ControlJoint>> = FastMap::default();
         for paired in cx.robots {
             let listed: Vec<&ControlJoint> =
                 paired.robot.controls.iter().flat_map(|control| &control.joints).collect();
-            if listed.is_empty() {
+            if listed.is_empty() || has_mistake(paired) {
                 return None;
             }
             for joint in listed {
@@ -47,4 +50,29 @@ impl<'a> Hardware<'a> {
         let interfaces = listed.flat_map(|joint| if is_command { &joint.commands } else { &joint.states });
         interfaces.filter_map(|interface| Some(interface.name.as_ref()?.value.as_str())).collect()
     }
+}
+
+/// Whether the hardware has a mistake that other rules report: a joint that the robot lacks, a joint twice, a misspelled
+/// element or interface.
+fn has_mistake(paired: &PairedRobot<'_>) -> bool {
+    let is_unknown = |joint: &&ControlJoint| {
+        joint
+            .name
+            .as_ref()
+            .and_then(|name| name.name())
+            .is_some_and(|name| paired.robot.joint(name).is_none())
+    };
+    let tree = &paired.expansion.tree;
+    let is_misread = |joint: &&ControlJoint| {
+        let names = joint.interfaces().filter_map(|interface| interface.name.as_ref()?.name());
+        names.into_iter().any(|name| is_misspelled(name))
+            || tree.elements(joint.element).any(|tag| !is_known_in_joint(&tree.get(tag).text))
+    };
+    let is_wrong = |control: &Ros2Control| {
+        let mut seen = FastSet::default();
+        let names = control.joints.iter().filter_map(|joint| joint.name.as_ref()?.name());
+        names.into_iter().any(|name| !seen.insert(name))
+            || control.joints.iter().any(|joint| is_unknown(&joint) || is_misread(&joint))
+    };
+    paired.robot.controls.iter().any(is_wrong)
 }
