@@ -9,6 +9,8 @@ use model::{ControlJoint, Interface, Ros2Control};
 /// The joints of all `<ros2_control>` of the robots.
 pub(super) struct Hardware<'a> {
     joints: FastMap<&'a str, Vec<&'a ControlJoint>>,
+    /// The joints of blocks that declare no interface for commands: some hardware offers what it does not declare.
+    undeclared: FastSet<&'a str>,
 }
 
 impl<'a> Hardware<'a> {
@@ -16,7 +18,15 @@ impl<'a> Hardware<'a> {
     /// is not what was meant then.
     pub fn of(cx: &BesideCx<'a>) -> Option<Self> {
         let mut joints: FastMap<&str, Vec<&ControlJoint>> = FastMap::default();
+        let mut undeclared = FastSet::default();
         for paired in cx.robots {
+            for control in &paired.robot.controls {
+                if control.joints.iter().all(|joint| joint.commands.is_empty()) {
+                    undeclared.extend(
+                        control.joints.iter().filter_map(|joint| Some(joint.name.as_ref()?.name()?.as_str())),
+                    );
+                }
+            }
             let listed: Vec<&ControlJoint> =
                 paired.robot.controls.iter().flat_map(|control| &control.joints).collect();
             if listed.is_empty() || has_mistake(paired) {
@@ -31,7 +41,7 @@ impl<'a> Hardware<'a> {
                 joints.entry(joint.name.as_ref()?.name()?.as_str()).or_default().push(joint);
             }
         }
-        Some(Self { joints })
+        Some(Self { joints, undeclared })
     }
 
     /// Whether a joint is there.
@@ -41,7 +51,8 @@ impl<'a> Hardware<'a> {
 
     /// Whether a joint is there, and does not offer an interface.
     pub fn lacks(&self, joint: &str, interface: &str, is_command: bool) -> bool {
-        self.has(joint) && !self.offered(joint, is_command).contains(&interface)
+        let is_declared = !is_command || !self.undeclared.contains(joint);
+        is_declared && self.has(joint) && !self.offered(joint, is_command).contains(&interface)
     }
 
     /// The interfaces that a joint offers.
