@@ -27,7 +27,7 @@ pub(super) struct Launched {
 pub(super) struct Called {
     /// The calls.
     pub calls: Vec<Span>,
-    /// How many calls of the robot there are whose arguments are known.
+    /// How many calls of the robot are checked.
     pub of: usize,
 }
 
@@ -80,19 +80,21 @@ impl Session {
     }
 
     fn launched_jobs_of(&self, outcome: &Outcome) -> Vec<Job> {
-        let launched = self.launched(&outcome.job.file);
-        let of = launched.iter().map(|launched| launched.calls.len()).sum();
         let has = |(name, value): &(String, String)| {
             outcome.arguments.iter().any(|(own, default)| own == name && default == value)
         };
         let is_other = |launched: &Launched| outcome.is_as_called || !launched.args.iter().all(has);
+        let (mut others, defaults): (Vec<_>, Vec<_>) =
+            self.launched(&outcome.job.file).into_iter().partition(is_other);
+        others.truncate(CALL_RUNS);
+        let of = others.iter().chain(&defaults).map(|launched| launched.calls.len()).sum();
         let job = |launched: Launched| Job {
             args: launched.args,
             preset: Some(launched.name),
             called: Some(Called { calls: launched.calls, of }),
             ..outcome.job.clone()
         };
-        launched.into_iter().filter(is_other).take(CALL_RUNS).map(job).collect()
+        others.into_iter().map(job).collect()
     }
 
     /// Take the errors about arguments that a call does not give out of the robots: they belong to the launch files. A robot
