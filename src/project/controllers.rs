@@ -16,6 +16,8 @@ pub struct Controller {
     pub commands: Vec<Named>,
     /// `state_interfaces` of each joint.
     pub states: Vec<Named>,
+    /// `interface_name`: the one interface that it commands.
+    pub interface: Option<Named>,
     /// Whether these are parameters of a node of ROS 2.
     pub is_ros2: bool,
 }
@@ -31,9 +33,10 @@ pub struct Listed {
 
 /// The parameters of controllers that hold names of joints.
 /// Source: the parameter files of ros2_controllers and the parameters of ros_controllers.
-const JOINT_KEYS: [&str; 18] = [
+const JOINT_KEYS: [&str; 19] = [
     "joint",
     "joints",
+    "extra_joints",
     "command_joints",
     "dof_names",
     "left_wheel",
@@ -100,6 +103,7 @@ fn controller(name: Named, parameters: &Node, is_ros2: bool) -> Option<Controlle
         joints: joints.collect(),
         commands: list("command_interfaces"),
         states: list("state_interfaces"),
+        interface: text(parameters, "interface_name"),
         name,
         is_ros2,
     })

@@ -20,7 +20,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     for controller in controllers.filter(|controller| controller.is_ros2) {
         for (key, joint) in &controller.joints {
             // the joints that the broadcaster publishes need no hardware
-            let is_driven = *key != "joints" || !controller.commands.is_empty();
+            let is_driven = *key != "extra_joints" && (*key != "joints" || !controller.commands.is_empty());
             if !is_driven || hardware.has(&joint.name) || cx.joints(&joint.name).next().is_none() {
                 continue;
             }
