@@ -12,6 +12,7 @@ use super::check::CheckOptions;
 use super::context::RootChoice;
 use super::graph::Graph;
 use super::job::{self, Outcome};
+use super::launch_names::is_launch;
 use super::placing;
 use super::proof::{Effort, Roots};
 use super::report::Report;
@@ -206,6 +207,9 @@ impl World {
                 self.epoch += 1;
                 self.session.pairings().clear();
             }
+        }
+        if is_launch(path) {
+            self.session.forget_uses();
         }
     }
 
@@ -481,7 +485,9 @@ impl World {
         }
         self.keep_meshes();
         let entries: Vec<PathBuf> = paths.iter().map(|path| (*path).clone()).collect();
-        let beside = self.beside_findings(asked, &roots, cancel)?;
+        let mut beside = self.beside_findings(asked, &roots, cancel)?;
+        let robots: Vec<PathBuf> = roots.into_iter().map(|root| root.file).collect();
+        beside.findings.extend(self.session.shown_launch_findings(&robots, asked, cancel));
         let mut report = self.session.conclude(&self.options(&entries), outcomes, beside);
         placing::place(&mut report, &self.session.vfs, |path| self.open.contains_key(path));
         Some(report)

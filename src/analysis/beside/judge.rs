@@ -11,7 +11,7 @@ use super::super::job;
 use super::super::proof::turned_over;
 use super::super::session::Session;
 use super::files::{Beside, Sort, sort};
-use super::pairing::Pairing;
+use super::pairing::{Pairing, stem};
 use ecow::EcoString;
 
 use base::{CancelFlag, FastMap, FastSet};
@@ -270,13 +270,16 @@ fn is_empty(analyzed: &Analyzed) -> bool {
     !gives && is_whole(&analyzed.expansion) && !has_choices(&analyzed.expansion)
 }
 
-/// Whether another robot, of which everything is known, includes the file of this one.
+/// Whether another robot, of which everything is known, includes the file of this one, or is written for it: `arm.urdf`
+/// beside `arm.urdf.xacro`.
 fn is_part_of(analyzed: &Analyzed, all: &[Arc<Analyzed>]) -> bool {
-    let includes = |other: &Analyzed| {
+    let own = &analyzed.root.file;
+    let is_it = |other: &Analyzed| {
         let mut files = other.expansion.files.iter().map(|file| &*file.source.path);
-        other.root.file != analyzed.root.file && files.any(|file| file == analyzed.root.file)
+        let is_named_so = other.root.file.parent() == own.parent() && stem(&other.root.file) == stem(own);
+        other.root.file != *own && (is_named_so || files.any(|file| file == own))
     };
-    all.iter().any(|other| includes(other) && is_settled(other))
+    all.iter().any(|other| is_it(other) && is_settled(other))
 }
 
 /// Whether conditions of a file decide what it gives.
