@@ -49,9 +49,8 @@ impl Session {
         let paths = options.paths.iter().chain(&options.entries).map(|path| self.vfs.absolute(path));
         let below = |path: PathBuf| match self.vfs.is_dir(&path) {
             true => {
-                let mut found = self.beside_around(&path.join("_"));
-                found.retain(|file| file.starts_with(&path));
-                found
+                let around = self.beside_around(&path.join("_"));
+                around.iter().filter(|file| file.starts_with(&path)).cloned().collect()
             }
             false if sort(&path).is_some() => vec![path],
             false => Vec::new(),
@@ -64,8 +63,8 @@ impl Session {
 
     /// The files beside a robot.
     pub(in super::super) fn beside_of(&self, root: &Path) -> Vec<PathBuf> {
-        let is_for = |file: &PathBuf| self.pairing(file).roots.iter().any(|own| own.file == root);
-        self.beside_around(root).into_iter().filter(is_for).collect()
+        let is_for = |file: &Path| self.pairing(file).roots.iter().any(|own| own.file == root);
+        self.beside_around(root).iter().filter(|file| is_for(file)).cloned().collect()
     }
 
     /// What has to be expanded to judge files beside robots: their robots, and the SRDFs beside these.
@@ -157,7 +156,7 @@ impl Session {
         };
         let is_same =
             |other: &PathBuf| other == path || pairing.srdf.as_ref() == Some(other) || has_same(other);
-        self.beside_around(path).into_iter().filter(is_same).collect()
+        self.beside_around(path).iter().filter(|other| is_same(other)).cloned().collect()
     }
 
     fn judged(
