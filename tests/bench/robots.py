@@ -31,6 +31,26 @@ SIZES = ''.join(f'{name}:\n  mass: {mass}\n  radius: 0.0{mass}\n  length: 0.{mas
                 for name, mass in (('small', 1), ('middle', 2), ('large', 4)))
 
 
+def long_srdf(folder, pairs):
+    """An SRDF beside a plain robot, with so many pairs of links whose collisions are not checked; the path of both."""
+    links = 2
+    while links * (links - 1) // 2 < pairs:
+        links += 1
+    shape = '<collision><geometry><sphere radius="0.01"/></geometry></collision>'
+    joint = ('  <joint name="j{n}" type="revolute"><parent link="l{before}"/><child link="l{n}"/><axis xyz="0 0 1"/>'
+             '<limit lower="-1" upper="1" effort="1" velocity="1"/></joint>\n')
+    robot = folder / 'chain.urdf'
+    robot.write_text('<robot name="chain">\n' + ''.join(f'  <link name="l{n}">{shape}</link>\n' for n in range(links))
+                     + ''.join(joint.format(n=n, before=n - 1) for n in range(1, links)) + '</robot>\n')
+    all_pairs = [(one, two) for two in range(links) for one in range(two)][:pairs]
+    pair = '  <disable_collisions link1="l{}" link2="l{}" reason="{}"/>\n'
+    srdf = folder / 'chain.srdf'
+    srdf.write_text('<robot name="chain">\n  <group name="arm"><chain base_link="l0" tip_link="l1"/></group>\n'
+                    + ''.join(pair.format(one, two, 'Adjacent' if two - one == 1 else 'Never') for one, two in all_pairs)
+                    + '</robot>\n')
+    return srdf, robot
+
+
 def long_robot(folder, links):
     """A robot of many calls of one macro, whose sizes stand in YAML."""
     sizes = ('small', 'middle', 'large')

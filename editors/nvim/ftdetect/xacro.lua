@@ -5,6 +5,10 @@ vim.filetype.add({
     urdf = 'urdf',
     srdf = 'urdf',
   },
+  filename = {
+    -- which files MoveIt's setup assistant works on
+    ['.setup_assistant'] = 'yaml',
+  },
   pattern = {
     -- in letters of any case, as some CAD exporters write them
     ['.*%.[xX][aA][cC][rR][oO]'] = 'xacro',

@@ -15,6 +15,7 @@ import { Preview } from "./preview";
 import { diagnosticReport } from "./report";
 import type { CommandHandler } from "./server";
 import { Server } from "./server";
+import { registerSettingsFiles } from "./settingsFiles";
 import { serverCommands } from "./serverCommands";
 import { Status } from "./status";
 import { KinematicTree, RootsView } from "./views";
@@ -36,6 +37,7 @@ export function activate(context: vscode.ExtensionContext): void {
   context.subscriptions.push(
     server,
     new Companions(server),
+    registerSettingsFiles(server),
     contexts,
     documents,
     graph,

@@ -17,9 +17,14 @@ export function isCompanion(document: vscode.TextDocument): boolean {
   return document.languageId === "yaml" || isCompanionName(document.uri.path);
 }
 
+/** Whether a file may hold settings of a robot, such as its controllers: the server has findings for these. */
+export function isSettingsName(path: string): boolean {
+  return /\.ya?ml$/i.test(path) || baseName(path) === ".setup_assistant";
+}
+
 /** Whether a file has the name of such a file. */
 export function isCompanionName(path: string): boolean {
-  return /\.ya?ml$/i.test(path) || ["package.xml", "xacro-lint.toml", ".xacro-lint.toml"].includes(baseName(path));
+  return isSettingsName(path) || ["package.xml", "xacro-lint.toml", ".xacro-lint.toml"].includes(baseName(path));
 }
 
 /** The last part of a path or URI. */

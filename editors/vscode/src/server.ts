@@ -13,7 +13,7 @@ import type {
   RequestType,
   ServerOptions,
 } from "vscode-languageclient/node";
-import { LANGUAGES, isCompanionName } from "./languages";
+import { LANGUAGES, isCompanionName, isSettingsName } from "./languages";
 import { locateServer } from "./locate";
 import type { Found } from "./locate";
 import { chosenSettings } from "./settings";
@@ -47,6 +47,11 @@ export class Server implements vscode.Disposable {
   }
 
   /** Whether requests are answered. */
+  /** What turns answers of the server into values of VS Code. */
+  get from(): LanguageClient["protocol2CodeConverter"] | undefined {
+    return this.client?.protocol2CodeConverter;
+  }
+
   get isRunning(): boolean {
     return this.client?.isRunning() === true;
   }
@@ -266,7 +271,7 @@ export class Server implements vscode.Disposable {
       },
       // what the server knows for its text alone is not checked as a robot
       handleDiagnostics: (uri, diagnostics, next) => {
-        next(uri, isCompanionName(uri.path) ? [] : diagnostics);
+        next(uri, isCompanionName(uri.path) && !isSettingsName(uri.path) ? [] : diagnostics);
       },
       provideOnTypeFormattingEdits: async (document, position, character, options, token, next) => {
         const edits = await next(document, position, character, options, token);

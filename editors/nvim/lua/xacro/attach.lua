@@ -6,6 +6,10 @@ local M = {}
 ---@param client vim.lsp.Client
 ---@param bufnr integer
 local function attached(client, bufnr)
+  require('xacro.companions').attached()
+  if vim.bo[bufnr].filetype == 'yaml' then
+    return
+  end
   local wanted = config.get()
   if wanted.inlay_hints then
     vim.lsp.inlay_hint.enable(true, { bufnr = bufnr })
@@ -28,7 +32,6 @@ local function attached(client, bufnr)
   if wanted.gx then
     require('xacro.links').enable(bufnr)
   end
-  require('xacro.companions').attached()
   require('xacro.status').ask(bufnr)
 end
 

@@ -1,5 +1,6 @@
 --- Files that robots are made from besides xacro: YAML, package.xml, xacro-lint.toml. The server has to know their
---- unsaved text and what is written to the disk, but gives no features in them: they are never attached.
+--- unsaved text and what is written to the disk. Those it gives features in, such as the parameters of controllers, are
+--- attached; the others are told of here.
 local start = require('xacro.start')
 
 local M = {}
@@ -23,9 +24,11 @@ end
 ---@param method string
 ---@param params table
 ---@param wanted? fun(client: vim.lsp.Client): boolean
-local function tell(method, params, wanted)
+---@param bufnr? integer
+local function tell(method, params, wanted, bufnr)
   for _, client in ipairs(vim.lsp.get_clients({ name = start.name })) do
-    if client.initialized and (not wanted or wanted(client)) then
+    local is_attached = bufnr and vim.lsp.buf_is_attached(bufnr, client.id)
+    if client.initialized and not is_attached and (not wanted or wanted(client)) then
       require('xacro.client').notify(client, method, params)
     end
   end
@@ -56,14 +59,14 @@ local function sync(bufnr)
     local is_old = known(client) ~= nil and known(client) ~= version
     told[client.id][bufnr] = is_old and version or told[client.id][bufnr]
     return is_old
-  end)
+  end, bufnr)
   tell('textDocument/didOpen', {
     textDocument = { uri = uri, version = version, languageId = vim.bo[bufnr].filetype, text = text_of(bufnr) },
   }, function(client)
     local is_new = known(client) == nil
     told[client.id][bufnr] = version
     return is_new
-  end)
+  end, bufnr)
 end
 
 ---@param bufnr integer

@@ -5,11 +5,42 @@ local M = {}
 
 M.name = 'xacro'
 M.filetypes = { 'xacro', 'urdf' }
+--- With those of files beside robots.
+local ALL_FILETYPES = { 'xacro', 'urdf', 'yaml' }
 
 ---@param path string
 ---@return boolean
 local function exists(path)
   return vim.uv.fs_stat(path) ~= nil
+end
+
+--- What YAML files about the controllers of a robot and its settings for MoveIt say.
+local SETTINGS = {
+  'ros__parameters:',
+  'joint_limits:',
+  'kinematics_solver:',
+  'planner_configs:',
+  'controller_names:',
+  'controller_list:',
+  'moveit_setup_assistant_config:',
+}
+local MOST_LINES = 2000
+
+--- Whether the server has something to say about a buffer: most YAML files name no joint of a robot.
+---@param bufnr integer
+---@return boolean
+function M.concerns(bufnr)
+  if vim.bo[bufnr].filetype ~= 'yaml' then
+    return true
+  end
+  for _, line in ipairs(vim.api.nvim_buf_get_lines(bufnr, 0, MOST_LINES, false)) do
+    for _, word in ipairs(SETTINGS) do
+      if line:find(word, 1, true) then
+        return true
+      end
+    end
+  end
+  return false
 end
 
 --- The workspace of colcon around a folder: the one above `src` where builds have left their folders.
@@ -110,10 +141,12 @@ end
 ---@return vim.lsp.Config
 function M.config()
   local found = common()
-  found.filetypes = M.filetypes
+  found.filetypes = ALL_FILETYPES
   found.reuse_client = reuse
   found.root_dir = function(bufnr, use)
-    use(M.root(bufnr))
+    if M.concerns(bufnr) then
+      use(M.root(bufnr))
+    end
   end
   return found
 end
@@ -136,7 +169,7 @@ end
 --- Start the server for a buffer, or attach the running one.
 ---@param bufnr integer
 function M.start(bufnr)
-  if vim.bo[bufnr].buftype ~= '' or not executable() then
+  if vim.bo[bufnr].buftype ~= '' or not M.concerns(bufnr) or not executable() then
     return
   end
   local wanted = common()
@@ -155,7 +188,7 @@ function M.enable()
   end
   vim.api.nvim_create_autocmd('FileType', {
     group = vim.api.nvim_create_augroup('xacro_start', {}),
-    pattern = M.filetypes,
+    pattern = ALL_FILETYPES,
     callback = function(event)
       M.start(event.buf)
     end,
