@@ -63,7 +63,7 @@ impl Session {
                 }
             }
         }
-        let found = found.filter(|found| self.is_spelled(&path.to_owned(), found.span.range, &found.name));
+        let found = found.filter(|found| self.is_spelled(path, found.span.range, &found.name));
         found.map(|mut found| {
             found.robots.retain(|robot| self.known(robot).names.contains(found.name.as_str()));
             found
@@ -85,7 +85,7 @@ impl Session {
     }
 
     /// Whether a text in a launch file is the name of an argument: with another text there, the calls are the same but for it.
-    fn is_spelled(&self, path: &PathBuf, range: TextRange, name: &str) -> bool {
+    fn is_spelled(&self, path: &Path, range: TextRange, name: &str) -> bool {
         let other = format!("{name}_other");
         let calls = || {
             let text = self.vfs.text(path).ok()?;
