@@ -173,17 +173,18 @@ impl World {
     /// A file was opened, or its whole text replaced.
     pub fn set_text(&mut self, path: &Path, text: String) {
         self.session.vfs.set_buffer(path, Some(text));
-        self.session.pairings().clear();
+        self.session.forget_pairings();
         self.touch(path);
     }
 
     /// A range of bytes of an open file was replaced.
     pub fn edit(&mut self, path: &Path, range: TextRange, text: &str) {
-        let name = self.session.robot_name(path);
+        let said = |session: &Session| (session.robot_name(path), session.is_about_robots(path));
+        let before = said(&self.session);
         self.session.vfs.edit_buffer(path, range, text);
         self.touch(path);
-        if self.session.robot_name(path) != name {
-            self.session.pairings().clear();
+        if said(&self.session) != before {
+            self.session.forget_pairings();
         }
     }
 
@@ -205,7 +206,7 @@ impl World {
             // manifests are read by rules, which no record tells of
             _ => {
                 self.epoch += 1;
-                self.session.pairings().clear();
+                self.session.forget_pairings();
             }
         }
         if is_launch(path) {

@@ -1,5 +1,7 @@
 //! Parameters of controllers, of ros2_control and of the older ros_control.
 
+use ecow::EcoString;
+
 use super::value::{Named, entries, get, text};
 use yaml::{Kind, Node};
 
@@ -11,7 +13,7 @@ pub struct Controller {
     /// Its class, when these parameters say it.
     pub class: Option<Named>,
     /// The joints it names, with the keys that hold them.
-    pub joints: Vec<(&'static str, Named)>,
+    pub joints: Vec<(EcoString, Named)>,
     /// `command_interfaces` of each joint.
     pub commands: Vec<Named>,
     /// `state_interfaces` of each joint.
@@ -60,6 +62,20 @@ pub fn joint_keys() -> &'static [&'static str] {
     &JOINT_KEYS
 }
 
+/// The ends of parameters that hold names of joints in controllers of any class.
+const JOINT_ENDS: [&str; 4] = ["joints", "joint_name", "joint_names", "joints_names"];
+
+fn may_hold_joints(key: &str) -> bool {
+    JOINT_KEYS.contains(&key) || JOINT_ENDS.iter().any(|end| key.ends_with(end))
+}
+
+impl Controller {
+    /// Leave out what only looks like names of joints: the node is no controller that a controller manager lists.
+    pub(super) fn keep_known_parameters(&mut self) {
+        self.joints.retain(|(key, _)| JOINT_KEYS.contains(&key.as_str()));
+    }
+}
+
 /// Deepest nesting of namespaces above the parameters of a node.
 const DEPTH: u32 = 4;
 
@@ -96,7 +112,9 @@ fn manager(parameters: &Node, listed: &mut Vec<Listed>) {
 
 fn controller(name: Named, parameters: &Node, is_ros2: bool) -> Option<Controller> {
     let list = |key: &str| get(parameters, key).map(Named::list).unwrap_or_default();
-    let joints = JOINT_KEYS.iter().flat_map(|key| list(key).into_iter().map(move |name| (*key, name)));
+    let named = entries(parameters).filter(|(key, _)| may_hold_joints(&key.name));
+    let joints = named
+        .flat_map(|(key, value)| Named::list(value).into_iter().map(move |name| (key.name.clone(), name)));
     let is_map = matches!(parameters.kind, Kind::Map(_));
     is_map.then(|| Controller {
         class: text(parameters, "type"),

@@ -4,13 +4,14 @@
     tests/consumers/judge.py --bin target/release/xacro-lint --packages FOLDER FILE...
     ... --changes 5 --seed 1     also single random changes of each robot
 
-Prints recall and precision of "rejects", recall of "changes", and the pairs that were wrong, most frequent reasons first.
+Prints recall and precision of "rejects" and recall of "changes": for the files (plain), their changes (changed), and those whose
+file the reader loads (loading); and the pairs that were wrong, most frequent reasons first.
 """
 import argparse
 import collections
-import hashlib
+import concurrent.futures
+import itertools
 import json
-import os
 import pathlib
 import random
 import re
@@ -66,7 +67,8 @@ def main():
     paths = list(made)
     answers = run.load_all(readers, tools, options.packages, paths)
     said = {path: truth.of(path) for path in paths}
-    guesses = {path: predicted(options.bin, path, options.packages) for path in paths}
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        guesses = dict(zip(paths, pool.map(lambda path: predicted(options.bin, path, options.packages), paths)))
     report(readers, made, answers, said, guesses, options.verbose)
 
 
@@ -79,14 +81,14 @@ def report(readers, made, answers, said, guesses, verbose):
             answer, usual = answers[reader][str(path)], answers[reader][str(plain)]
             known = usual if path != plain and usual['loaded'] else None
             now = truth.outcome(answer, said[path], known, said[plain]) if known or not answer['loaded'] else 'accepts'
-            kind = 'plain' if path == plain else 'changed'
-            for key in (('all', kind), (reader, kind)):
+            kinds = ['plain'] if path == plain else ['changed', 'loading'] if usual['loaded'] else ['changed']
+            for key in itertools.product(('all', reader), kinds):
                 table[(*key, guess[reader], now)] += 1
             if (guess[reader] == 'rejects') != (now == 'rejects'):
                 why = answer.get('why', '') if now == 'rejects' else ', '.join(
                     row['construct'] for row in constructs if row['outcomes'][reader] == 'rejects')
                 wrong[(reader, 'missed' if now == 'rejects' else 'false', re.sub(r"'[^']*'|`[^`]*`|/\S+|[\d.e-]+", '_', why)[:110])].append((path, why))
-    for kind in ('plain', 'changed'):
+    for kind in ('plain', 'changed', 'loading'):
         for who in ['all', *readers]:
             show(who, kind, table)
     for (reader, what, why), places in sorted(wrong.items(), key=lambda item: -len(item[1])):

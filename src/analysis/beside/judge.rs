@@ -11,7 +11,7 @@ use super::super::job;
 use super::super::proof::turned_over;
 use super::super::session::Session;
 use super::files::{Beside, Sort, sort};
-use super::pairing::Pairing;
+use super::pairing::{Pairing, stem};
 use ecow::EcoString;
 
 use base::{CancelFlag, FastMap, FastSet};
@@ -49,9 +49,8 @@ impl Session {
         let paths = options.paths.iter().chain(&options.entries).map(|path| self.vfs.absolute(path));
         let below = |path: PathBuf| match self.vfs.is_dir(&path) {
             true => {
-                let mut found = self.beside_around(&path.join("_"));
-                found.retain(|file| file.starts_with(&path));
-                found
+                let around = self.beside_around(&path.join("_"));
+                around.iter().filter(|file| file.starts_with(&path)).cloned().collect()
             }
             false if sort(&path).is_some() => vec![path],
             false => Vec::new(),
@@ -64,8 +63,8 @@ impl Session {
 
     /// The files beside a robot.
     pub(in super::super) fn beside_of(&self, root: &Path) -> Vec<PathBuf> {
-        let is_for = |file: &PathBuf| self.pairing(file).roots.iter().any(|own| own.file == root);
-        self.beside_around(root).into_iter().filter(is_for).collect()
+        let is_for = |file: &Path| self.pairing(file).roots.iter().any(|own| own.file == root);
+        self.beside_around(root).iter().filter(|file| is_for(file)).cloned().collect()
     }
 
     /// What has to be expanded to judge files beside robots: their robots, and the SRDFs beside these.
@@ -157,7 +156,7 @@ impl Session {
         };
         let is_same =
             |other: &PathBuf| other == path || pairing.srdf.as_ref() == Some(other) || has_same(other);
-        self.beside_around(path).into_iter().filter(is_same).collect()
+        self.beside_around(path).iter().filter(|other| is_same(other)).cloned().collect()
     }
 
     fn judged(
@@ -270,13 +269,16 @@ fn is_empty(analyzed: &Analyzed) -> bool {
     !gives && is_whole(&analyzed.expansion) && !has_choices(&analyzed.expansion)
 }
 
-/// Whether another robot, of which everything is known, includes the file of this one.
+/// Whether another robot, of which everything is known, includes the file of this one, or is written for it: `arm.urdf`
+/// beside `arm.urdf.xacro`.
 fn is_part_of(analyzed: &Analyzed, all: &[Arc<Analyzed>]) -> bool {
-    let includes = |other: &Analyzed| {
+    let own = &analyzed.root.file;
+    let is_it = |other: &Analyzed| {
         let mut files = other.expansion.files.iter().map(|file| &*file.source.path);
-        other.root.file != analyzed.root.file && files.any(|file| file == analyzed.root.file)
+        let is_named_so = other.root.file.parent() == own.parent() && stem(&other.root.file) == stem(own);
+        other.root.file != *own && (is_named_so || files.any(|file| file == own))
     };
-    all.iter().any(|other| includes(other) && is_settled(other))
+    all.iter().any(|other| is_it(other) && is_settled(other))
 }
 
 /// Whether conditions of a file decide what it gives.

@@ -68,9 +68,18 @@ impl Session {
             let text = self.vfs.text(file);
             text.is_ok_and(|text| has_name(&text.text, name) && !text.text.contains("<parameters>"))
         };
+        if self.is_for_manager(path) {
+            return false;
+        }
         let is_near = |file: &PathBuf| self.home(file) == self.home(path);
         let mut near = self.descriptions_around(path).into_iter().filter(is_near);
         sort(path) == Some(Sort::Yaml) && near.any(|file| loads(&file))
+    }
+
+    /// Whether a file lists controllers for a controller manager.
+    fn is_for_manager(&self, path: &Path) -> bool {
+        let settings = (sort(path) == Some(Sort::Yaml)).then(|| self.beside_settings(path)).flatten();
+        settings.is_some_and(|settings| !settings.listed.is_empty())
     }
 
     /// The robot that `.setup_assistant` in the same package names.
@@ -98,10 +107,13 @@ impl Session {
         if sort(path) != Some(Sort::Yaml) {
             return None;
         }
+        // a file for a controller manager is nothing else to a robot than parameters of its plugin
+        let is_for_manager = self.is_for_manager(path);
         let says = |file: &PathBuf| {
             let text = self.vfs.text(file).ok();
             text.is_some_and(|text| {
-                has_name(&text.text, name) && text.text.contains("<parameters>") && self.may_mean(file, path)
+                let is_given = text.text.contains("<parameters>") || is_for_manager;
+                has_name(&text.text, name) && is_given && self.may_mean(file, path)
             })
         };
         let naming: Vec<PathBuf> =
@@ -132,7 +144,7 @@ impl Session {
 
     /// The robot that a launch file calls.
     fn started(&self, call: &RobotCall) -> Option<RootChoice> {
-        let file = call.target.as_ref().filter(|file| self.is_robot(file))?;
+        let file = call.target.as_ref().filter(|file| self.is_robot(file) || self.collects(file))?;
         let args = call.call.args.iter().filter_map(|argument| {
             let value = argument.value.value(&self.packages, &call.call.caller)?;
             Some((argument.name.clone(), value))
@@ -170,9 +182,10 @@ impl Session {
     fn of_the_name(&self, path: &Path) -> Pairing {
         let is_beside = |file: &&PathBuf| file.parent() == path.parent() && stem(file) == stem(path);
         let all = self.descriptions_around(path);
-        let mut beside = all.iter().filter(is_beside).filter(|file| self.is_robot(file));
-        if let (Some(only), None) = (beside.next(), beside.next()) {
-            return Pairing { roots: self.ways_of(only), ..Pairing::default() };
+        let beside: Vec<&PathBuf> = all.iter().filter(is_beside).filter(|file| self.is_robot(file)).collect();
+        if !beside.is_empty() {
+            let roots = beside.into_iter().flat_map(|file| self.ways_of(file)).collect();
+            return Pairing { roots, ..Pairing::default() };
         }
         let Some(name) = self.robot_name(path) else { return Pairing::default() };
         let is_it = |file: &&PathBuf| self.is_robot(file) && self.robot_name(file).as_ref() == Some(&name);
@@ -280,6 +293,6 @@ impl Session {
 }
 
 /// The name of a file before its first ending, `arm` of `arm.urdf.xacro`.
-fn stem(path: &Path) -> Option<&str> {
+pub(super) fn stem(path: &Path) -> Option<&str> {
     path.file_name()?.to_str()?.split('.').next()
 }

@@ -2,9 +2,10 @@
 
 use super::super::context::{DocumentCx, is_plain_urdf};
 use super::super::edits::source_text;
+use super::bodies::{RigidBody, bodies};
 use super::table::{Construct, construct};
 use expand::{Origin, XId};
-use model::{Joint, JointType, Kinematics, Link, Robot, Text, Version, tag_start};
+use model::{Joint, Kinematics, Link, Robot, Text, Version, tag_start};
 
 /// A construct in a robot.
 #[derive(Debug)]
@@ -22,6 +23,7 @@ pub(super) struct Facts<'a, 'e> {
     pub(super) cx: &'a DocumentCx<'e>,
     pub(super) robot: &'a Robot,
     pub(super) kinematics: Kinematics,
+    pub(super) bodies: Vec<RigidBody>,
     /// Whether consumers read the file itself, and not what xacro makes of it.
     pub(super) is_plain: bool,
     /// The version of URDF; none when it cannot be told.
@@ -53,7 +55,8 @@ impl<'a, 'e> Facts<'a, 'e> {
                 is_plain_urdf(&file.source.path)
                     && root.is_some_and(|root| root.attr("xmlns:xacro").is_none())
             });
-        Self { cx, robot, kinematics: Kinematics::of(robot), is_plain, version }
+        let kinematics = Kinematics::of(robot);
+        Self { cx, robot, bodies: bodies(robot, &kinematics), kinematics, is_plain, version }
     }
 
     /// The text of a value as consumers see it.
@@ -78,42 +81,6 @@ impl<'a, 'e> Facts<'a, 'e> {
     pub(super) fn children(&self, element: XId, name: &'static str) -> impl Iterator<Item = XId> + '_ {
         let tree = &self.cx.expansion.tree;
         tree.elements(element).filter(move |&id| tree.get(id).text == name)
-    }
-
-    /// The joint above a link.
-    pub(super) fn above(&self, link: usize) -> Option<&'a Joint> {
-        self.kinematics.up(link).first().and_then(|&joint| self.robot.joints.get(joint))
-    }
-
-    /// Whether a link moves relative to its parent.
-    pub(super) fn moves(&self, link: usize) -> bool {
-        self.above(link).and_then(Joint::joint_type).is_some_and(|kind| kind != JointType::Fixed)
-    }
-
-    /// Whether a link, or one that is fixed below it, has a mass above zero.
-    pub(super) fn carries_mass(&self, link: usize) -> bool {
-        let mut open = vec![link];
-        let mut seen = 0;
-        while let Some(link) = open.pop().filter(|_| seen <= self.robot.links.len()) {
-            seen += 1;
-            if self.robot.links.get(link).is_some_and(has_mass) {
-                return true;
-            }
-            open.extend(
-                self.children_of(link)
-                    .filter(|(kind, _)| *kind == Some(JointType::Fixed))
-                    .map(|(_, child)| child),
-            );
-        }
-        false
-    }
-
-    /// The links below a link, with the types of the joints between.
-    pub(super) fn children_of(&self, link: usize) -> impl Iterator<Item = (Option<JointType>, usize)> + '_ {
-        let joints = self.kinematics.down(link).iter();
-        joints.filter_map(|&joint| {
-            Some((self.robot.joints.get(joint)?.joint_type(), self.kinematics.ends(joint)?.1))
-        })
     }
 }
 

@@ -1,67 +1,55 @@
 //! Mass and inertia.
 
-use super::super::inertia::{Verdict, verdict};
+use super::super::inertia::principal;
+use super::bodies::RigidBody;
 use super::facts::{Facts, Found, link_owner};
 use model::{Inertial, Link};
 
-/// Below, simulators take a moving link for one without mass, kg.
+/// Up to here, Gazebo takes a mass for zero, kg.
 const TINY_MASS: f64 = 1e-6;
-/// The same for its greatest moment, kg m².
-const TINY_INERTIA: f64 = 1e-12;
+/// Below, MuJoCo takes a principal moment for zero, kg m².
+const TINY_MOMENT: f64 = 1e-14;
 /// From here on, MuJoCo warns and cuts the mass, kg.
 const HUGE_MASS: f64 = 1e10;
+/// Consumers compare moments as they are; this part of the greatest is our own rounding.
+const ROUNDING: f64 = 1e-12;
 
 pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
-    for (index, link) in facts.robot.links.iter().enumerate() {
-        let is_root = facts.kinematics.up(index).is_empty();
-        match &link.inertial {
-            Some(inertial) => {
-                if is_root {
-                    out.add("root-inertia", facts.at(inertial.element), link_owner(link));
+    for body in &facts.bodies {
+        for &index in &body.links {
+            let Some(link) = facts.robot.links.get(index) else { continue };
+            let is_top = body.links.first() == Some(&index);
+            match &link.inertial {
+                Some(inertial) => {
+                    if body.is_root && is_top {
+                        out.add("root-inertia", facts.at(inertial.element), link_owner(link));
+                    }
+                    written(facts, link, inertial, (body, is_top), out);
                 }
-                written(facts, (index, link), inertial, is_root, out);
+                None => missing(facts, link, (body, is_top), out),
             }
-            None => missing(facts, (index, link), is_root, out),
         }
     }
 }
 
-fn missing(facts: &Facts<'_, '_>, (index, link): (usize, &Link), is_root: bool, out: &mut Found) {
-    let at = facts.at_name(link.name.as_ref(), link.element);
-    let name = match (is_root, facts.moves(index)) {
-        (true, _) if facts.robot.joints.is_empty() => return,
-        (true, _) if !facts.carries_mass(index) && has_moving_child(facts, index) => "massless-root",
-        (true, _) => return,
-        (false, true) if facts.carries_mass(index) => return,
-        (false, true) if has_moving_child(facts, index) => "no-inertial-inside",
-        (false, true) => "no-inertial",
-        (false, false) => "no-inertial-fixed",
+fn missing(facts: &Facts<'_, '_>, link: &Link, (body, is_top): (&RigidBody, bool), out: &mut Found) {
+    let links = || body.links.iter().filter_map(|&index| facts.robot.links.get(index));
+    let name = match (is_top, body.is_root) {
+        (true, true) if facts.robot.joints.is_empty() || body.has_mass => return,
+        (true, true) => "massless-root",
+        (true, false) if links().any(|link| link.inertial.is_some()) => return,
+        (true, false) if links().any(|link| !link.collisions.is_empty()) => "no-inertial-with-collision",
+        (true, false) => "no-inertial",
+        (false, _) => "no-inertial-fixed",
     };
-    out.add(name, at, link_owner(link));
-}
-
-/// Whether a link, or one that is fixed below it, has a child that moves.
-fn has_moving_child(facts: &Facts<'_, '_>, link: usize) -> bool {
-    let mut open = vec![link];
-    let mut steps = 0;
-    while let Some(link) = open.pop().filter(|_| steps <= facts.robot.links.len()) {
-        steps += 1;
-        for (kind, child) in facts.children_of(link) {
-            match kind {
-                Some(model::JointType::Fixed) => open.push(child),
-                Some(_) => return true,
-                None => {}
-            }
-        }
-    }
-    false
+    out.add(name, facts.at_name(link.name.as_ref(), link.element), link_owner(link));
 }
 
 fn written(
     facts: &Facts<'_, '_>,
-    (index, link): (usize, &Link),
+    link: &Link,
     inertial: &Inertial,
-    is_root: bool,
+    (body, is_top): (&RigidBody, bool),
     out: &mut Found,
 ) {
     let owner = link_owner(link);
@@ -79,36 +67,61 @@ fn written(
         (Some(_), Some(_)) => {}
     }
     let (Some(mass), Some(entries)) = (inertial.mass(), inertial.entries()) else { return };
-    let moves = !is_root && facts.moves(index);
-    let greatest = entries.into_iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
-    let judged = verdict(entries);
-    if let Some(name) = mass_row(mass, greatest, moves, is_root) {
+    if let Some(name) = mass_row(mass, entries == [0.0; 6], body, is_top) {
         add(name, inertial.element);
     }
-    if let Some(name) = inertia_row(mass, entries, judged) {
+    if let Some(name) = inertia_row(entries, body, is_top) {
         add(name, inertial.inertia_element.unwrap_or(inertial.element));
     }
 }
 
-fn mass_row(mass: f64, greatest: f64, moves: bool, is_root: bool) -> Option<&'static str> {
-    Some(match (mass == 0.0, greatest == 0.0) {
+fn mass_row(mass: f64, is_bare: bool, body: &RigidBody, is_top: bool) -> Option<&'static str> {
+    let whole = body.sum.map_or(mass, |(mass, _)| mass);
+    Some(match (mass == 0.0, is_bare) {
+        _ if mass < 0.0 && whole > TINY_MASS => "mass-negative-joined",
+        _ if mass < 0.0 && body.is_root => "root-mass-negative",
         _ if mass < 0.0 => "mass-negative",
         _ if mass >= HUGE_MASS => "mass-huge",
-        (true, _) if is_root => return None,
-        (true, true) if moves => "mass-and-inertia-zero",
+        (true, _) if is_top && body.is_root && whole == 0.0 => "root-mass-zero",
+        (true, _) if is_top && body.is_root => return None,
+        (true, true) if is_top && whole == 0.0 => "mass-and-inertia-zero",
         (true, true) => "mass-and-inertia-zero-fixed",
-        (true, false) if moves => "mass-zero",
+        (true, false) if is_top && whole == 0.0 => "mass-zero",
         (true, false) => "mass-zero-fixed",
-        (false, _) if moves && mass < TINY_MASS && greatest < TINY_INERTIA => "mass-tiny",
+        (false, _) if is_top && !body.is_root && whole <= TINY_MASS => "mass-tiny",
         _ => return None,
     })
 }
 
-fn inertia_row(mass: f64, [ixx, _, _, iyy, _, izz]: [f64; 6], judged: Verdict) -> Option<&'static str> {
-    match judged {
-        _ if ixx < 0.0 || iyy < 0.0 || izz < 0.0 => Some("inertia-negative"),
-        Verdict::Zero => (mass > 0.0).then_some("inertia-zero"),
-        Verdict::Negative | Verdict::Singular => Some("inertia-not-positive-definite"),
-        Verdict::Definite([a, b, c]) => (a + b < c * (1.0 - 1e-6)).then_some("inertia-triangle"),
+fn inertia_row(entries: [f64; 6], body: &RigidBody, is_top: bool) -> Option<&'static str> {
+    let whole = body.sum.map_or([0.0; 3], |(_, entries)| principal(entries));
+    if entries == [0.0; 6] {
+        let [least, ..] = whole;
+        return (is_top && !body.is_root && least < TINY_MOMENT).then_some("inertia-zero");
     }
+    let own = principal(entries);
+    let is_joined = body.links.len() > 1 && !is_impossible(whole);
+    Some(match own {
+        [least, _, most] if least < -ROUNDING * most.abs() => {
+            if is_joined {
+                "inertia-negative-joined"
+            } else {
+                "inertia-negative"
+            }
+        }
+        moments if is_impossible(moments) => {
+            if is_joined {
+                "inertia-triangle-joined"
+            } else {
+                "inertia-triangle"
+            }
+        }
+        [least, ..] if least < TINY_MOMENT => "inertia-singular",
+        _ => return None,
+    })
+}
+
+/// Whether no body has such moments: one is negative, or greater than the other two together.
+fn is_impossible([a, b, c]: [f64; 3]) -> bool {
+    a < -ROUNDING * c.abs() || a + b < c * (1.0 - ROUNDING)
 }

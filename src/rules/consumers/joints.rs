@@ -9,25 +9,32 @@ const TINY_AXIS: f64 = 1e-6;
 
 pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     debug_assert_eq!(facts.cx.kind, RootKind::Robot);
-    for joint in &facts.robot.joints {
-        kind(facts, joint, out);
+    let fixed = |joint: &Joint| joint.is(&[JointType::Fixed]);
+    let last = facts.robot.joints.iter().rposition(|joint| !fixed(joint)).unwrap_or_default();
+    for (number, joint) in facts.robot.joints.iter().enumerate() {
+        kind(facts, joint, number < last, out);
         limits(facts, joint, out);
         axis(facts, joint, out);
         rest(facts, joint, out);
     }
 }
 
-fn kind(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
+fn kind(facts: &Facts<'_, '_>, joint: &Joint, is_before: bool, out: &mut Found) {
     let Some(text) = &joint.kind else {
         return out.add("joint-without-type", facts.at(joint.element), joint_owner(joint));
     };
-    let Some(name) = text.name() else { return };
+    if !text.is_known() {
+        return;
+    }
+    let name = text.value.as_str();
     let is_root = || {
         let parent = joint.parent.as_ref().and_then(|parent| facts.kinematics.link(parent.value.as_str()));
         parent.is_some_and(|link| facts.kinematics.up(link).is_empty())
     };
     let row = match JointType::of(name) {
-        None if matches!(name.as_str(), "ball" | "spherical") => "joint-type-ball",
+        None if name.is_empty() => "joint-type-empty",
+        None if matches!(name, "ball" | "spherical") => "joint-type-ball",
+        None if is_before => "joint-type-unknown-before",
         None => "joint-type-unknown",
         Some(JointType::Floating) if is_root() => "joint-floating-root",
         Some(JointType::Floating) => "joint-floating",

@@ -4,18 +4,20 @@ use super::super::geometry::FileTarget;
 use super::super::geometry::resolve_file;
 use super::facts::{Facts, Found, link_owner};
 use base::FastMap;
-use ecow::EcoString;
 use model::{Material, Text};
 
+/// Red, green, blue and opacity.
+type Color = [f64; 4];
+
 pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
-    let mut colors: FastMap<&str, Option<&EcoString>> = FastMap::default();
+    let mut colors: FastMap<&str, Option<Color>> = FastMap::default();
     for material in &facts.robot.materials {
         let owner = owner(material);
         let mut add = |row: &str| out.add(row, facts.at(material.element), owner.as_str());
         match material.name.as_ref().map(|name| name.value.as_str()) {
             None => add("material-of-robot-without-name"),
             Some(name) => {
-                if colors.insert(name, material.rgba.as_ref().map(|rgba| &rgba.value)).is_some() {
+                if colors.insert(name, color(material)).is_some() {
                     add("material-of-robot-defined-twice");
                 }
                 if material.color.is_none() && material.texture.is_none() {
@@ -36,9 +38,13 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
             add("material-without-name");
             continue;
         };
-        let rgba = material.rgba.as_ref().map(|rgba| &rgba.value);
+        let rgba = color(material);
+        if name.value.is_empty() {
+            look(facts, material, &owner, out);
+            continue;
+        }
         match (colors.get(name.value.as_str()), defined(&material)) {
-            (None, false) if name.is_known() && !name.value.is_empty() => {
+            (None, false) if name.is_known() => {
                 let elsewhere = bodies().filter_map(|(_, body)| body.material.as_deref()).filter(defined);
                 if !elsewhere
                     .into_iter()
@@ -57,6 +63,11 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
         }
         look(facts, material, &owner, out);
     }
+}
+
+/// The color of a material, when it is four numbers.
+fn color(material: &Material) -> Option<Color> {
+    material.rgba.as_ref()?.numbers()
 }
 
 fn owner(material: &Material) -> String {

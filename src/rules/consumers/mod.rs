@@ -1,5 +1,6 @@
 //! What the programs that read URDF make of a robot: a table of constructs and outcomes, and what finds them.
 
+mod bodies;
 mod consumer;
 mod control;
 mod facts;
@@ -39,8 +40,8 @@ pub fn constructs(expansion: &Expansion, robot: Option<&Robot>, world: Surroundi
         found.add("root-element", tag_start(expansion, root), "the file");
         return found.met;
     }
-    if has_undeclared_prefix(expansion) {
-        found.add("prefix-undeclared", tag_start(expansion, root), "the robot");
+    for row in tolerated(expansion).into_iter().flatten() {
+        found.add(row, tag_start(expansion, root), "the robot");
     }
     let kind = (RootKind::Robot, true);
     let cx = DocumentCx::new(expansion, root, kind, robot, world, is_readable(expansion));
@@ -51,15 +52,21 @@ pub fn constructs(expansion: &Expansion, robot: Option<&Robot>, world: Surroundi
 /// Whether an expansion gives a document that consumers can be given. Many read plain URDF with prefixes that are not
 /// declared, which xacro rejects.
 pub fn is_readable(expansion: &Expansion) -> bool {
-    !expansion.has_errors() && is_whole(expansion) || has_undeclared_prefix(expansion)
+    !expansion.has_errors() && is_whole(expansion) || tolerated(expansion).is_some()
 }
 
-/// Whether prefixes that are not declared are all that is wrong with a file of plain URDF.
-fn has_undeclared_prefix(expansion: &Expansion) -> bool {
-    let [file] = expansion.files.as_slice() else { return false };
-    let errors = file.source.document.errors();
-    let is_prefix = |error: &SyntaxError| error.kind == SyntaxErrorKind::UnboundPrefix;
-    is_plain_urdf(&file.source.path) && !errors.is_empty() && errors.iter().all(is_prefix)
+/// The rows of what is wrong with a file of plain URDF, when many consumers read it in spite of that.
+fn tolerated(expansion: &Expansion) -> Option<Vec<&'static str>> {
+    let [file] = expansion.files.as_slice() else { return None };
+    let document = &file.source.document;
+    let is_first = document.text().starts_with("<?xml");
+    let row = |error: &SyntaxError| match error.kind {
+        SyntaxErrorKind::UnboundPrefix => Some("prefix-undeclared"),
+        SyntaxErrorKind::BadDeclaration if is_first => Some("declaration-malformed"),
+        _ => None,
+    };
+    let rows: Option<Vec<_>> = document.errors().iter().map(row).collect();
+    rows.filter(|rows| !rows.is_empty() && is_plain_urdf(&file.source.path))
 }
 
 fn met(cx: &DocumentCx<'_>) -> Vec<Met> {

@@ -2,7 +2,7 @@
 
 use super::facts::{Facts, Found, joint_owner, link_owner};
 use expand::{Origin, XId};
-use model::Text;
+use model::{JointType, Text};
 
 pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     for (index, link) in facts.robot.links.iter().enumerate() {
@@ -34,6 +34,9 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
         } else if value.contains(' ') {
             add("name-with-space");
         }
+        if is_reserved(value) && facts.bodies.iter().any(|body| body.links.first() == Some(&index)) {
+            add("link-name-reserved-in-sdf");
+        }
         if value.contains("::") {
             add("name-with-colons");
         }
@@ -41,11 +44,16 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     }
     for joint in &facts.robot.joints {
         let owner = joint_owner(joint);
-        let rows = ["joint-without-name", "joint-name-empty"];
+        let is_fixed = joint.is(&[JointType::Fixed]);
+        let empty = if is_fixed { "fixed-joint-name-empty" } else { "joint-name-empty" };
+        let rows = ["joint-without-name", empty];
         let Some(name) = one(facts, &joint.name, joint.element, &owner, rows, out) else { continue };
         let mut add = |row: &str| out.add(row, name.origin, owner.as_str());
-        if name.value == "universe" {
-            add("joint-universe");
+        match name.value.as_str() {
+            "universe" => add("joint-universe"),
+            "world" if !is_fixed => add("joint-world"),
+            name if is_reserved(name) && !is_fixed => add("joint-name-reserved-in-sdf"),
+            _ => {}
         }
         if name.value.contains(' ') {
             add("joint-name-with-space");
@@ -79,9 +87,6 @@ fn one<'t>(
 fn common(name: &Text, owner: &str, out: &mut Found) {
     let value = name.value.as_str();
     let mut add = |row: &str| out.add(row, name.origin, owner);
-    if value.len() > 4 && value.starts_with("__") && value.ends_with("__") {
-        add("name-reserved-in-sdf");
-    }
     if value.contains('/') {
         add("name-with-slash");
     }
@@ -92,4 +97,9 @@ fn common(name: &Text, owner: &str, out: &mut Found) {
     if !value.chars().all(is_word) || value.starts_with(|c: char| c.is_ascii_digit()) {
         add("name-no-identifier");
     }
+}
+
+/// Whether SDFormat keeps a name for itself.
+fn is_reserved(name: &str) -> bool {
+    name.len() > 4 && name.starts_with("__") && name.ends_with("__")
 }

@@ -6,6 +6,9 @@ use super::table::fault;
 use expand::XId;
 use model::{Text, is_decimal};
 
+/// White space that is no space.
+const BREAKS: [char; 3] = ['\t', '\n', '\r'];
+
 pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     let tree = &facts.cx.expansion.tree;
     for (id, spec) in known(facts.cx) {
@@ -58,8 +61,10 @@ fn judge(value: &str, count: usize) -> Option<&'static str> {
         found if count == 1 && found > 1 => Some("tail"),
         found if found < count => Some("few"),
         found if found > count => Some("many"),
-        _ if value.contains(['\t', '\n', '\r']) => Some("tab"),
-        _ => (count == 1 && value.ends_with(' ')).then_some("space-after"),
+        // what comes before a single number is skipped
+        _ if count == 1 && value.ends_with(' ') => Some("space-after"),
+        _ if count == 1 => value.ends_with(BREAKS).then_some("tab"),
+        _ => value.contains(BREAKS).then_some("tab"),
     }
 }
 

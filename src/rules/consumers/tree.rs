@@ -2,7 +2,7 @@
 
 use super::facts::{Facts, Found, joint_owner, link_owner};
 use base::FastMap;
-use model::{Text, Version};
+use model::{JointType, Link, Text, Version};
 
 /// More joints than these are too many for PyBullet.
 const WIDE: usize = 128;
@@ -59,8 +59,9 @@ fn roots(facts: &Facts<'_, '_>, out: &mut Found) {
     let roots = facts.kinematics.roots(facts.robot);
     for cycle in facts.kinematics.cycles() {
         let joint = cycle.first().and_then(|&joint| facts.robot.joints.get(joint));
-        if let Some(joint) = joint.filter(|_| roots.is_empty()) {
-            out.add("link-cycle", facts.at_name(joint.name.as_ref(), joint.element), joint_owner(joint));
+        if let Some(joint) = joint {
+            let row = if roots.is_empty() { "link-cycle" } else { "link-cycle-beside-root" };
+            out.add(row, facts.at_name(joint.name.as_ref(), joint.element), joint_owner(joint));
         }
     }
     for &root in roots.iter().skip(1) {
@@ -76,17 +77,38 @@ fn roots(facts: &Facts<'_, '_>, out: &mut Found) {
 }
 
 fn ends(facts: &Facts<'_, '_>, out: &mut Found) {
+    let is_empty = |link: &Link| link.name.as_ref().is_some_and(|name| name.value.is_empty());
+    let has_empty = facts.robot.links.iter().any(is_empty);
     for joint in &facts.robot.joints {
         let at = facts.at_name(joint.name.as_ref(), joint.element);
         let unknown = |text: &Text| text.name().is_some_and(|name| facts.kinematics.link(name).is_none());
+        // Drake knows this link without being told
+        let row = |text: &Text, world, other| if text.value == "world" { world } else { other };
+        let has = |name| facts.children(joint.element, name).next().is_some();
         match &joint.parent {
+            None if has("parent") => out.add("parent-without-link", at, joint_owner(joint)),
             None => out.add("joint-without-parent", at, joint_owner(joint)),
-            Some(parent) if unknown(parent) => out.add("parent-unknown", parent.origin, joint_owner(joint)),
+            Some(parent) if parent.value.is_empty() && !has_empty => {
+                out.add("parent-empty", parent.origin, joint_owner(joint));
+            }
+            Some(parent) if unknown(parent) => {
+                out.add(
+                    row(parent, "parent-world-unknown", "parent-unknown"),
+                    parent.origin,
+                    joint_owner(joint),
+                );
+            }
             Some(_) => {}
         }
         match &joint.child {
+            None if has("child") => out.add("child-without-link", at, joint_owner(joint)),
+            Some(child) if child.value.is_empty() && !has_empty => {
+                out.add("child-empty", child.origin, joint_owner(joint));
+            }
             None => out.add("joint-without-child", at, joint_owner(joint)),
-            Some(child) if unknown(child) => out.add("child-unknown", child.origin, joint_owner(joint)),
+            Some(child) if unknown(child) => {
+                out.add(row(child, "child-world-unknown", "child-unknown"), child.origin, joint_owner(joint));
+            }
             Some(_) => {}
         }
         if joint.ends().is_some_and(|(parent, child)| parent == child) {
@@ -114,7 +136,10 @@ fn repeated(facts: &Facts<'_, '_>, out: &mut Found) {
             out.add("duplicate-joint", name.origin, joint_owner(joint));
         }
         if links.contains_key(name.value.as_str()) {
-            out.add("link-and-joint-of-one-name", name.origin, joint_owner(joint));
+            let is_fixed = joint.is(&[JointType::Fixed]);
+            let row =
+                if is_fixed { "link-and-fixed-joint-of-one-name" } else { "link-and-joint-of-one-name" };
+            out.add(row, name.origin, joint_owner(joint));
         }
     }
 }

@@ -38,7 +38,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     let controllers = cx.settings().into_iter().flat_map(|settings| &settings.controllers);
     for controller in controllers.filter(|controller| controller.is_ros2) {
         for (interface, is_command) in interfaces(controller) {
-            let of = |key: &str| controller.joints.iter().any(|(own, _)| *own == key);
+            let of = |key: &str| controller.joints.iter().any(|(own, _)| own == key);
             // with joints of their own, commands are not for `joints`
             let key = if is_command && of("command_joints") { "command_joints" } else { "joints" };
             let lacking = joints(controller, key)
@@ -58,7 +58,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
 
 /// The joints of a parameter.
 fn joints<'a>(controller: &'a Controller, key: &str) -> impl Iterator<Item = &'a Named> {
-    controller.joints.iter().filter(move |(own, _)| *own == key).map(|(_, joint)| joint)
+    controller.joints.iter().filter(move |(own, _)| own == key).map(|(_, joint)| joint)
 }
 
 /// The class of a controller: its own parameter, or what a controller manager says.

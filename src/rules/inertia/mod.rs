@@ -18,7 +18,7 @@ mod zero_mass;
 
 use super::registry::Rule;
 
-pub(super) use moments::{Verdict, verdict};
+pub(super) use moments::principal;
 
 /// The rules.
 pub(super) static RULES: &[Rule] = &[

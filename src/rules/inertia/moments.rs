@@ -20,7 +20,7 @@ pub(super) const NEGLIGIBLE_MASS: f64 = 1e-5;
 
 /// What an inertia matrix is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in super::super) enum Verdict {
+pub(super) enum Verdict {
     /// Zero, but for rounding.
     Zero,
     /// One of its principal moments is negative.
@@ -32,17 +32,13 @@ pub(in super::super) enum Verdict {
 }
 
 /// Judge `ixx ixy ixz iyy iyz izz`.
-pub(in super::super) fn verdict(entries: [f64; 6]) -> Verdict {
+pub(super) fn verdict(entries: [f64; 6]) -> Verdict {
     let entries = without_noise(entries);
-    let [xx, xy, xz, yy, yz, zz] = entries;
-    let size = entries.into_iter().fold(0.0, |size: f64, entry| size.max(entry.abs()));
-    if size == 0.0 {
+    let [xx, _, _, yy, _, zz] = entries;
+    if entries == [0.0; 6] {
         return Verdict::Zero;
     }
-    // products of very small or large numbers would leave the range of floats
-    let scaled = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz) / size;
-    let mut moments: [f64; 3] = SymmetricEigen::new(scaled).eigenvalues.into();
-    moments.sort_by(f64::total_cmp);
+    let moments = principal(entries);
     let [least, _, most] = moments;
     let magnitude = most.abs().max(least.abs());
     if least < -ROUNDING * magnitude || [xx, yy, zz].iter().any(|&entry| entry < 0.0) {
@@ -50,8 +46,19 @@ pub(in super::super) fn verdict(entries: [f64; 6]) -> Verdict {
     } else if least.abs() <= ZERO * magnitude {
         Verdict::Singular
     } else {
-        Verdict::Definite(moments.map(|moment| moment * size))
+        Verdict::Definite(moments)
     }
+}
+
+/// The principal moments of `ixx ixy ixz iyy iyz izz` in rising order.
+pub(in super::super) fn principal(entries: [f64; 6]) -> [f64; 3] {
+    let size = entries.into_iter().fold(f64::MIN_POSITIVE, |size: f64, entry| size.max(entry.abs()));
+    // products of very small or large numbers would leave the range of floats
+    let [xx, xy, xz, yy, yz, zz] = entries.map(|entry| entry / size);
+    let matrix = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+    let mut moments: [f64; 3] = SymmetricEigen::new(matrix).eigenvalues.into();
+    moments.sort_by(f64::total_cmp);
+    moments.map(|moment| moment * size)
 }
 
 /// The entries with what is only rounding of the program that computed them taken for zero.
