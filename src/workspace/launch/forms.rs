@@ -315,6 +315,16 @@ fn python_programs() {
             &["/r/a.xacro side=left"],
         ),
         (
+            "OpaqueFunction with perform_substitution",
+            "DeclareLaunchArgument('side', default_value='left')\nDeclareLaunchArgument('n', default_value='2')\n\
+             def robot(context, side):\n    side = context.perform_substitution(side)\n    \
+             n = perform_substitutions(context, normalize_to_list_of_substitutions(['n', LaunchConfiguration('n')]))\n    \
+             return xacro.process_file('/r/a.xacro', mappings={'side': side, 'n': n})\n\
+             def setup(context, side):\n    return [robot(context, side)]\n\
+             OpaqueFunction(function=setup, args=[LaunchConfiguration('side')])\n",
+            &["/r/a.xacro side=left n=n2"],
+        ),
+        (
             "OpaqueFunction with arguments",
             "def setup(context, path):\n    return xacro.process_file(path)\n\
              OpaqueFunction(function=setup, args=['/r/a.xacro'])\n",

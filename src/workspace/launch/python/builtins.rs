@@ -55,6 +55,9 @@ impl Reader<'_> {
                 Some(name) if count == 1 => Value::Text(Text::argument(&name)),
                 _ => Value::Unknown,
             },
+            "perform_substitution" => Value::Text(args.text(0, "substitution")),
+            "perform_substitutions" => Value::Text(args.text(1, "subs")),
+            "normalize_to_list_of_substitutions" => Value::Text(args.text(0, "subs")),
             "DeclareLaunchArgument" => self.declare(range, args),
             "SetLaunchConfiguration" => {
                 if let Some(name) = args.text(0, "name").literal() {

@@ -17,7 +17,10 @@ pub(super) fn attribute(value: Value, name: &EcoString) -> Value {
         Value::Text(_) | Value::List(_) | Value::Dict { .. } | Value::Builder(_) | Value::Document(_) => {
             Value::Method(Box::new(value), name.clone())
         }
-        _ if name == "launch_configurations" => Value::Outer(name.clone()),
+        // of the context that a function is called with
+        _ if matches!(name.as_str(), "launch_configurations" | "perform_substitution") => {
+            Value::Outer(name.clone())
+        }
         _ => Value::Unknown,
     }
 }
