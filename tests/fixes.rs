@@ -21,7 +21,8 @@ use xacro_lsp::vfs::Environment;
 fn temporary(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fixes").join(name);
     let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
+    // a repository of its own: nothing is read of folders above
+    fs::create_dir_all(folder.join(".git")).unwrap();
     folder
 }
 

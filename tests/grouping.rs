@@ -25,6 +25,8 @@ impl Folder {
         let number = COUNT.fetch_add(1, Ordering::Relaxed);
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("grouping").join(number.to_string());
         let _ = fs::remove_dir_all(&folder);
+        // a repository of its own: nothing is read of folders above
+        fs::create_dir_all(folder.join(".git")).unwrap();
         let folder = Self(folder);
         files.iter().for_each(|(name, text)| folder.write(name, text));
         folder

@@ -45,7 +45,8 @@ fn folder() -> PathBuf {
     let number = COUNT.fetch_add(1, Ordering::Relaxed);
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("security").join(number.to_string());
     let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
+    // a repository of its own: nothing is read of folders above
+    fs::create_dir_all(folder.join(".git")).unwrap();
     folder
 }
 

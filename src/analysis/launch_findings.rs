@@ -1,6 +1,6 @@
 //! What launch files say of robots that is not so: arguments that no robot knows, descriptions that are not there.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -9,8 +9,9 @@ use ecow::EcoString;
 use super::check::CheckOptions;
 use super::config_findings::arguments;
 use super::includes::reach;
+use super::launch_names::is_launch;
 use super::session::Session;
-use base::{FastSet, Span, TextRange};
+use base::{CancelFlag, FastSet, Span, TextRange};
 use rules::{Finding, launched_file_not_found, unknown_launch_argument};
 use vfs::SourceFile;
 use workspace::launch::{Argument, Call};
@@ -29,6 +30,24 @@ pub(super) struct Known {
     pub(super) files: Vec<Arc<SourceFile>>,
 }
 
+impl Known {
+    /// The arguments that are declared, each with its default where it has one.
+    pub(super) fn defaults(&self) -> Vec<(String, Option<String>)> {
+        let mut found = Vec::new();
+        for file in &self.files {
+            let entities = file.document.entities();
+            for (_, item) in file.document.parts() {
+                for node in item.all_nodes().filter(|node| node.name() == "xacro:arg") {
+                    let Some(name) = node.attr("name") else { continue };
+                    let default = node.attr("default").map(|default| default.value(entities).into_owned());
+                    found.push((name.raw().to_owned(), default));
+                }
+            }
+        }
+        found
+    }
+}
+
 impl Session {
     /// What is wrong in the calls of the launch files below the folders that are checked.
     pub(super) fn launch_findings(&self, options: &CheckOptions) -> Vec<Finding> {
@@ -40,26 +59,60 @@ impl Session {
         }
         let folders = options.paths.iter().map(|path| self.vfs.absolute(path));
         for folder in folders.filter(|path| self.vfs.is_dir(path)) {
-            let calls = self.robot_calls(&folder);
-            let is_checked = |call: &RobotCall| !self.settings(&call.call.caller).excludes(&call.call.caller);
-            for group in calls.chunk_by(|a, b| same_place(&a.call, &b.call)) {
-                if options.cancel.is_cancelled() {
-                    return found;
-                }
-                if group.first().is_some_and(is_checked) {
-                    self.findings_of(group, &mut known, &mut found);
-                }
-            }
-            found.extend(self.outside_choices(&folder));
-            for (robot, known) in &known {
-                let of = |call: &&RobotCall| call.target.as_ref() == Some(robot) && is_checked(call);
-                let of: Vec<&RobotCall> = calls.iter().filter(of).collect();
-                if !of.is_empty() {
-                    found.extend(self.value_findings(robot, known, &of));
-                }
-            }
+            self.findings_of_calls(&self.robot_calls(&folder), &options.cancel, &mut known, &mut found);
+            found.extend(self.outside_choices(&folder, |_| true));
         }
         found
+    }
+
+    /// What is wrong in the calls of robots that an editor shows, and in the launch files that it shows.
+    pub(super) fn shown_launch_findings(
+        &self,
+        robots: &[PathBuf],
+        shown: &[PathBuf],
+        cancel: &CancelFlag,
+    ) -> Vec<Finding> {
+        let mut found = Vec::new();
+        let mut known: BTreeMap<PathBuf, Arc<Known>> = BTreeMap::new();
+        let launch_files: Vec<&PathBuf> = shown.iter().filter(|path| is_launch(path)).collect();
+        let mut calls: Vec<RobotCall> = Vec::new();
+        for path in robots.iter().chain(launch_files.iter().copied()) {
+            calls.extend(self.robot_calls(path));
+        }
+        calls.sort_by(|a, b| order(&a.call).cmp(&order(&b.call)));
+        calls.dedup_by(|a, b| order(&a.call) == order(&b.call) && a.call.is_same(&b.call));
+        self.findings_of_calls(&calls, cancel, &mut known, &mut found);
+        let tops = launch_files.iter().filter_map(|path| self.packages.sources_around(path));
+        for top in tops.collect::<BTreeSet<PathBuf>>() {
+            found.extend(self.outside_choices(&top, |path| launch_files.contains(&path)));
+        }
+        found
+    }
+
+    /// What is wrong in calls, which are in the order of their places.
+    fn findings_of_calls(
+        &self,
+        calls: &[RobotCall],
+        cancel: &CancelFlag,
+        known: &mut BTreeMap<PathBuf, Arc<Known>>,
+        found: &mut Vec<Finding>,
+    ) {
+        let is_checked = |call: &RobotCall| !self.settings(&call.call.caller).excludes(&call.call.caller);
+        for group in calls.chunk_by(|a, b| place(&a.call) == place(&b.call)) {
+            if cancel.is_cancelled() {
+                return;
+            }
+            if group.first().is_some_and(is_checked) {
+                self.findings_of(group, known, found);
+            }
+        }
+        for (robot, known) in &*known {
+            let of = |call: &&RobotCall| call.target.as_ref() == Some(robot) && is_checked(call);
+            let of: Vec<&RobotCall> = calls.iter().filter(of).collect();
+            if !of.is_empty() {
+                found.extend(self.value_findings(robot, known, &of));
+            }
+        }
     }
 
     /// The values that launch files give to an argument of a robot, each with the names of the files.
@@ -183,8 +236,14 @@ impl Session {
         known
     }
 
-    /// Where a call writes the name of an argument.
+    /// Where a call writes the name of an argument; else where the call stands.
     pub(super) fn place_of(&self, call: &Call, argument: &Argument) -> Span {
+        let whole = || Span { file: self.vfs.file_id(&call.caller), range: call.range };
+        self.spelled(call, argument).unwrap_or_else(whole)
+    }
+
+    /// Where a call writes the name of an argument, as far as its text tells.
+    pub(super) fn spelled(&self, call: &Call, argument: &Argument) -> Option<Span> {
         let file = self.vfs.file_id(&call.caller);
         let text = self.vfs.text(&call.caller);
         let text = text.as_ref().map_or("", |file| &*file.text);
@@ -197,8 +256,8 @@ impl Session {
             let start = range.start + at as u32 + lead;
             Some(TextRange::new(start, start + name.len() as u32))
         };
-        let range = argument.range.and_then(within).or_else(|| within(call.range));
-        Span { file, range: range.unwrap_or(call.range) }
+        let range = argument.range.and_then(within).or_else(|| within(call.range))?;
+        Some(Span { file, range })
     }
 }
 
@@ -216,8 +275,12 @@ fn whole(text: &str, form: &str) -> Option<usize> {
     places.find(|at| !text.get(..*at).is_some_and(|before| before.ends_with(is_part)))
 }
 
-fn same_place(a: &Call, b: &Call) -> bool {
-    (&a.caller, a.range) == (&b.caller, b.range)
+fn place(call: &Call) -> (&Path, u32, u32) {
+    (&call.caller, call.range.start, call.range.end)
+}
+
+fn order(call: &Call) -> impl Ord + use<'_> {
+    (place(call), &call.through)
 }
 
 #[cfg(test)]

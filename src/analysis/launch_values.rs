@@ -1,7 +1,6 @@
 //! Values that launch files give to arguments and that nothing is made for, and arguments that they never give.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use ecow::EcoString;
 
@@ -10,7 +9,6 @@ use super::session::Session;
 use base::{FastMap, FastSet, Span, TextRange};
 use facts::{FactKind, MentionKind, facts_of};
 use rules::{Finding, argument_never_set, value_never_compared, value_outside_choices};
-use vfs::SourceFile;
 use workspace::config::Root;
 use workspace::{RobotCall, nearest};
 
@@ -27,10 +25,11 @@ struct Compared {
 }
 
 impl Session {
-    /// Values below a folder that the choices of launch files rule out.
-    pub(super) fn outside_choices(&self, folder: &Path) -> Vec<Finding> {
+    /// Values that some launch files below a folder give and that choices rule out.
+    pub(super) fn outside_choices(&self, folder: &Path, is_meant: impl Fn(&PathBuf) -> bool) -> Vec<Finding> {
         let excluded = self.excluded_values(folder);
-        let checked = excluded.iter().filter(|found| !self.settings(&found.giver).excludes(&found.giver));
+        let checked = excluded.iter().filter(|found| is_meant(&found.giver));
+        let checked = checked.filter(|found| !self.settings(&found.giver).excludes(&found.giver));
         let finding = checked.map(|found| {
             let text = self.vfs.text(&found.giver);
             let text = text.as_ref().map_or("", |file| &*file.text);
@@ -53,7 +52,7 @@ impl Session {
     }
 
     fn never_compared(&self, robot: &Path, known: &Known, calls: &[&RobotCall]) -> Vec<Finding> {
-        let compared = comparisons(&known.files);
+        let compared = comparisons(known);
         let mut found = Vec::new();
         for call in calls {
             for argument in &call.call.args {
@@ -109,23 +108,18 @@ fn is_expected(value: &str, compared: &Compared) -> bool {
         || NEUTRAL.contains(&value.to_ascii_lowercase().as_str()) && !compared.words.iter().any(other_case)
 }
 
-/// The arguments that the files of a robot do nothing with but compare them with words, and these words. The default of an
+/// The arguments that a robot does nothing with but compare them with words, and these words. The default of an
 /// argument counts as one.
-fn comparisons(files: &[Arc<SourceFile>]) -> FastMap<EcoString, Compared> {
+fn comparisons(known: &Known) -> FastMap<EcoString, Compared> {
     let mut found: FastMap<EcoString, Compared> = FastMap::default();
     let mut mentions: FastMap<EcoString, usize> = FastMap::default();
-    let mut defaults: Vec<(EcoString, String)> = Vec::new();
-    for file in files {
+    for file in &known.files {
         for (_, item) in file.document.parts() {
             let facts = facts_of(item);
             for mention in facts.mentions().filter(|mention| mention.kind == MentionKind::Argument) {
                 *mentions.entry(mention.name.clone()).or_default() += 1;
             }
             for node in item.all_nodes() {
-                if let (true, Some(name)) = (node.name() == "xacro:arg", node.attr("name")) {
-                    let default = node.attr("default").map(|default| default.value(file.document.entities()));
-                    defaults.push((name.raw().into(), default.unwrap_or_default().into_owned()));
-                }
                 for attr in node.attrs().filter(|attr| attr.raw().contains("$(arg ")) {
                     compare(&attr.value(file.document.entities()), &mut found);
                 }
@@ -133,8 +127,9 @@ fn comparisons(files: &[Arc<SourceFile>]) -> FastMap<EcoString, Compared> {
         }
     }
     found.retain(|name, compared| mentions.get(name) == Some(&compared.comparisons));
-    for (name, default) in defaults {
-        if let Some(compared) = found.get_mut(&name)
+    for (name, default) in known.defaults() {
+        let default = default.unwrap_or_default();
+        if let Some(compared) = found.get_mut(name.as_str())
             && !compared.words.contains(&default)
         {
             compared.words.push(default);

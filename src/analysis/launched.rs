@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::context::RootChoice;
 use super::job::Outcome;
 use super::roots::Job;
 use super::session::Session;
@@ -14,7 +15,7 @@ use workspace::config::Args;
 /// One way in which launch files call a robot.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Launched {
-    /// The name of the launch file that is started.
+    /// The name of the launch file that is started, with a number from its second call on.
     pub name: String,
     /// All arguments.
     pub args: Args,
@@ -27,7 +28,7 @@ pub(super) struct Launched {
 pub(super) struct Called {
     /// The calls.
     pub calls: Vec<Span>,
-    /// How many calls of the robot there are whose arguments are known.
+    /// How many calls of the robot are checked.
     pub of: usize,
 }
 
@@ -48,11 +49,28 @@ impl Session {
                 None => {
                     let file = call.call.through.first().unwrap_or(&call.call.caller);
                     let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+                    let further = format!("{name} (");
+                    let is_of_file =
+                        |known: &&Launched| known.name == name || known.name.starts_with(&further);
+                    let name = match found.iter().filter(is_of_file).count() {
+                        0 => name,
+                        before => format!("{further}{})", before + 1),
+                    };
                     found.push(Launched { name, args, calls: vec![site] });
                 }
             }
         }
         found
+    }
+
+    /// The distinct calls of a robot, for somebody who picks one.
+    pub fn launched_roots(&self, robot: &Path) -> Vec<RootChoice> {
+        let choice = |launched: Launched| RootChoice {
+            file: robot.to_owned(),
+            args: launched.args,
+            preset: Some(launched.name),
+        };
+        self.launched(robot).into_iter().take(CALL_RUNS).map(choice).collect()
     }
 
     /// The arguments of a call, where all of them are known.
@@ -80,19 +98,21 @@ impl Session {
     }
 
     fn launched_jobs_of(&self, outcome: &Outcome) -> Vec<Job> {
-        let launched = self.launched(&outcome.job.file);
-        let of = launched.iter().map(|launched| launched.calls.len()).sum();
         let has = |(name, value): &(String, String)| {
             outcome.arguments.iter().any(|(own, default)| own == name && default == value)
         };
         let is_other = |launched: &Launched| outcome.is_as_called || !launched.args.iter().all(has);
+        let (mut others, defaults): (Vec<_>, Vec<_>) =
+            self.launched(&outcome.job.file).into_iter().partition(is_other);
+        others.truncate(CALL_RUNS);
+        let of = others.iter().chain(&defaults).map(|launched| launched.calls.len()).sum();
         let job = |launched: Launched| Job {
             args: launched.args,
             preset: Some(launched.name),
             called: Some(Called { calls: launched.calls, of }),
             ..outcome.job.clone()
         };
-        launched.into_iter().filter(is_other).take(CALL_RUNS).map(job).collect()
+        others.into_iter().map(job).collect()
     }
 
     /// Take the errors about arguments that a call does not give out of the robots: they belong to the launch files. A robot

@@ -33,6 +33,8 @@ pub struct Session {
     included: Mutex<FastMap<PathBuf, Arc<Included>>>,
     /// The robots that files beside them are for.
     pairings: Mutex<FastMap<PathBuf, Arc<Pairing>>>,
+    /// By the folder of sources: the files there that say something about robots.
+    beside: Mutex<FastMap<PathBuf, Arc<Vec<PathBuf>>>>,
 }
 
 /// How a session is set up.
@@ -117,6 +119,7 @@ impl Session {
             drift_runs: Runs::default(),
             included: Mutex::default(),
             pairings: Mutex::default(),
+            beside: Mutex::default(),
         }
     }
 
@@ -159,11 +162,22 @@ impl Session {
         self.callers.calls(file, &self.packages)
     }
 
-    /// The files around a path that may belong to robots, by their names.
-    pub(super) fn beside_around(&self, path: &Path) -> Vec<PathBuf> {
+    /// The files around a path that may say something about robots.
+    pub(super) fn beside_around(&self, path: &Path) -> Arc<Vec<PathBuf>> {
+        let Some(top) = self.packages.sources_around(path) else { return Arc::default() };
+        let known = || self.beside.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(found) = known().get(&top) {
+            return found.clone();
+        }
         let mut found = self.callers.beside(path, &self.packages);
-        found.retain(|file| !self.settings(file).excludes(file));
-        found
+        found.retain(|file| self.is_about_robots(file) && !self.settings(file).excludes(file));
+        known().entry(top).or_insert(Arc::new(found)).clone()
+    }
+
+    /// Forget which robots the files beside them are for.
+    pub(super) fn forget_pairings(&self) {
+        self.pairings().clear();
+        self.beside.lock().unwrap_or_else(PoisonError::into_inner).clear();
     }
 
     /// The descriptions around a file.
@@ -244,7 +258,7 @@ impl Session {
     pub(super) fn forget_uses(&self) {
         self.callers.forget();
         self.included.lock().unwrap_or_else(PoisonError::into_inner).clear();
-        self.pairings().clear();
+        self.forget_pairings();
     }
 
     /// The settings for a file.

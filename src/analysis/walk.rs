@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use ignore::WalkBuilder;
 
+use super::launch_names::is_launch;
 use super::report::{SkipReason, Skipped};
 use super::session::Session;
 use base::limits::SCAN_FILES;
@@ -124,7 +125,7 @@ pub(super) fn is_something_else(path: &Path) -> bool {
     let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or("");
     const NAMES: [&str; 2] = ["package.xml", ".setup_assistant"];
     let is_named = |name: &std::ffi::OsStr| NAMES.iter().any(|own| name == *own);
-    ENDINGS.contains(&ending) || path.file_name().is_some_and(is_named)
+    ENDINGS.contains(&ending) || path.file_name().is_some_and(is_named) || is_launch(path)
 }
 
 #[cfg(test)]

@@ -12,6 +12,7 @@ use super::check::CheckOptions;
 use super::context::RootChoice;
 use super::graph::Graph;
 use super::job::{self, Outcome};
+use super::launch_names::is_launch;
 use super::placing;
 use super::proof::{Effort, Roots};
 use super::report::Report;
@@ -172,17 +173,18 @@ impl World {
     /// A file was opened, or its whole text replaced.
     pub fn set_text(&mut self, path: &Path, text: String) {
         self.session.vfs.set_buffer(path, Some(text));
-        self.session.pairings().clear();
+        self.session.forget_pairings();
         self.touch(path);
     }
 
     /// A range of bytes of an open file was replaced.
     pub fn edit(&mut self, path: &Path, range: TextRange, text: &str) {
-        let name = self.session.robot_name(path);
+        let said = |session: &Session| (session.robot_name(path), session.is_about_robots(path));
+        let before = said(&self.session);
         self.session.vfs.edit_buffer(path, range, text);
         self.touch(path);
-        if self.session.robot_name(path) != name {
-            self.session.pairings().clear();
+        if said(&self.session) != before {
+            self.session.forget_pairings();
         }
     }
 
@@ -204,8 +206,11 @@ impl World {
             // manifests are read by rules, which no record tells of
             _ => {
                 self.epoch += 1;
-                self.session.pairings().clear();
+                self.session.forget_pairings();
             }
+        }
+        if is_launch(path) {
+            self.session.forget_uses();
         }
     }
 
@@ -481,7 +486,9 @@ impl World {
         }
         self.keep_meshes();
         let entries: Vec<PathBuf> = paths.iter().map(|path| (*path).clone()).collect();
-        let beside = self.beside_findings(asked, &roots, cancel)?;
+        let mut beside = self.beside_findings(asked, &roots, cancel)?;
+        let robots: Vec<PathBuf> = roots.into_iter().map(|root| root.file).collect();
+        beside.findings.extend(self.session.shown_launch_findings(&robots, asked, cancel));
         let mut report = self.session.conclude(&self.options(&entries), outcomes, beside);
         placing::place(&mut report, &self.session.vfs, |path| self.open.contains_key(path));
         Some(report)

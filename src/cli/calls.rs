@@ -16,7 +16,9 @@ use workspace::launch::{Argument, Why};
 /// List the calls of robots: where they stand, the description, and the arguments as far as they are known.
 pub(super) fn run(args: &CallsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     let package_path = args.package_path.iter().map(PathBuf::from).collect();
-    let setup = Setup { about: args.path.clone(), package_path, ..Setup::default() };
+    let folders = std::path::absolute(&args.path).ok().filter(|path| path.is_dir());
+    let folders = folders.into_iter().collect();
+    let setup = Setup { about: args.path.clone(), folders, package_path, ..Setup::default() };
     let session = match Session::new(env, setup) {
         Ok(session) => session,
         Err(error) => {

@@ -1,5 +1,7 @@
 //! Parameters of controllers, of ros2_control and of the older ros_control.
 
+use ecow::EcoString;
+
 use super::value::{Named, entries, get, text};
 use yaml::{Kind, Node};
 
@@ -11,11 +13,13 @@ pub struct Controller {
     /// Its class, when these parameters say it.
     pub class: Option<Named>,
     /// The joints it names, with the keys that hold them.
-    pub joints: Vec<(&'static str, Named)>,
+    pub joints: Vec<(EcoString, Named)>,
     /// `command_interfaces` of each joint.
     pub commands: Vec<Named>,
     /// `state_interfaces` of each joint.
     pub states: Vec<Named>,
+    /// `interface_name`: the one interface that it commands.
+    pub interface: Option<Named>,
     /// Whether these are parameters of a node of ROS 2.
     pub is_ros2: bool,
 }
@@ -31,9 +35,10 @@ pub struct Listed {
 
 /// The parameters of controllers that hold names of joints.
 /// Source: the parameter files of ros2_controllers and the parameters of ros_controllers.
-const JOINT_KEYS: [&str; 18] = [
+const JOINT_KEYS: [&str; 19] = [
     "joint",
     "joints",
+    "extra_joints",
     "command_joints",
     "dof_names",
     "left_wheel",
@@ -55,6 +60,20 @@ const JOINT_KEYS: [&str; 18] = [
 /// The parameters of controllers that hold names of joints.
 pub fn joint_keys() -> &'static [&'static str] {
     &JOINT_KEYS
+}
+
+/// The ends of parameters that hold names of joints in controllers of any class.
+const JOINT_ENDS: [&str; 4] = ["joints", "joint_name", "joint_names", "joints_names"];
+
+fn may_hold_joints(key: &str) -> bool {
+    JOINT_KEYS.contains(&key) || JOINT_ENDS.iter().any(|end| key.ends_with(end))
+}
+
+impl Controller {
+    /// Leave out what only looks like names of joints: the node is no controller that a controller manager lists.
+    pub(super) fn keep_known_parameters(&mut self) {
+        self.joints.retain(|(key, _)| JOINT_KEYS.contains(&key.as_str()));
+    }
 }
 
 /// Deepest nesting of namespaces above the parameters of a node.
@@ -93,13 +112,16 @@ fn manager(parameters: &Node, listed: &mut Vec<Listed>) {
 
 fn controller(name: Named, parameters: &Node, is_ros2: bool) -> Option<Controller> {
     let list = |key: &str| get(parameters, key).map(Named::list).unwrap_or_default();
-    let joints = JOINT_KEYS.iter().flat_map(|key| list(key).into_iter().map(move |name| (*key, name)));
+    let named = entries(parameters).filter(|(key, _)| may_hold_joints(&key.name));
+    let joints = named
+        .flat_map(|(key, value)| Named::list(value).into_iter().map(move |name| (key.name.clone(), name)));
     let is_map = matches!(parameters.kind, Kind::Map(_));
     is_map.then(|| Controller {
         class: text(parameters, "type"),
         joints: joints.collect(),
         commands: list("command_interfaces"),
         states: list("state_interfaces"),
+        interface: text(parameters, "interface_name"),
         name,
         is_ros2,
     })

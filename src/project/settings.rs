@@ -51,6 +51,11 @@ impl Settings {
             ..Self::default()
         };
         controllers::read(root, &mut settings.listed, &mut settings.controllers);
+        for controller in &mut settings.controllers {
+            if !settings.listed.iter().any(|listed| listed.name.name == controller.name.name) {
+                controller.keep_known_parameters();
+            }
+        }
         let is_of_robot = |controller: &Controller| !controller.joints.is_empty();
         if settings.listed.is_empty() && !settings.controllers.iter().any(is_of_robot) {
             settings.controllers.clear();

@@ -25,6 +25,12 @@ fn names_in_settings() {
         ("/ns/arm_controller:\n  ros__parameters:\n    joints:\n    - a\n", vec![joint("a")]),
         ("ns:\n  arm:\n    ros__parameters:\n      joint: a\n", vec![joint("a")]),
         ("arm:\n  type: position_controllers/JointPositionController\n  joint: a\n", vec![joint("a")]),
+        ("states:\n  ros__parameters:\n    extra_joints: [a]\n", vec![joint("a")]),
+        ("drive:\n  ros__parameters:\n    front_joint_names: [a]\n    joint: b\n", vec![joint("b")]),
+        (
+            "controller_manager:\n  ros__parameters:\n    drive: {type: carts/Drive}\ndrive:\n  ros__parameters:\n    front_joint_names: [a]\n",
+            vec![joint("a")],
+        ),
         ("arm:\n  ros__parameters:\n    joints: [$(var p)a, b]\n", vec![joint("b")]),
         (
             "base:\n  ros__parameters:\n    left_wheel_names: [a]\n    right_wheel_names: b\n",

@@ -23,7 +23,8 @@ pub struct BesideCx<'a> {
     pub content: Content<'a>,
     /// The expansion of the file, and of the robot where the file is not expanded.
     pub expansion: &'a Expansion,
-    /// The robots that the file is for, at least one; all their links and joints are there.
+    /// The robots that the file is for; all their links and joints are there. Without one, the file is compared with
+    /// SRDFs only.
     pub robots: &'a [PairedRobot<'a>],
     /// All files beside these robots.
     pub all: &'a [Content<'a>],
@@ -31,6 +32,8 @@ pub struct BesideCx<'a> {
     pub(super) is_ros2: bool,
     /// Whether an SRDF of the robots depends on arguments.
     pub(super) has_variants: bool,
+    /// Whether everything of the SRDFs is there.
+    pub(super) has_all_groups: bool,
     /// Names in further expansions of the robots, asked for only when a name is in none of them.
     pub further: &'a dyn Fn() -> Names,
     /// What these gave.
@@ -90,10 +93,10 @@ impl Names {
 pub fn check_beside(cx: &BesideCx<'_>, chosen: Chosen<'_>) -> Vec<Finding> {
     let Some(first) = all().next() else { return Vec::new() };
     let mut sink = Sink::new(cx.expansion, first);
-    chosen.run(&mut sink, |rule, sink| {
-        if let Check::Beside(check) = rule.check {
-            check(cx, sink);
-        }
+    chosen.run(&mut sink, |rule, sink| match rule.check {
+        Check::Beside(check) if !cx.robots.is_empty() => check(cx, sink),
+        Check::Semantic(check) => check(cx, sink),
+        _ => {}
     });
     sink.finish()
 }
@@ -126,6 +129,7 @@ impl<'a> BesideCx<'a> {
             names,
             is_ros2: false,
             has_variants: false,
+            has_all_groups: true,
         }
     }
 
@@ -133,6 +137,13 @@ impl<'a> BesideCx<'a> {
     #[must_use]
     pub fn with_variants(mut self, has_variants: bool) -> Self {
         self.has_variants = has_variants;
+        self
+    }
+
+    /// The same, with SRDFs of which everything is there or not.
+    #[must_use]
+    pub fn with_all_groups(mut self, has_all_groups: bool) -> Self {
+        self.has_all_groups = has_all_groups;
         self
     }
 

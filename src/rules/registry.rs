@@ -120,6 +120,8 @@ pub enum Check {
     Whole(fn(&RobotCx<'_>, &mut Sink<'_>)),
     /// A file beside robots of which everything is there.
     Beside(fn(&BesideCx<'_>, &mut Sink<'_>)),
+    /// A file beside robots that is compared with SRDFs only: the robots may be unknown.
+    Semantic(fn(&BesideCx<'_>, &mut Sink<'_>)),
 }
 
 /// The page of a rule.
@@ -149,6 +151,18 @@ impl Rule {
     ) -> Self {
         let (default, check) = (Activation::On, Check::Beside(check));
         Self { code, name, category, severity, default, since: "0.1", fix: None, docs, check }
+    }
+
+    /// A rule about files beside robots, without fixes, that looks at SRDFs only.
+    pub(super) const fn semantic(
+        code: &'static str,
+        name: &'static str,
+        category: Category,
+        severity: Severity,
+        docs: &'static str,
+        check: fn(&BesideCx<'_>, &mut Sink<'_>),
+    ) -> Self {
+        Self { check: Check::Semantic(check), ..Self::beside(code, name, category, severity, docs, check) }
     }
 
     /// The same with fixes.

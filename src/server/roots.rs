@@ -110,7 +110,8 @@ pub fn roots(state: &mut State, params: RootsParams, cancel: &CancelFlag) -> Res
         }));
     }
     let text = context_text(state, &path, &context, cancel);
-    let candidates = context.candidates.iter().filter_map(|(root, distance)| {
+    let candidates = with_calls(state, &context.candidates);
+    let candidates = candidates.iter().filter_map(|(root, distance)| {
         Some(Candidate { root: named(state, root).ok()?, distance: *distance })
     });
     Ok(Roots {
@@ -120,6 +121,19 @@ pub fn roots(state: &mut State, params: RootsParams, cancel: &CancelFlag) -> Res
         candidates: candidates.collect(),
         args,
     })
+}
+
+/// Roots, those without arguments followed by the calls of launch files.
+fn with_calls(state: &State, candidates: &[(RootChoice, u32)]) -> Vec<(RootChoice, u32)> {
+    let session = state.world.session();
+    let mut found: Vec<(RootChoice, u32)> = Vec::new();
+    for (root, distance) in candidates {
+        found.push((root.clone(), *distance));
+        if root == &RootChoice::plain(&root.file) {
+            found.extend(session.launched_roots(&root.file).into_iter().map(|call| (call, *distance)));
+        }
+    }
+    found
 }
 
 pub fn set_root(state: &mut State, params: SetRootParams, cancel: &CancelFlag) -> Result<Value, Failure> {

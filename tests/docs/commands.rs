@@ -38,6 +38,7 @@ impl Copy {
         let _ = fs::remove_dir_all(&home);
         let checkout = home.join("xacro-lsp");
         copy_into(&root().join("docs/examples"), &checkout.join("docs/examples"));
+        fs::create_dir_all(checkout.join(".git")).unwrap();
         // pages of the repository speak of its top folder, those of the book of the examples
         let inside = page.path.starts_with("docs/") && !page.path.starts_with("docs/examples/");
         let start = if inside { checkout.join("docs/examples") } else { checkout };

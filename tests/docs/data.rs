@@ -37,7 +37,7 @@ fn findings(folder: &Path, words: &[&str]) -> String {
 #[test]
 fn configurations_are_valid() {
     // with the arguments that the examples give
-    let args = ["length", "prefix", "reach", "robot_ip", "side", "sim"]
+    let args = ["axles", "length", "prefix", "reach", "robot_ip", "side", "sim"]
         .map(|name| format!("<xacro:arg name=\"{name}\" default=\"\"/>"));
     let robot = format!(
         "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">{}<link name=\"a\"/></robot>\n",

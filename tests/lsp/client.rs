@@ -270,6 +270,16 @@ impl Client {
         self.wait(current, || format!("diagnostics of {file} at version {version}"))
     }
 
+    /// The first diagnostics of a file that is not open, in short.
+    pub fn findings_of_closed(&mut self, file: &str) -> Vec<String> {
+        let uri = self.uri(file);
+        let list = self.wait(
+            |client| client.published.get(&uri).map(|(_, list)| list.clone()),
+            || format!("diagnostics of {file}"),
+        );
+        list.iter().map(short).collect()
+    }
+
     /// Other settings than before, for when the server asks again.
     pub fn change_settings(&mut self, settings: Value) {
         self.options.settings = settings;

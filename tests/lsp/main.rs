@@ -24,6 +24,7 @@ mod format;
 mod hints;
 mod hover;
 mod instances;
+mod launch;
 mod lifecycle;
 mod limits;
 mod logs;

@@ -49,7 +49,8 @@ pub fn fresh_folder() -> PathBuf {
     let folder =
         Path::new(env!("CARGO_TARGET_TMPDIR")).join("lsp").join(format!("{}-{number}", std::process::id()));
     let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
+    // a repository of its own: nothing is read of folders above
+    fs::create_dir_all(folder.join(".git")).unwrap();
     folder
 }
 

@@ -167,6 +167,11 @@ export function rootLabel(root: Root): string {
   return root.label ?? baseName(root.uri);
 }
 
+/** Whether two roots are the same run of the same file; the values of its arguments may have been set since. */
+export function isSameRun(a: Root, b: Root | undefined): boolean {
+  return a.uri === b?.uri && a.preset === b.preset;
+}
+
 function reaches(answer: Roots | undefined, root: Root): boolean {
   return answer?.candidates.some((candidate) => candidate.uri === root.uri) === true;
 }

@@ -2,7 +2,7 @@
  * Choosing a root, its arguments, and the call that a macro is looked at in.
  */
 import * as vscode from "vscode";
-import { argumentsText, rootLabel } from "./contexts";
+import { argumentsText, isSameRun, rootLabel } from "./contexts";
 import type { Contexts } from "./contexts";
 import { callText } from "./expandedText";
 import { isRobotDescription } from "./languages";
@@ -33,8 +33,8 @@ export class Pickers {
     await this.contexts.refresh();
     const { roots, active } = this.contexts;
     const choices: Choice[] = (roots?.candidates ?? []).map((candidate) => ({
-      label: `${candidate.uri === active?.uri ? "$(check)" : "$(blank)"} ${rootLabel(candidate)}`,
-      description: argumentsText(candidate.args),
+      label: `${isSameRun(candidate, active) ? "$(check)" : "$(blank)"} ${rootLabel(candidate)}`,
+      description: [candidate.preset, argumentsText(candidate.args)].filter(Boolean).join(" · "),
       detail: `$(blank) ${vscode.workspace.asRelativePath(vscode.Uri.parse(candidate.uri))}`,
       run: () => this.contexts.pick(rootOf(candidate)),
     }));

@@ -2,7 +2,7 @@
  * The views of the side bar: the kinematic tree, and the roots with their arguments.
  */
 import * as vscode from "vscode";
-import { argumentsText, rootLabel } from "./contexts";
+import { argumentsText, isSameRun, rootLabel } from "./contexts";
 import type { Contexts } from "./contexts";
 import type { ExpandedDocuments } from "./expanded";
 import { firstLink, linkOfLine } from "./expandedText";
@@ -170,14 +170,13 @@ export class RootsView implements vscode.TreeDataProvider<RootsItem>, vscode.Dis
     }
     const { root } = item;
     const { roots, active } = this.contexts;
-    const isActive = root.uri === active?.uri;
+    const isActive = isSameRun(root, active);
     const has = isActive && (roots?.args.length ?? 0) > 0;
     const made = new vscode.TreeItem(rootLabel(root), has ? state.Expanded : state.None);
     made.resourceUri = vscode.Uri.parse(root.uri);
     made.iconPath = new vscode.ThemeIcon(isActive ? "pass-filled" : "circle-large-outline");
-    made.description = isActive
-      ? [argumentsText(active.args), roots?.reason].filter(Boolean).join(" · ")
-      : argumentsText(root.args);
+    const args = argumentsText(isActive ? active?.args : root.args);
+    made.description = [root.preset, args, isActive ? roots?.reason : ""].filter(Boolean).join(" · ");
     made.tooltip = vscode.workspace.asRelativePath(made.resourceUri);
     made.contextValue = isActive ? "activeRoot" : "root";
     made.command = { command: "vscode.open", title: "Open", arguments: [made.resourceUri] };
@@ -187,11 +186,11 @@ export class RootsView implements vscode.TreeDataProvider<RootsItem>, vscode.Dis
   getChildren(item?: RootsItem): RootsItem[] {
     const { roots, active } = this.contexts;
     if (item) {
-      const isActive = "root" in item && item.root.uri === active?.uri;
+      const isActive = "root" in item && isSameRun(item.root, active);
       return isActive ? (roots?.args ?? []).map((argument) => ({ argument })) : [];
     }
     const candidates: Root[] = roots ? roots.candidates : [];
-    const known = candidates.some(({ uri }) => uri === active?.uri);
+    const known = candidates.some((candidate) => isSameRun(candidate, active));
     return [...(active && !known ? [active] : []), ...candidates].map((root) => ({ root }));
   }
 

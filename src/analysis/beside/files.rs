@@ -95,6 +95,15 @@ impl Session {
         Some(Beside { path: path.to_owned(), file: self.vfs.file_id(path), read })
     }
 
+    /// Whether a file may say something about a robot: an SRDF, or YAML with words of settings.
+    pub(in super::super) fn is_about_robots(&self, path: &Path) -> bool {
+        match sort(path) {
+            Some(Sort::Srdf) => true,
+            Some(Sort::Yaml) => self.vfs.text(path).is_ok_and(|text| may_be_settings(&text.text)),
+            None => false,
+        }
+    }
+
     /// The settings in a YAML file; none when it has none, or is broken.
     pub(super) fn beside_settings(&self, path: &Path) -> Option<Arc<Settings>> {
         let text = self.vfs.text(path).ok()?;

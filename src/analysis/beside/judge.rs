@@ -11,7 +11,7 @@ use super::super::job;
 use super::super::proof::turned_over;
 use super::super::session::Session;
 use super::files::{Beside, Sort, sort};
-use super::pairing::Pairing;
+use super::pairing::{Pairing, stem};
 use ecow::EcoString;
 
 use base::{CancelFlag, FastMap, FastSet};
@@ -49,9 +49,8 @@ impl Session {
         let paths = options.paths.iter().chain(&options.entries).map(|path| self.vfs.absolute(path));
         let below = |path: PathBuf| match self.vfs.is_dir(&path) {
             true => {
-                let mut found = self.beside_around(&path.join("_"));
-                found.retain(|file| file.starts_with(&path));
-                found
+                let around = self.beside_around(&path.join("_"));
+                around.iter().filter(|file| file.starts_with(&path)).cloned().collect()
             }
             false if sort(&path).is_some() => vec![path],
             false => Vec::new(),
@@ -64,8 +63,8 @@ impl Session {
 
     /// The files beside a robot.
     pub(in super::super) fn beside_of(&self, root: &Path) -> Vec<PathBuf> {
-        let is_for = |file: &PathBuf| self.pairing(file).roots.iter().any(|own| own.file == root);
-        self.beside_around(root).into_iter().filter(is_for).collect()
+        let is_for = |file: &Path| self.pairing(file).roots.iter().any(|own| own.file == root);
+        self.beside_around(root).iter().filter(|file| is_for(file)).cloned().collect()
     }
 
     /// What has to be expanded to judge files beside robots: their robots, and the SRDFs beside these.
@@ -73,7 +72,7 @@ impl Session {
         let mut found: FastSet<RootChoice> = FastSet::default();
         for path in paths {
             let pairing = self.pairing(path);
-            let around = if pairing.roots.is_empty() { Vec::new() } else { self.of_the_same(path, &pairing) };
+            let around = self.of_the_same(path, &pairing);
             let srdfs = around.iter().filter(|file| sort(file) == Some(Sort::Srdf));
             found.extend(srdfs.map(|file| RootChoice::plain(file)));
             found.extend(pairing.roots.iter().cloned());
@@ -95,13 +94,16 @@ impl Session {
         for path in paths.iter().filter(|_| !cancel.is_cancelled()) {
             let Some(own) = self.beside_once(path, &mut read, robots) else { continue };
             let pairing = self.pairing(path);
-            let Some(paired) = self.paired(&own, &pairing, robots) else { continue };
+            // without a robot it is compared with the SRDF alone
+            let paired = self.paired(&own, &pairing, robots).unwrap_or_default();
             let around = self.of_the_same(path, &pairing);
             let around = around.iter().filter(|other| *other != path);
             let around: Vec<Beside> =
                 around.filter_map(|other| self.beside_once(other, &mut read, robots)).collect();
             found.findings.extend(self.judged(&own, &paired, &around, cancel));
-            found.files.push(path.clone());
+            if !paired.is_empty() {
+                found.files.push(path.clone());
+            }
         }
         found
     }
@@ -122,15 +124,14 @@ impl Session {
 
     /// The robots of a pairing that may be compared with a file: whole ones, when enough names fit.
     fn paired(&self, own: &Beside, pairing: &Pairing, robots: &Robots) -> Option<Vec<Arc<Analyzed>>> {
-        let mut found = Vec::new();
-        for root in &pairing.roots {
-            let analyzed = robots.get(root)?.clone();
-            // where a part of a robot is missing, nothing can be said to be missing
-            if !is_settled(&analyzed) {
-                return None;
-            }
-            found.push(analyzed);
+        let all: Option<Vec<_>> = pairing.roots.iter().map(|root| robots.get(root).cloned()).collect();
+        let mut found = all?;
+        found.retain(|one| !is_empty(one));
+        // where a part of a robot is missing, nothing can be said to be missing; a part of another robot is known there
+        if found.iter().any(|one| !is_settled(one) && !is_part_of(one, &found)) {
+            return None;
         }
+        found.retain(|one| is_settled(one));
         let mut names = Names::default();
         found.iter().filter_map(|one| one.robot.as_ref()).for_each(|robot| names.add(robot));
         let has_arguments = found.iter().any(|one| !one.expansion.arguments.is_empty());
@@ -149,10 +150,13 @@ impl Session {
 
     /// The files beside the same robots, this one too.
     fn of_the_same(&self, path: &Path, pairing: &Pairing) -> Vec<PathBuf> {
-        let is_same = |other: &PathBuf| {
-            other == path || self.pairing(other).roots.iter().any(|root| pairing.roots.contains(root))
+        let has_same = |other: &Path| {
+            !pairing.roots.is_empty()
+                && self.pairing(other).roots.iter().any(|root| pairing.roots.contains(root))
         };
-        self.beside_around(path).into_iter().filter(is_same).collect()
+        let is_same =
+            |other: &PathBuf| other == path || pairing.srdf.as_ref() == Some(other) || has_same(other);
+        self.beside_around(path).iter().filter(|other| is_same(other)).cloned().collect()
     }
 
     fn judged(
@@ -170,21 +174,24 @@ impl Session {
                 Some(PairedRobot { expansion, robot, kinematics })
             })
             .collect();
-        let Some(first) = robots.first() else { return Vec::new() };
         let contents: Vec<Content<'_>> = std::iter::once(own).chain(around).map(Beside::content).collect();
-        let expansion = own.srdf().map_or(first.expansion, |(analyzed, _)| &analyzed.expansion);
+        let srdfs = std::iter::once(own).chain(around).filter_map(Beside::srdf);
+        let of_srdf = srdfs.clone().next().map(|(analyzed, _)| &analyzed.expansion);
+        let own_srdf = own.srdf().map(|(analyzed, _)| &analyzed.expansion);
+        let of_robot = robots.first().map(|first| first.expansion);
+        let Some(expansion) = own_srdf.or(of_robot).or(of_srdf) else { return Vec::new() };
         let further = || {
             let mut names = self.further_names(paired, cancel);
-            let srdfs = std::iter::once(own).chain(around).filter_map(Beside::srdf);
-            srdfs.for_each(|(srdf, _)| self.add_written(&srdf.root.file, &mut names));
+            srdfs.clone().for_each(|(srdf, _)| self.add_written(&srdf.root.file, &mut names));
             names
         };
-        let srdfs = std::iter::once(own).chain(around).filter_map(Beside::srdf);
         let has_variants = srdfs.clone().any(|(srdf, _)| has_choices(&srdf.expansion));
+        let has_all_groups = srdfs.clone().all(|(srdf, _)| is_whole(&srdf.expansion));
         let is_ros2 = self.packages.generation(&own.path) == Some(Target::Ros2);
         let cx = rules::BesideCx::new((own.file, own.content(), expansion), &robots, &contents, &further)
             .in_ros2(is_ros2)
-            .with_variants(has_variants);
+            .with_variants(has_variants)
+            .with_all_groups(has_all_groups);
         let settings = self.settings(&own.path);
         let rules: Vec<_> = all().filter(|rule| settings.runs(rule, &own.path)).collect();
         check_beside(&cx, Chosen { rules: &rules, cancel })
@@ -254,6 +261,24 @@ fn is_settled(analyzed: &Analyzed) -> bool {
         analyzed.robot.as_ref().is_some_and(|robot| !robot.links.is_empty() && robot.names_are_known());
     let broken = analyzed.expansion.files.iter().any(|file| !file.source.document.errors().is_empty());
     known && !broken && is_whole(&analyzed.expansion)
+}
+
+/// Whether a file gives no robot, and its conditions do not change that: it collects macros.
+fn is_empty(analyzed: &Analyzed) -> bool {
+    let gives = analyzed.robot.as_ref().is_some_and(|robot| !robot.links.is_empty());
+    !gives && is_whole(&analyzed.expansion) && !has_choices(&analyzed.expansion)
+}
+
+/// Whether another robot, of which everything is known, includes the file of this one, or is written for it: `arm.urdf`
+/// beside `arm.urdf.xacro`.
+fn is_part_of(analyzed: &Analyzed, all: &[Arc<Analyzed>]) -> bool {
+    let own = &analyzed.root.file;
+    let is_it = |other: &Analyzed| {
+        let mut files = other.expansion.files.iter().map(|file| &*file.source.path);
+        let is_named_so = other.root.file.parent() == own.parent() && stem(&other.root.file) == stem(own);
+        other.root.file != *own && (is_named_so || files.any(|file| file == own))
+    };
+    all.iter().any(|other| is_it(other) && is_settled(other))
 }
 
 /// Whether conditions of a file decide what it gives.

@@ -12,7 +12,8 @@ use super::super::graph::gives_robot;
 use super::super::includes::reach;
 use super::super::session::Session;
 use super::files::{Sort, sort};
-use workspace::has_name;
+use facts::{Fact, FactKind, facts};
+use workspace::{RobotCall, has_name};
 
 /// Robots that one file is compared with.
 const MOST_ROBOTS: usize = 8;
@@ -67,9 +68,18 @@ impl Session {
             let text = self.vfs.text(file);
             text.is_ok_and(|text| has_name(&text.text, name) && !text.text.contains("<parameters>"))
         };
+        if self.is_for_manager(path) {
+            return false;
+        }
         let is_near = |file: &PathBuf| self.home(file) == self.home(path);
         let mut near = self.descriptions_around(path).into_iter().filter(is_near);
         sort(path) == Some(Sort::Yaml) && near.any(|file| loads(&file))
+    }
+
+    /// Whether a file lists controllers for a controller manager.
+    fn is_for_manager(&self, path: &Path) -> bool {
+        let settings = (sort(path) == Some(Sort::Yaml)).then(|| self.beside_settings(path)).flatten();
+        settings.is_some_and(|settings| !settings.listed.is_empty())
     }
 
     /// The robot that `.setup_assistant` in the same package names.
@@ -97,10 +107,13 @@ impl Session {
         if sort(path) != Some(Sort::Yaml) {
             return None;
         }
+        // a file for a controller manager is nothing else to a robot than parameters of its plugin
+        let is_for_manager = self.is_for_manager(path);
         let says = |file: &PathBuf| {
             let text = self.vfs.text(file).ok();
             text.is_some_and(|text| {
-                has_name(&text.text, name) && text.text.contains("<parameters>") && self.may_mean(file, path)
+                let is_given = text.text.contains("<parameters>") || is_for_manager;
+                has_name(&text.text, name) && is_given && self.may_mean(file, path)
             })
         };
         let naming: Vec<PathBuf> =
@@ -120,6 +133,25 @@ impl Session {
         }
     }
 
+    /// The only robot that launch files of the package start.
+    fn started_near(&self, path: &Path) -> Vec<RootChoice> {
+        let calls = self.calls_around(path);
+        let near = calls.iter().filter(|call| self.home(&call.call.caller) == self.home(path));
+        let roots: Vec<RootChoice> = near.filter_map(|call| self.started(call)).collect();
+        let is_one = roots.windows(2).all(|pair| matches!(pair, [a, b] if a.file == b.file));
+        if is_one { roots } else { Vec::new() }
+    }
+
+    /// The robot that a launch file calls.
+    fn started(&self, call: &RobotCall) -> Option<RootChoice> {
+        let file = call.target.as_ref().filter(|file| self.is_robot(file) || self.collects(file))?;
+        let args = call.call.args.iter().filter_map(|argument| {
+            let value = argument.value.value(&self.packages, &call.call.caller)?;
+            Some((argument.name.clone(), value))
+        });
+        Some(RootChoice { args: args.collect(), ..RootChoice::plain(file) })
+    }
+
     /// The robots that a launch file calls which names the file, or builds the configuration of its package.
     fn by_launch(&self, path: &Path) -> Option<Pairing> {
         let name = path.file_name()?.to_str()?;
@@ -137,13 +169,7 @@ impl Session {
         let calls = self.calls_around(path);
         for group in calls.chunk_by(|a, b| a.call.caller == b.call.caller) {
             let is_meant = group.first().is_some_and(|first| says(&first.call.caller));
-            for call in group.iter().filter(|_| is_meant) {
-                let Some(file) = call.target.as_ref().filter(|file| self.is_robot(file)) else { continue };
-                let args = call.call.args.iter().filter_map(|argument| {
-                    let value = argument.value.value(&self.packages, &call.call.caller)?;
-                    Some((argument.name.clone(), value))
-                });
-                let root = RootChoice { args: args.collect(), ..RootChoice::plain(file) };
+            for root in group.iter().filter(|_| is_meant).filter_map(|call| self.started(call)) {
                 if !roots.contains(&root) {
                     roots.push(root);
                 }
@@ -152,10 +178,16 @@ impl Session {
         Pairing::named(roots)
     }
 
-    /// The robots of the name that an SRDF says.
+    /// The robots in files of the same name, `arm.urdf` for `arm.srdf`; else those of the name that an SRDF says.
     fn of_the_name(&self, path: &Path) -> Pairing {
-        let Some(name) = self.robot_name(path) else { return Pairing::default() };
+        let is_beside = |file: &&PathBuf| file.parent() == path.parent() && stem(file) == stem(path);
         let all = self.descriptions_around(path);
+        let beside: Vec<&PathBuf> = all.iter().filter(is_beside).filter(|file| self.is_robot(file)).collect();
+        if !beside.is_empty() {
+            let roots = beside.into_iter().flat_map(|file| self.ways_of(file)).collect();
+            return Pairing { roots, ..Pairing::default() };
+        }
+        let Some(name) = self.robot_name(path) else { return Pairing::default() };
         let is_it = |file: &&PathBuf| self.is_robot(file) && self.robot_name(file).as_ref() == Some(&name);
         let found: Vec<&PathBuf> = all.iter().filter(is_it).collect();
         let near: Vec<&PathBuf> =
@@ -184,6 +216,9 @@ impl Session {
             let robots = self.descriptions_around(path).into_iter();
             let robots = robots.filter(|file| is_near(file) && self.is_robot(file));
             found.roots.extend(robots.flat_map(|file| self.ways_of(&file)));
+        }
+        if found.roots.is_empty() {
+            found.roots = self.started_near(path);
         }
         found.roots.truncate(MOST_ROBOTS);
         found
@@ -226,6 +261,14 @@ impl Session {
         sort(path).is_none() && self.vfs.document(path).is_ok_and(|source| gives_robot(&source.document))
     }
 
+    /// Whether a file with the name of a robot takes all of it from others.
+    fn collects(&self, path: &Path) -> bool {
+        let Ok(source) = self.vfs.document(path) else { return false };
+        let includes = |fact: &Fact| fact.kind == FactKind::Include && !fact.in_macro;
+        self.robot_name(path).is_some()
+            && facts(&source.document).any(|(_, facts)| facts.named.iter().any(includes))
+    }
+
     /// The robots that include a description, or are it.
     fn roots_reading(&self, file: &Path) -> Vec<PathBuf> {
         const MOST_LEVELS: usize = 6;
@@ -244,7 +287,12 @@ impl Session {
                 break;
             }
         }
-        reading.retain(|file| self.is_robot(file));
+        reading.retain(|file| self.is_robot(file) || self.collects(file));
         reading
     }
+}
+
+/// The name of a file before its first ending, `arm` of `arm.urdf.xacro`.
+pub(super) fn stem(path: &Path) -> Option<&str> {
+    path.file_name()?.to_str()?.split('.').next()
 }

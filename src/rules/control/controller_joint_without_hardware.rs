@@ -4,6 +4,7 @@ use super::super::beside::BesideCx;
 use super::super::registry::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::hardware::Hardware;
+use project::joint_keys;
 
 pub(super) const RULE: Rule = Rule::beside(
     "CTL026",
@@ -20,7 +21,10 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     for controller in controllers.filter(|controller| controller.is_ros2) {
         for (key, joint) in &controller.joints {
             // the joints that the broadcaster publishes need no hardware
-            let is_driven = *key != "joints" || !controller.commands.is_empty();
+            let is_driven = match key.as_str() {
+                "joints" => !controller.commands.is_empty(),
+                key => key != "extra_joints" && joint_keys().contains(&key),
+            };
             if !is_driven || hardware.has(&joint.name) || cx.joints(&joint.name).next().is_none() {
                 continue;
             }

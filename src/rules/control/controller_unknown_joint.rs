@@ -18,7 +18,9 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     for controller in cx.settings().into_iter().flat_map(|settings| &settings.controllers) {
         // `pid/joint_1` is an interface of another controller
         let joints = controller.joints.iter().filter(|(_, joint)| !joint.name.contains('/'));
-        let joints: Vec<_> = joints.filter(|(_, joint)| !is_computed(&joint.name)).collect();
+        // of a joint that the hardware has as well, that place is reported
+        let joints = joints.filter(|(_, joint)| !is_computed(&joint.name));
+        let joints: Vec<_> = joints.filter(|(_, joint)| !is_in_hardware(cx, &joint.name)).collect();
         let unknown: Vec<_> = joints.iter().filter(|(_, joint)| cx.lacks(Kind::Joint, &joint.name)).collect();
         let is_for_another = unknown.len() == joints.len() && joints.len() > MOST_RENAMED;
         if unknown.is_empty() || is_for_another || has_variant(cx, controller) {
@@ -42,4 +44,11 @@ fn has_variant(cx: &BesideCx<'_>, controller: &Controller) -> bool {
     let all = cx.all_settings().flat_map(|settings| &settings.controllers);
     let mut same = all.filter(|other| other.name.name == controller.name.name && !other.joints.is_empty());
     same.any(|other| other.joints.iter().all(|(_, joint)| !cx.lacks(Kind::Joint, &joint.name)))
+}
+
+/// Whether a `<ros2_control>` has a joint of that name.
+fn is_in_hardware(cx: &BesideCx<'_>, name: &str) -> bool {
+    let controls = cx.robots.iter().flat_map(|paired| &paired.robot.controls);
+    let mut joints = controls.flat_map(|control| &control.joints);
+    joints.any(|joint| joint.name.as_ref().is_some_and(|own| own.value == name))
 }

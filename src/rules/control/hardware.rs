@@ -1,22 +1,35 @@
 //! The joints and interfaces that the hardware of a robot offers to controllers.
 
-use super::super::beside::BesideCx;
-use base::FastMap;
-use model::{ControlJoint, Interface};
+use super::super::beside::{BesideCx, PairedRobot};
+use super::ros2_control_unknown_interface::is_misspelled;
+use super::ros2_control_unknown_tag::is_known_in_joint;
+use base::{FastMap, FastSet};
+use model::{ControlJoint, Interface, Ros2Control};
 
 /// The joints of all `<ros2_control>` of the robots.
 pub(super) struct Hardware<'a> {
     joints: FastMap<&'a str, Vec<&'a ControlJoint>>,
+    /// The joints of blocks that declare no interface for commands: some hardware offers what it does not declare.
+    undeclared: FastSet<&'a str>,
 }
 
 impl<'a> Hardware<'a> {
-    /// None where a robot has no hardware, or not all names are known.
+    /// None where a robot has no hardware, not all names are known, or the hardware has a mistake of its own: what it offers
+    /// is not what was meant then.
     pub fn of(cx: &BesideCx<'a>) -> Option<Self> {
         let mut joints: FastMap<&str, Vec<&ControlJoint>> = FastMap::default();
+        let mut undeclared = FastSet::default();
         for paired in cx.robots {
+            for control in &paired.robot.controls {
+                if control.joints.iter().all(|joint| joint.commands.is_empty()) {
+                    undeclared.extend(
+                        control.joints.iter().filter_map(|joint| Some(joint.name.as_ref()?.name()?.as_str())),
+                    );
+                }
+            }
             let listed: Vec<&ControlJoint> =
                 paired.robot.controls.iter().flat_map(|control| &control.joints).collect();
-            if listed.is_empty() {
+            if listed.is_empty() || has_mistake(paired) {
                 return None;
             }
             for joint in listed {
@@ -28,7 +41,7 @@ impl<'a> Hardware<'a> {
                 joints.entry(joint.name.as_ref()?.name()?.as_str()).or_default().push(joint);
             }
         }
-        Some(Self { joints })
+        Some(Self { joints, undeclared })
     }
 
     /// Whether a joint is there.
@@ -38,7 +51,8 @@ impl<'a> Hardware<'a> {
 
     /// Whether a joint is there, and does not offer an interface.
     pub fn lacks(&self, joint: &str, interface: &str, is_command: bool) -> bool {
-        self.has(joint) && !self.offered(joint, is_command).contains(&interface)
+        let is_declared = !is_command || !self.undeclared.contains(joint);
+        is_declared && self.has(joint) && !self.offered(joint, is_command).contains(&interface)
     }
 
     /// The interfaces that a joint offers.
@@ -47,4 +61,29 @@ impl<'a> Hardware<'a> {
         let interfaces = listed.flat_map(|joint| if is_command { &joint.commands } else { &joint.states });
         interfaces.filter_map(|interface| Some(interface.name.as_ref()?.value.as_str())).collect()
     }
+}
+
+/// Whether the hardware has a mistake that other rules report: a joint that the robot lacks, a joint twice, a misspelled
+/// element or interface.
+fn has_mistake(paired: &PairedRobot<'_>) -> bool {
+    let is_unknown = |joint: &&ControlJoint| {
+        joint
+            .name
+            .as_ref()
+            .and_then(|name| name.name())
+            .is_some_and(|name| paired.robot.joint(name).is_none())
+    };
+    let tree = &paired.expansion.tree;
+    let is_misread = |joint: &&ControlJoint| {
+        let names = joint.interfaces().filter_map(|interface| interface.name.as_ref()?.name());
+        names.into_iter().any(|name| is_misspelled(name))
+            || tree.elements(joint.element).any(|tag| !is_known_in_joint(&tree.get(tag).text))
+    };
+    let is_wrong = |control: &Ros2Control| {
+        let mut seen = FastSet::default();
+        let names = control.joints.iter().filter_map(|joint| joint.name.as_ref()?.name());
+        names.into_iter().any(|name| !seen.insert(name))
+            || control.joints.iter().any(|joint| is_unknown(&joint) || is_misread(&joint))
+    };
+    paired.robot.controls.iter().any(is_wrong)
 }

@@ -21,6 +21,11 @@ pub(super) const RULE: Rule = Rule {
 /// The interfaces that controllers know by name.
 const KNOWN: [&str; 4] = ["position", "velocity", "acceleration", "effort"];
 
+/// Whether a name is most likely meant for one of these.
+pub(super) fn is_misspelled(name: &str) -> bool {
+    !KNOWN.contains(&name) && misspelled(name, KNOWN).is_some()
+}
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let joints = cx.robot.into_iter().flat_map(|robot| &robot.controls).flat_map(|control| &control.joints);
     for (joint, interface) in

@@ -30,6 +30,11 @@ const INSIDE: [(&str, &[&str]); 4] = [
     ("gpio", &["command_interface", "state_interface", "param"]),
 ];
 
+/// Whether an element may be in a joint.
+pub(super) fn is_known_in_joint(tag: &str) -> bool {
+    INSIDE.iter().any(|(outer, known)| *outer == "joint" && known.contains(&tag))
+}
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
     for control in cx.robot.into_iter().flat_map(|robot| &robot.controls) {

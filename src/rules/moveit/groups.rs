@@ -10,7 +10,7 @@ pub(super) fn unknown(cx: &BesideCx<'_>, out: &mut Sink<'_>, groups: &[Named], w
     // what an SRDF defines is known only where there is one, and where its arguments do not decide the names in it
     let mut names = cx.srdfs().flat_map(|srdf| &srdf.groups).map(|group| group.name.as_ref());
     let is_sure = |name: &Text| name.is_known() && (name.is_literal() || !cx.has_variants);
-    if cx.srdfs().next().is_none() || !names.all(|name| name.is_some_and(is_sure)) {
+    if cx.srdfs().next().is_none() || !cx.has_all_groups || !names.all(|name| name.is_some_and(is_sure)) {
         return;
     }
     for group in groups.iter().filter(|group| !is_computed(&group.name)) {

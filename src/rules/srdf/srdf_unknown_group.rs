@@ -5,7 +5,7 @@ use super::super::registry::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use project::Kind;
 
-pub(super) const RULE: Rule = Rule::beside(
+pub(super) const RULE: Rule = Rule::semantic(
     "SRD004",
     "srdf-unknown-group",
     Category::Srdf,
@@ -15,7 +15,7 @@ pub(super) const RULE: Rule = Rule::beside(
 );
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
-    let Some(srdf) = cx.srdf() else { return };
+    let Some(srdf) = cx.srdf().filter(|_| cx.has_all_groups) else { return };
     for (text, kind, is_given) in srdf.names() {
         let is_unknown = |name: &str| kind == Kind::Group && !is_given && srdf.group(name).is_none();
         let Some(name) = text.name().filter(|name| is_unknown(name)) else { continue };

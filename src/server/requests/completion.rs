@@ -12,6 +12,7 @@ use lsp_types::{
 use serde::{Deserialize, Serialize};
 
 use super::formatting::indent;
+use super::launch::{self, is_about_launch};
 use crate::convert;
 use crate::failure::Failure;
 use crate::state::State;
@@ -42,6 +43,9 @@ pub fn completion(
     cancel: &CancelFlag,
 ) -> Result<Option<CompletionResponse>, Failure> {
     let at = params.text_document_position;
+    if is_about_launch(state, &at) {
+        return launch::completion(state, &at);
+    }
     let kept = kept(state, &at.text_document.uri, cancel)?;
     let document = &kept.source.document;
     let offset = convert::offset(document, at.position, state.encoding);

@@ -1,5 +1,6 @@
 //! F4: what is shown under the pointer.
 
+use super::launch::{is_about_launch, launched};
 use super::navigation::asked;
 use lsp_types::{HoverContents, HoverParams, TextDocumentPositionParams};
 
@@ -17,6 +18,14 @@ pub fn hover(
     params: HoverParams,
     cancel: &CancelFlag,
 ) -> Result<Option<lsp_types::Hover>, Failure> {
+    let at = &params.text_document_position_params;
+    if is_about_launch(state, at) {
+        let found = launched(state, at, cancel)?;
+        return Ok(found.and_then(|found| {
+            let hover = hover_at(state, &found.asked, found.asked.offset)?;
+            Some(hover_answer(state, &found.source, Hover { range: found.range, ..hover }))
+        }));
+    }
     if let Some(found) = hover_while_typing(state, &params.text_document_position_params)? {
         return Ok(Some(found));
     }

@@ -12,6 +12,7 @@ pub(crate) mod expansion;
 pub(crate) mod formatting;
 pub(crate) mod hints;
 pub(crate) mod hover;
+mod launch;
 pub(crate) mod lenses;
 pub(crate) mod links;
 pub(crate) mod navigation;

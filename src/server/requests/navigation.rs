@@ -2,6 +2,7 @@
 
 use super::beside::{asked_beside, names_beside};
 use super::branches::inside;
+use super::launch::{is_about_launch, launched};
 use crate::convert::location;
 use std::sync::Arc;
 
@@ -86,7 +87,15 @@ pub fn definition(
     params: GotoDefinitionParams,
     cancel: &CancelFlag,
 ) -> Result<Option<GotoDefinitionResponse>, Failure> {
-    let asked = asked(state, &params.text_document_position_params, cancel)?;
+    let at = &params.text_document_position_params;
+    if is_about_launch(state, at) {
+        let found = launched(state, at, cancel)?;
+        return Ok(found.and_then(|found| {
+            let origin = convert::range(&found.source.document, found.range, state.encoding);
+            places_of(state, origin, &[found.target], state.client.links.definition)
+        }));
+    }
+    let asked = asked(state, at, cancel)?;
     // a name of xacro comes first, then a file, then the link or joint that the whole text names
     let by_text = || ide::definitions_by_text(&asked.cx(), &asked.names(state), asked.offset);
     let symbol = match asked.cx().symbol_at(asked.offset) {

@@ -1,8 +1,9 @@
-//! Requests about XML. In YAML, which other servers know better, names of the robot are answered for and nothing else.
+//! Requests about descriptions. In YAML and launch files, which other servers know better, names of the robot are answered for
+//! and nothing else.
 
 use crate::failure::Failure;
 use crate::state::State;
-use analysis::is_settings;
+use analysis::{is_launch, is_settings};
 use base::CancelFlag;
 use lsp_types::*;
 
@@ -44,13 +45,14 @@ of_document! {
     CodeLensParams: text_document.uri;
 }
 
-/// Answer a request, unless it is about YAML.
+/// Answer a request, unless it is about YAML or a launch file.
 pub fn of_description<P: OfDocument, R: Default>(
     state: &mut State,
     (params, work): (P, Work<P, R>),
     cancel: &CancelFlag,
 ) -> Result<R, Failure> {
-    match is_settings(&state.path(params.uri())) {
+    let path = state.path(params.uri());
+    match is_settings(&path) || is_launch(&path) {
         true => Ok(R::default()),
         false => work(state, params, cancel),
     }

@@ -1,6 +1,7 @@
 //! All uses of a name: in the robot that the file is shown under, in the others that share it, and in YAML files.
 
 use super::branches::inside;
+use super::launch::{in_launch_files, launched};
 use super::navigation::asked;
 use crate::convert::places;
 use std::path::PathBuf;
@@ -26,7 +27,11 @@ pub fn references(
 ) -> Result<Option<Vec<Location>>, Failure> {
     // a robot that nobody has seen yet may use the name too
     scan_all(state, cancel)?;
-    let mut asked = asked(state, &params.text_document_position, cancel)?;
+    let at = &params.text_document_position;
+    let mut asked = match launched(state, at, cancel)? {
+        Some(found) => found.asked,
+        None => asked(state, at, cancel)?,
+    };
     let is_name = |asked: &Asked| ide::robot_name_at(&asked.cx(), asked.offset).is_some();
     if ide::kind_at(&asked.cx(), &asked.names(state), asked.offset).is_none() && !is_name(&asked) {
         asked = inside(state, &asked, cancel)?.unwrap_or(asked);
@@ -46,6 +51,7 @@ pub fn references(
             }
         }
     }
+    spans.extend(in_launch_files(state, &asked).0);
     let mut places = places(state);
     Ok(Some(spans.into_iter().filter_map(|span| places.location(span)).collect()))
 }

@@ -1,6 +1,7 @@
 //! Renaming names in all files that use them.
 
 use super::branches::{in_all_robots, inside};
+use super::launch::{in_launch_files, launched};
 use super::navigation::asked;
 use crate::convert::location;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -30,6 +31,11 @@ pub fn prepare_rename(
     params: TextDocumentPositionParams,
     cancel: &CancelFlag,
 ) -> Result<Option<PrepareRenameResponse>, Failure> {
+    if let Some(found) = launched(state, &params, cancel)? {
+        let range = convert::range(&found.source.document, found.range, state.encoding);
+        let placeholder = found.source.document.slice(found.range);
+        return Ok(Some(PrepareRenameResponse::RangeWithPlaceholder { range, placeholder }));
+    }
     let asked = asked_for_name(state, &params, cancel)?;
     let found = ide::renameable(&asked.cx(), &asked.names(state), asked.offset);
     Ok(found.map(|(range, placeholder)| {
@@ -62,6 +68,7 @@ pub fn rename(
     admit_new_name(state, &asked, name, new, &spans, cancel)?;
     if kind.is_some() {
         spans.extend(in_presets(state, &asked));
+        spans.extend(in_calls(state, &asked, &old)?);
     }
     spans.sort_by_key(|span| (span.file, span.range.start));
     spans.dedup();
@@ -82,6 +89,9 @@ fn asked_for_name(
     at: &TextDocumentPositionParams,
     cancel: &CancelFlag,
 ) -> Result<Asked, Failure> {
+    if let Some(found) = launched(state, at, cancel)? {
+        return Ok(found.asked);
+    }
     let asked = asked(state, at, cancel)?;
     if ide::renameable(&asked.cx(), &asked.names(state), asked.offset).is_some() {
         return Ok(asked);
@@ -177,6 +187,20 @@ fn in_presets(state: &mut State, asked: &Asked) -> Vec<Span> {
     let comments = known.filter_map(|file| state.world.commented_argument(&file, &argument.name));
     found.extend(comments.filter(|(root, _)| roots.contains(root)).map(|(_, span)| span));
     found
+}
+
+/// Where launch files spell the argument at a place.
+fn in_calls(state: &mut State, asked: &Asked, old: &str) -> Result<Vec<Span>, Failure> {
+    let (places, robots) = in_launch_files(state, asked);
+    let session = state.world.session();
+    for &place in &places {
+        if let Some(other) = session.gives_to_another(place, &robots, old) {
+            let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            let (caller, other) = (name(&session.vfs.path(place.file)), name(&other));
+            return Err(Failure::Refused(format!("`{caller}` passes `{old}` to `{other}` as well")));
+        }
+    }
+    Ok(places)
 }
 
 /// The same name in the other robots that read the files to be changed.

@@ -17,7 +17,8 @@ use std::sync::Arc;
 pub struct RobotCall {
     /// What the launch file says.
     pub call: Call,
-    /// The description, whether or not it is there; none where the name or the package is not known.
+    /// The description, whether or not it is there; none where the name or the package is not known, and where the build
+    /// makes it from a template.
     pub target: Option<PathBuf>,
 }
 
@@ -108,8 +109,12 @@ fn through(
     }
 }
 
-/// The description that a call names, as it is in the source tree.
+/// The description that a call names, as it is in the source tree; none for one that the build makes from a template.
 pub(super) fn target(call: &Call, packages: &Packages) -> Option<PathBuf> {
     let path = call.file.path(packages, &call.caller)?;
-    Some(packages.present(&path).into_owned())
+    match packages.built(&path).filter(|_| !packages.vfs.exists(&path)) {
+        Some(built) if built.is_template => None,
+        Some(built) => Some(built.path),
+        None => Some(path),
+    }
 }

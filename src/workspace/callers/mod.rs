@@ -337,11 +337,14 @@ fn name_of(file: &Path) -> &str {
 
 /// All callers and descriptions below a folder.
 fn search(vfs: &Vfs, top: &Path) -> Uses {
-    let mut seen: FastSet<u128> = FastSet::default();
+    // a link that leads up does not make what lies beside the folder a part of it
+    let mut seen: FastSet<u128> = top.ancestors().skip(1).filter_map(|folder| vfs.identity(folder)).collect();
+    let above = seen.len();
     let mut open = vec![(top.to_owned(), 0)];
     let (mut files, mut uses) = (0, Uses::default());
     while let Some((folder, depth)) = open.pop() {
-        if seen.len() > CALLER_FOLDERS || !vfs.identity(&folder).is_some_and(|identity| seen.insert(identity))
+        if seen.len() - above > CALLER_FOLDERS
+            || !vfs.identity(&folder).is_some_and(|identity| seen.insert(identity))
         {
             continue;
         }

@@ -186,6 +186,7 @@ impl Reader<'_> {
             "list" => self.append(&words),
             "file" => self.file_command(&words, here),
             "configure_file" => self.configured(&words, here),
+            "xacro_add_files" => self.expanded(&words, here),
             "install" => match words.first() {
                 Some(Some(kind)) if matches!(kind.as_str(), "DIRECTORY" | "FILES" | "PROGRAMS") => {
                     self.placed(words.get(1..).unwrap_or_default(), here, true);
@@ -286,6 +287,36 @@ impl Reader<'_> {
         let [Some(template), Some(target), ..] = words else { return };
         let target = in_tree(&build_folder(here.folder), target);
         self.add(target, Source::Template(in_tree(here.folder, template)));
+    }
+
+    /// `xacro_add_files([TARGET t] a.urdf.xacro [OUTPUT name] [INSTALL [DESTINATION folder]])`
+    fn expanded(&mut self, words: &[Word], here: Here<'_>) {
+        let (mut sources, mut output, mut destination, mut is_installed) = (Vec::new(), None, None, false);
+        let mut words = words.iter().flatten().map(String::as_str).peekable();
+        while let Some(word) = words.next() {
+            match word {
+                "INORDER" => {}
+                "INSTALL" => is_installed = true,
+                "TARGET" => drop(words.next()),
+                "OUTPUT" => output = words.next(),
+                "DESTINATION" => destination = words.next(),
+                // lists up to the next keyword, which is in capitals
+                "REMAP" | "DEPENDENCIES" => {
+                    while words.next_if(|word| word.contains(['.', ':'])).is_some() {}
+                }
+                source => sources.push(source),
+            }
+        }
+        for source in sources {
+            let output =
+                PathBuf::from(output.unwrap_or_else(|| source.strip_suffix(".xacro").unwrap_or(source)));
+            let made = tidy(&build_folder(here.folder).join(&output));
+            self.add(made.clone(), Source::Template(in_tree(here.folder, source)));
+            let Some(project) = self.variables.get("PROJECT_NAME").filter(|_| is_installed) else { continue };
+            let folder = destination.map(Path::new).or_else(|| output.parent()).unwrap_or(Path::new(""));
+            let to = Path::new("share").join(project).join(folder);
+            self.add(tidy(&to.join(output.file_name().unwrap_or_default())), Source::Path(made));
+        }
     }
 
     /// `a b/ DESTINATION d`

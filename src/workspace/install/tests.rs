@@ -132,6 +132,26 @@ fn templates() {
 }
 
 #[test]
+fn files_that_xacro_makes() {
+    let check = |arguments: &str, missing: &str, expected: &str| {
+        let text = format!("project(demo)\nset(a b)\nxacro_add_files({arguments})");
+        let files = [("demo/urdf/r.urdf.xacro", ""), ("demo/CMakeLists.txt", &text)];
+        assert_eq!(built(&files, missing), expected, "{arguments}");
+    };
+    let source = "template demo/urdf/r.urdf.xacro";
+    check("urdf/r.urdf.xacro INSTALL", "urdf/r.urdf", source);
+    check("TARGET all INORDER urdf/r.urdf.xacro INSTALL DESTINATION made", "made/r.urdf", source);
+    check(
+        "urdf/r.urdf.xacro REMAP side:=${a} OUTPUT ${a}.urdf INSTALL DESTINATION made",
+        "made/b.urdf",
+        source,
+    );
+    check("urdf/r.urdf.xacro OUTPUT b.urdf INSTALL DESTINATION made", "made/r.urdf", "");
+    check("urdf/r.urdf.xacro", "urdf/r.urdf", "");
+    check("urdf/gone.urdf.xacro INSTALL", "urdf/gone.urdf", "");
+}
+
+#[test]
 fn packages_without_a_manifest() {
     let install = "project(demo)\ninstall(DIRECTORY meshes DESTINATION share/${PROJECT_NAME})";
     let other = ("other/package.xml", "<package><name>other</name></package>");

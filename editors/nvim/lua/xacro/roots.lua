@@ -32,8 +32,10 @@ end
 ---@return string
 local function shown(root)
   local path = vim.fn.fnamemodify(vim.uri_to_fname(root.uri), ':~:.')
-  local args = status.args(root)
-  return args == '' and path or path .. ' ' .. args
+  local parts = { path, root.preset and ('(%s)'):format(root.preset) or '', status.args(root) }
+  return table.concat(vim.tbl_filter(function(part)
+    return part ~= ''
+  end, parts), ' ')
 end
 
 --- Pick the robot of the current file. With `automatic` the server chooses again; with a path that file is the root.

@@ -1,0 +1,217 @@
+//! Names of arguments of robots in launch files: where they are spelled, and what they mean.
+
+use std::path::{Path, PathBuf};
+
+use super::session::Session;
+use base::{Span, TextRange};
+use workspace::RobotCall;
+use workspace::launch::{self, Call};
+
+/// An argument of robots where a launch file gives it.
+#[derive(Clone, Debug)]
+pub struct LaunchName {
+    /// Its name.
+    pub name: String,
+    /// The robots that know it, in the order of the calls.
+    pub robots: Vec<PathBuf>,
+    /// Where the name stands.
+    pub span: Span,
+}
+
+/// Whether a file is a launch file or script, by its name: no description, and other servers know it better.
+pub fn is_launch(path: &Path) -> bool {
+    let name = path.file_name().and_then(|name| name.to_str()).unwrap_or("").to_ascii_lowercase();
+    let endings = [".py", ".launch", ".launch.xml", ".launch.yaml", ".launch.yml", ".sh", ".bash", ".test"];
+    endings.iter().any(|ending| name.ends_with(ending))
+}
+
+impl Session {
+    /// Where launch files spell the name of an argument of these robots.
+    pub fn launch_places(&self, robots: &[PathBuf], name: &str) -> Vec<Span> {
+        let mut found: Vec<Span> = Vec::new();
+        for robot in robots {
+            let calls = self.robot_calls(robot);
+            for call in calls.iter().filter(|call| call.target.as_ref() == Some(robot)) {
+                found.extend(self.spelled_in(&call.call, name).filter(|span| !found.contains(span)));
+            }
+        }
+        found.sort_by_key(|span| (span.file, span.range.start));
+        found
+    }
+
+    /// The robot beside these that a launch file gives the argument at a place, too, and that knows it.
+    pub fn gives_to_another(&self, place: Span, robots: &[PathBuf], name: &str) -> Option<PathBuf> {
+        let path = self.vfs.path(place.file);
+        let others = self.robot_calls(&path).into_iter().filter(|call| call.call.caller == *path);
+        let others = others.filter(|call| self.spelled_in(&call.call, name) == Some(place));
+        let mut others = others.filter_map(|call| call.target);
+        others.find(|other| !robots.contains(other) && self.known(other).names.contains(name))
+    }
+
+    /// The argument whose name stands at an offset of a launch file.
+    pub fn launch_name_at(&self, path: &Path, offset: u32) -> Option<LaunchName> {
+        let mut found: Option<LaunchName> = None;
+        for call in self.calls_at(path, offset) {
+            for argument in &call.call.args {
+                let span = self.spelled(&call.call, argument).filter(|span| span.range.touches(offset));
+                let (Some(span), Some(robot)) = (span, &call.target) else { continue };
+                let name = &argument.name;
+                let found =
+                    found.get_or_insert_with(|| LaunchName { name: name.clone(), robots: Vec::new(), span });
+                if found.span == span && !found.robots.contains(robot) {
+                    found.robots.push(robot.clone());
+                }
+            }
+        }
+        let found = found.filter(|found| self.is_spelled(path, found.span.range, &found.name));
+        found.map(|mut found| {
+            found.robots.retain(|robot| self.known(robot).names.contains(found.name.as_str()));
+            found
+        })
+    }
+
+    /// The calls of robots around an offset of a launch file.
+    pub(super) fn calls_at(&self, path: &Path, offset: u32) -> Vec<RobotCall> {
+        let mut calls = self.robot_calls(path);
+        calls.retain(|call| call.call.caller == *path && call.call.range.touches(offset));
+        calls
+    }
+
+    /// Where a call spells the name of an argument; none where it puts the name together.
+    fn spelled_in(&self, call: &Call, name: &str) -> Option<Span> {
+        let argument = call.args.iter().find(|argument| argument.name == name)?;
+        let span = self.spelled(call, argument)?;
+        self.is_spelled(&call.caller, span.range, name).then_some(span)
+    }
+
+    /// Whether a text in a launch file is the name of an argument: with another text there, the calls are the same but for it.
+    fn is_spelled(&self, path: &Path, range: TextRange, name: &str) -> bool {
+        let other = format!("{name}_other");
+        let calls = || {
+            let text = self.vfs.text(path).ok()?;
+            let edited = super::plan::apply(&text.text, &[(range, other.clone())]);
+            Some((
+                launch::calls(&launch::read(path, &text.text)?),
+                launch::calls(&launch::read(path, &edited)?),
+            ))
+        };
+        let Some((before, after)) = calls() else { return false };
+        let mut changes = 0;
+        let mut is_same = |a: &Call, b: &Call| {
+            a.file.shown() == b.file.shown()
+                && a.args.len() == b.args.len()
+                && a.args.iter().zip(&b.args).all(|(a, b)| {
+                    let is_renamed = a.name == name && b.name == other;
+                    changes += usize::from(is_renamed);
+                    (is_renamed || a.name == b.name) && a.value.shown() == b.value.shown()
+                })
+        };
+        before.len() == after.len() && before.iter().zip(&after).all(|(a, b)| is_same(a, b)) && changes > 0
+    }
+}
+
+/// What may be written at a place in a launch file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LaunchChoices {
+    /// The word that it replaces.
+    pub range: TextRange,
+    /// Arguments of the robot, each with its default where it has one.
+    pub arguments: Vec<(String, Option<String>)>,
+    /// Whether `:=` belongs behind the name.
+    pub with_sign: bool,
+}
+
+impl Session {
+    /// The arguments that may be given at an offset of a launch file: in the command of a call, or in its mappings.
+    pub fn launch_choices_at(&self, path: &Path, offset: u32) -> Option<LaunchChoices> {
+        let calls = self.calls_at(path, offset);
+        let call = &calls.first()?.call;
+        let text = self.vfs.text(path).ok()?;
+        let before = TextRange::new(call.range.start, offset).slice(&text.text);
+        let word = before.len() - before.trim_end_matches(is_word).len();
+        let is_python = path.extension().is_some_and(|ending| ending == "py");
+        let before = before.get(..before.len() - word)?;
+        let with_sign = match is_python {
+            true => starts_argument(before)?,
+            false => before.ends_with(char::is_whitespace).then_some(true)?,
+        };
+        let after = text.text.get(offset as usize..)?;
+        let rest = after.len() - after.trim_start_matches(is_word).len();
+        let has_sign = after.get(rest..).is_some_and(|after| after.starts_with(":="));
+        let mut arguments: Vec<(String, Option<String>)> = Vec::new();
+        for robot in calls.iter().filter_map(|call| call.target.as_ref()) {
+            for (name, default) in self.known(robot).defaults() {
+                if !arguments.iter().any(|(known, _)| *known == name) {
+                    arguments.push((name, default));
+                }
+            }
+        }
+        let range = TextRange::new(offset - word as u32, offset + rest as u32);
+        Some(LaunchChoices { range, arguments, with_sign: with_sign && !has_sign })
+    }
+}
+
+fn is_word(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
+}
+
+/// Whether a text of a call in Python ends where the name of an argument may begin, and if so, whether `:=` belongs behind it:
+/// behind a blank in a command, or as a key of mappings.
+fn starts_argument(before: &str) -> Option<bool> {
+    let quote = before.chars().next_back().filter(|c| matches!(c, '\'' | '"'));
+    let mut open = None;
+    for c in before.chars() {
+        match open {
+            None if matches!(c, '\'' | '"') => open = Some(c),
+            Some(quote) if quote == c => open = None,
+            _ => {}
+        }
+    }
+    let is_inside = open.is_some();
+    let Some(quote) = quote.filter(|_| is_inside) else {
+        return (is_inside && before.ends_with(char::is_whitespace)).then_some(true);
+    };
+    let outside = before.strip_suffix(quote)?.trim_end();
+    let is_key = outside.ends_with(['{', ','])
+        && outside.rsplit_once('{').is_some_and(|(_, rest)| !rest.contains('}'));
+    if is_key && outside.contains("mappings") {
+        return Some(false);
+    }
+    // a blank of its own stands in front: `' ', 'name:=', value`
+    let is_blank = |text: &str| text.ends_with(" '") || text.ends_with(" \"");
+    outside.strip_suffix(',').is_some_and(is_blank).then_some(true)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{is_launch, starts_argument};
+    use std::path::Path;
+
+    #[test]
+    fn names_of_launch_files() {
+        for name in ["a.launch", "a.launch.py", "a.launch.xml", "a.launch.yaml", "start.sh", "nodes.py"] {
+            assert!(is_launch(Path::new(name)), "{name}");
+        }
+        for name in ["a.xacro", "a.xml", "a.yaml", "launch", "package.xml"] {
+            assert!(!is_launch(Path::new(name)), "{name}");
+        }
+    }
+
+    #[test]
+    fn where_arguments_begin() {
+        for (before, expected) in [
+            ("Command(['xacro ', path, ' ", Some(true)),
+            ("Command(['xacro ', path, ' side:=left ", Some(true)),
+            ("Command([\"xacro\", \" \", path, \" \", \"", Some(true)),
+            ("Command(['xacro ', path, ' side:=', '", None),
+            ("Command(['xacro ', path, ", None),
+            ("Command(['xacro ', LaunchConfiguration('", None),
+            ("xacro.process_file(path, mappings={'", Some(false)),
+            ("xacro.process_file(path, mappings={'side': 'left', '", Some(false)),
+            ("xacro.process_file(path, mappings={'side': '", None),
+            ("xacro.process_file('", None),
+        ] {
+            assert_eq!(starts_argument(before), expected, "{before}");
+        }
+    }
+}
