@@ -10,6 +10,13 @@ SHAPES = ['<box size="0.1 0.1 0.1"/>', '<sphere radius="0.1"/>', '<cylinder radi
           '<capsule radius="0.1" length="0.2"/>', '<sphere radius="0"/>', '<box size="0 1 1"/>', '']
 
 
+ELEMENTS = ['<mimic joint="none"/>', '<dynamics/>', '<safety_controller k_velocity="1"/>', '<origin xyz="0 0 0"/>', '<gazebo/>', '<sensor/>',
+            '<calibration/>', '<material name="m"/>', '<link name="base_link"/>', '<!-- a comment -->', '<limit effort="1" velocity="1"/>',
+            '<gazebo><static>true</static></gazebo>', '<transmission name="t"/>', '<mass value="1"/>', '<inertial/>', '<unknown/>', 'text',
+            '<visual/>', '<axis xyz="0 0 1"/>', '<axis/>', '<joint name="j" type="fixed"/>', '<mujoco/>', '<geometry/>', '<contact/>']
+CHARACTERS = ['&', '<', '"', '>', '--', ' ', 'é', '&amp;', ']]>', '<!-- -- -->', '&#1;', '\t', '/']
+
+
 def drop_element(text, source):
     found = list(re.finditer(r'<(inertial|mass|inertia|limit|axis|origin|parent|child|geometry|visual|collision|color|material|link|joint|'
                              r'mimic|dynamics|safety_controller|transmission|actuator)\b(?:[^>]*/>|[^>]*>.*?</\1>)', text, re.S))
@@ -86,7 +93,23 @@ def shape(text, source):
     return text[:match.start(1)] + source.choice(SHAPES) + text[match.end(1):]
 
 
+def inserted(text, source):
+    """An element that robots have, somewhere between others."""
+    found = list(re.finditer(r'(?<=>)\s*(?=<(?:link|joint|visual|collision|inertial|axis|limit|geometry|/robot|/link|/joint)\b)', text))
+    return text[:(at := source.choice(found).end())] + source.choice(ELEMENTS) + text[at:] if found else None
+
+
+def character(text, source):
+    """Something that XML does not allow, or that its readers read in several ways."""
+    found = list(re.finditer(r'="[^"]*"|<[a-z]+|</[a-z]+>|>\s*<', text))
+    if not found:
+        return None
+    at = source.choice(found).end() - 1
+    return text[:at] + source.choice(CHARACTERS) + text[at + source.randrange(2):]
+
+
 CHANGES = {
+    'inserted': inserted, 'character': character,
     'dropped': drop_element, 'twice': twice, 'attribute': drop_attribute, 'number': number, 'renamed': renamed, 'shape': shape,
     'type': replaced(r'<joint\b[^>]*\btype="([^"]*)"', TYPES), 'mesh': replaced(r'<mesh\b[^>]*\bfilename="([^"]*)"', URIS),
     'version': replaced(r'<robot\b[^>]*?(?= |>)()', [' version="1"', ' version="1.1"', ' version="1.0"', ' version="x"']),

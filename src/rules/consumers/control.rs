@@ -142,7 +142,8 @@ fn extension(facts: &Facts<'_, '_>, gazebo: XId, out: &mut Found) {
     for child in tree.elements(gazebo) {
         let name = tree.get(child).text.as_str();
         let is_number = |text: &Text| !text.is_known() || decimal(text.value.trim()).is_some();
-        if NUMBERS.contains(&name) && !Text::content(tree, child).as_ref().is_some_and(is_number) {
+        let written = || Text::attr(tree, child, "value").or_else(|| Text::content(tree, child));
+        if NUMBERS.contains(&name) && !written().as_ref().is_some_and(is_number) {
             out.add("gazebo-number", facts.at(child), owner);
         }
     }

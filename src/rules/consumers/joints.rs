@@ -33,7 +33,7 @@ fn kind(facts: &Facts<'_, '_>, joint: &Joint, is_before: bool, out: &mut Found) 
     };
     let row = match JointType::of(name) {
         None if name.is_empty() => "joint-type-empty",
-        None if matches!(name, "ball" | "spherical") => "joint-type-ball",
+        None if name == "spherical" => "joint-type-spherical",
         None if is_before => "joint-type-unknown-before",
         None => "joint-type-unknown",
         Some(JointType::Floating) if is_root() => "joint-floating-root",

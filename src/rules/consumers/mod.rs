@@ -62,6 +62,13 @@ fn tolerated(expansion: &Expansion) -> Option<Vec<&'static str>> {
     let is_first = document.text().starts_with("<?xml");
     let row = |error: &SyntaxError| match error.kind {
         SyntaxErrorKind::UnboundPrefix => Some("prefix-undeclared"),
+        SyntaxErrorKind::BadReference => Some("reference-malformed"),
+        SyntaxErrorKind::UndefinedEntity => Some("entity-undefined"),
+        SyntaxErrorKind::LtInValue => Some("less-than-in-value"),
+        SyntaxErrorKind::BadCharacterReference => Some("character-reference"),
+        SyntaxErrorKind::DuplicateAttribute => Some("attribute-twice"),
+        SyntaxErrorKind::BadComment => Some("comment-with-dashes"),
+        SyntaxErrorKind::CDataEndInText => Some("cdata-end"),
         SyntaxErrorKind::BadDeclaration if is_first => Some("declaration-malformed"),
         _ => None,
     };
