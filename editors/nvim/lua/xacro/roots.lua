@@ -33,9 +33,12 @@ end
 local function shown(root)
   local path = vim.fn.fnamemodify(vim.uri_to_fname(root.uri), ':~:.')
   local parts = { path, root.preset and ('(%s)'):format(root.preset) or '', status.args(root) }
-  return table.concat(vim.tbl_filter(function(part)
-    return part ~= ''
-  end, parts), ' ')
+  return table.concat(
+    vim.tbl_filter(function(part)
+      return part ~= ''
+    end, parts),
+    ' '
+  )
 end
 
 --- Pick the robot of the current file. With `automatic` the server chooses again; with a path that file is the root.
