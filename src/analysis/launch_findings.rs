@@ -15,7 +15,7 @@ use base::{CancelFlag, FastSet, Span, TextRange};
 use rules::{Finding, launched_file_not_found, unknown_launch_argument};
 use vfs::SourceFile;
 use workspace::launch::{Argument, Call};
-use workspace::{RobotCall, nearest};
+use workspace::{RobotCall, has_name, nearest};
 
 /// Descriptions that are read for the arguments of one robot.
 const MOST_FILES: usize = 500;
@@ -192,13 +192,32 @@ impl Session {
             let names = robots.iter().flat_map(|(_, known)| &known.names).map(EcoString::as_str);
             let Some(call) = group.first() else { continue };
             let span = self.place_of(&call.call, argument);
+            let is_certain = is_certain && !self.is_used_otherwise(&call.call, name);
             found.push(unknown_launch_argument(span, name, robot, nearest(name, names), is_certain));
         }
+    }
+
+    /// Whether a launch file has another use for an argument that it passes in vain: it starts something only if it is set.
+    fn is_used_otherwise(&self, call: &Call, name: &str) -> bool {
+        const LONGEST: usize = 120;
+        let Ok(file) = self.vfs.text(&call.caller) else { return false };
+        let has = |before: &str, after: char| {
+            file.text.match_indices(before).any(|(at, _)| {
+                let rest = file.text.get(at + before.len()..).unwrap_or_default();
+                let end = rest.find(after).unwrap_or(0).min(LONGEST);
+                rest.get(..end).is_some_and(|condition| has_name(condition, name))
+            })
+        };
+        has("Condition(", '\n') || has(" if=\"", '"') || has(" unless=\"", '"')
     }
 
     /// Whether a call names a file in the tree that is not there.
     fn is_missing(&self, call: &RobotCall) -> bool {
         let Some(path) = call.target.as_ref().filter(|path| !self.vfs.exists(path)) else { return false };
+        // `$(arg robot).urdf` where the argument is empty by default, and somebody else gives it
+        if path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.')) {
+            return false;
+        }
         // of a path by itself, where it starts is not known
         let is_in_package = call.call.file.in_package().is_some();
         is_in_package && self.packages.containing(path).is_some()

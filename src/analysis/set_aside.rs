@@ -32,9 +32,20 @@ const KEPT: [&str; 13] = [
 /// Rules about collisions that a robot which is only shown does not need.
 const ABOUT_CONTACTS: [&str; 2] = ["collision-mesh-too-detailed", "mesh-inconsistent-normals"];
 
-/// Rules about what only urdfdom refuses, and Bullet takes.
-const TAKEN_BY_BULLET: [&str; 4] =
-    ["invalid-number", "missing-limit-attribute", "missing-robot-name", "unknown-joint-type"];
+/// Rules about what only urdfdom rejects, and Bullet accepts.
+/// Source: `UrdfParser.cpp` of Bullet 3.25, and loading with PyBullet.
+const TAKEN_BY_BULLET: [&str; 9] = [
+    "duplicate-material",
+    "invalid-number",
+    "missing-attribute",
+    "missing-limit-attribute",
+    "missing-robot-name",
+    "unknown-geometry-type",
+    "unknown-joint-type",
+    "wrong-vector-length",
+    // the base of a robot that does not move
+    "zero-mass",
+];
 
 impl Session {
     /// What is wrong in a file that was set aside is an info. Not when somebody asks for this very file.
@@ -52,7 +63,10 @@ impl Session {
         self.lower_where(findings, about_simulation, || {
             self.is_only_shown(&job.file).then_some(Severity::Info)
         });
-        let about_bullet = |finding: &Finding| TAKEN_BY_BULLET.contains(&finding.rule.name);
+        // Bullet computes inertia from the shapes unless it is told otherwise
+        let about_bullet = |finding: &Finding| {
+            finding.rule.category == Category::Inertia || TAKEN_BY_BULLET.contains(&finding.rule.name)
+        };
         self.lower_where(findings, about_bullet, || self.is_for_bullet(&job.file).then_some(Severity::Info));
         let about_prefixes = |finding: &Finding| {
             ["unprefixed-xacro-tag", "unprefixed-macro-call"].contains(&finding.rule.name)

@@ -6,7 +6,7 @@ use ecow::EcoString;
 
 use super::finding::Finding;
 use super::grouping::Group;
-use super::registry::{Check, all};
+use super::registry::{Check, Severity, all};
 use super::run::Chosen;
 use super::sink::{Reported, Sink, span_of};
 use base::{FastSet, FileId, Span};
@@ -238,7 +238,13 @@ impl PairedRobot<'_> {
 }
 
 /// A name in an SRDF that is not there.
-pub(super) fn unknown(cx: &BesideCx<'_>, out: &mut Sink<'_>, text: &Text, kind: Kind, message: String) {
+pub(super) fn unknown(
+    cx: &BesideCx<'_>,
+    out: &mut Sink<'_>,
+    (text, kind): (&Text, Kind),
+    severity: Severity,
+    message: String,
+) {
     let report = out.report(text.origin, message).group(Group::Name(text.value.clone()));
-    report.help(cx.advice(kind, &text.value)).done();
+    report.severity(severity).help(cx.advice(kind, &text.value)).done();
 }

@@ -9,7 +9,7 @@ use super::xacro::Mentions;
 use super::xml::{Numeric, Seen};
 use base::{FastMap, FastSet};
 use expand::{Expansion, FileIdx, XId};
-use model::{Joint, Kinematics, Link, Meshes, Robot, Version};
+use model::{Joint, Kinematics, Link, Meshes, Robot, Text, Version};
 use vfs::{SourceFile, Vfs};
 use workspace::Packages;
 use workspace::config::Config;
@@ -166,6 +166,18 @@ impl<'a> DocumentCx<'a> {
     /// The links of the document.
     pub fn links(&self) -> &[Link] {
         self.robot.map_or(&[], |robot| &robot.links)
+    }
+
+    /// Whether the document is a model that never moves, such as a hall, whose measures are not those of robots.
+    pub fn is_static(&self) -> bool {
+        let tree = &self.expansion.tree;
+        let blocks = self.robot.into_iter().flat_map(|robot| &robot.gazebo);
+        let blocks = blocks.filter(|block| block.reference.is_none()).map(|block| block.element);
+        let mut tags =
+            blocks.flat_map(|block| tree.elements(block)).filter(|&tag| tree.get(tag).text == "static");
+        tags.any(|tag| {
+            Text::content(tree, tag).is_some_and(|text| ["true", "1"].contains(&text.value.trim()))
+        })
     }
 
     /// The joints of the document.

@@ -97,8 +97,19 @@ impl Session {
         let folder = self.packages.find(&name.name, path).ok()?.path;
         let file = self.packages.present(&folder.join(urdf.name.as_str())).into_owned();
         let file = vfs::without_parents(&self.vfs.absolute(&file));
+        let file = self.extended(&package.folder).unwrap_or(file);
         let root = RootChoice { args: assistant.given(), ..RootChoice::plain(&file) };
         self.vfs.is_file(&file).then(|| Pairing::named(vec![root]))?
+    }
+
+    /// The robot that MoveIt loads rather than the one in `.setup_assistant`: `config/NAME.urdf.xacro`, in which the assistant
+    /// puts `<ros2_control>` around it.
+    fn extended(&self, package: &Path) -> Option<PathBuf> {
+        let config = package.join("config");
+        let names = self.vfs.list_dir(&config);
+        let mut own = names.iter().filter(|entry| !entry.is_dir && entry.name.ends_with(".urdf.xacro"));
+        let only = own.next().filter(|_| own.next().is_none())?;
+        Some(config.join(&only.name)).filter(|file| self.is_robot(file))
     }
 
     /// The robots with a plugin that names the file.

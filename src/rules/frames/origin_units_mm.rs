@@ -27,7 +27,7 @@ const LARGE: f64 = 1.0;
 const MANY: usize = 10;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let Some(robot) = cx.robot else { return };
+    let Some(robot) = cx.robot.filter(|_| !cx.is_static()) else { return };
     let most = MAX_JOINT_OFFSET.value(cx.world.config);
     let mut offsets: Vec<f64> =
         cx.joints().iter().filter_map(offset).filter(|offset| *offset > 1e-9).collect();

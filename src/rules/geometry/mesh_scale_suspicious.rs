@@ -27,7 +27,9 @@ const THOUSANDTH: std::ops::Range<f64> = 0.0005..0.002;
 
 /// Whether a mesh is too large or too small for any link.
 pub(super) fn is_suspicious(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> bool {
-    extent(mesh).is_some_and(|extent| !admitted(cx).contains(&extent))
+    let admitted = admitted(cx);
+    extent(mesh)
+        .is_some_and(|extent| extent < *admitted.start() || extent > *admitted.end() && !cx.is_static())
 }
 
 /// Whether a mesh of a link is: nothing else that rests on its size is right.

@@ -1,6 +1,7 @@
 //! Groups in settings of MoveIt.
 
 use super::super::beside::BesideCx;
+use super::super::registry::Severity;
 use super::super::sink::Sink;
 use model::Text;
 use project::{Kind, Named, is_computed};
@@ -13,10 +14,15 @@ pub(super) fn unknown(cx: &BesideCx<'_>, out: &mut Sink<'_>, groups: &[Named], w
     if cx.srdfs().next().is_none() || !cx.has_all_groups || !names.all(|name| name.is_some_and(is_sure)) {
         return;
     }
+    // where each group of the SRDF has its settings, others are left over
+    let has = |name: &Text| groups.iter().any(|group| group.name == name.value);
+    let defined = cx.srdfs().flat_map(|srdf| &srdf.groups).filter_map(|group| group.name.as_ref());
+    let severity = if defined.into_iter().all(has) { Severity::Info } else { Severity::Warning };
     for group in groups.iter().filter(|group| !is_computed(&group.name)) {
         if cx.lacks(Kind::Group, &group.name) {
             let message = format!("{what} for unknown group `{}`", group.name);
-            cx.report(out, group, message).help(cx.advice(Kind::Group, &group.name)).done();
+            let report = cx.report(out, group, message).severity(severity);
+            report.help(cx.advice(Kind::Group, &group.name)).done();
         }
     }
 }

@@ -19,7 +19,11 @@ pub(super) const RULE: Rule = Rule::beside(
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     let Some(srdf) = cx.srdf() else { return };
-    let ([paired], true) = (cx.robots, srdf.default_disabled.is_empty() && !cx.has_variants) else { return };
+    let ([paired], true) =
+        (cx.robots, srdf.default_disabled.is_empty() && !cx.has_variants && cx.has_all_groups)
+    else {
+        return;
+    };
     let is_adjacent = |pair: &&Pair| pair.reason.as_ref().is_some_and(|reason| reason.value == "Adjacent");
     // where the pairs are not computed by the setup assistant, nothing says that all are there
     let Some(first) = srdf.disabled.iter().find(is_adjacent) else { return };

@@ -19,6 +19,6 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     for (text, kind, is_given) in srdf.names() {
         let is_unknown = |name: &str| kind == Kind::Group && !is_given && srdf.group(name).is_none();
         let Some(name) = text.name().filter(|name| is_unknown(name)) else { continue };
-        unknown(cx, out, text, kind, format!("SRDF refers to unknown group `{name}`"));
+        unknown(cx, out, (text, kind), RULE.severity, format!("SRDF refers to unknown group `{name}`"));
     }
 }

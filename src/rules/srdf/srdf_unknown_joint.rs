@@ -20,6 +20,6 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         let Some(name) = text.name().filter(|name| kind == Kind::Joint && cx.lacks(kind, name)) else {
             continue;
         };
-        unknown(cx, out, text, kind, format!("SRDF refers to unknown joint `{name}`"));
+        unknown(cx, out, (text, kind), RULE.severity, format!("SRDF refers to unknown joint `{name}`"));
     }
 }

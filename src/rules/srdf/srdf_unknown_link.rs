@@ -20,6 +20,10 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         let Some(name) = text.name().filter(|name| kind == Kind::Link && cx.lacks(kind, name)) else {
             continue;
         };
-        unknown(cx, out, text, kind, format!("SRDF refers to unknown link `{name}`"));
+        // MoveIt warns, and passes over the pair
+        let pairs = srdf.disabled.iter().flat_map(|pair| [&pair.link1, &pair.link2]).flatten();
+        let is_of_pair = pairs.into_iter().any(|link| std::ptr::eq(link, text));
+        let severity = if is_of_pair { Severity::Warning } else { RULE.severity };
+        unknown(cx, out, (text, kind), severity, format!("SRDF refers to unknown link `{name}`"));
     }
 }

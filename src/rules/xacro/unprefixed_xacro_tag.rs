@@ -26,13 +26,18 @@ const TAGS: [&str; 7] = ["arg", "if", "include", "insert_block", "macro", "prope
 const OWN_TAGS: [&str; 3] = ["insert_block", "macro", "property"];
 
 /// Whether an element outside of free zones is a tag of xacro without its prefix. A file that a robot in xacro includes is
-/// one in xacro, whether it declares the prefix or not.
+/// one in xacro, whether it declares the prefix or not; so is one whose name says so.
 pub(in super::super) fn is_unprefixed(expansion: &Expansion, document: &Document, node: Node<'_>) -> bool {
-    let is_included = || expansion.files.first().is_some_and(|file| declares(&file.source.document));
+    let is_in_xacro = || {
+        expansion.files.first().is_some_and(|root| {
+            let named = root.source.path.extension().is_some_and(|ending| ending == "xacro");
+            named || declares(&root.source.document)
+        })
+    };
     TAGS.contains(&node.name()) && declares(document)
         || OWN_TAGS.contains(&node.name())
             && document.root().is_some_and(|root| root.name() == "robot")
-            && is_included()
+            && is_in_xacro()
 }
 
 fn declares(document: &Document) -> bool {

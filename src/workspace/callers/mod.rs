@@ -213,9 +213,16 @@ impl Callers {
         launches.map(|caller| caller.era).max().unwrap_or(Era::Any)
     }
 
-    /// Whether programs load the description `file` into Bullet, and no launch file does.
+    /// Whether programs load the description `file` into Bullet, and no launch file does. Where no program names a description
+    /// that belongs to no package, those around it count that load others.
     pub fn load_in_bullet(&self, file: &Path, packages: &Packages) -> bool {
         let all = self.of(file, packages);
+        let is_free = |caller: &Caller| !caller.says(file) || !caller.is_launch() && !caller.is_program();
+        if all.iter().all(is_free) && packages.containing(file).is_none() {
+            return self
+                .around(file, packages)
+                .is_some_and(|uses| uses.callers.iter().any(|one| one.is_bullet));
+        }
         let mut loaders = all
             .iter()
             .filter(|caller| caller.says(file) && (caller.is_launch() || caller.is_program()))
