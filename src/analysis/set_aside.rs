@@ -403,6 +403,21 @@ mod tests {
     }
 
     #[test]
+    fn descriptions_of_bullet_beside_its_programs() {
+        let robot = "<robot name=''><link name='base'/></robot>";
+        let severity = |files: &[(&str, &str)]| {
+            found(&[&[("data/box.urdf", robot)], files].concat(), "missing-robot-name")[0].1
+        };
+        let program = ("examples/fall.py", "p.loadURDF('plane.urdf')");
+        assert_eq!(severity(&[program]), Severity::Info);
+        assert_eq!(severity(&[("examples/fall.py", "read('plane.urdf')")]), Severity::Error);
+        // a package of ROS
+        assert_eq!(severity(&[program, ("package.xml", "<package><name>r</name></package>")]), Severity::Error);
+        let launch = ("launch/box.launch", "<param textfile='data/box.urdf'/>");
+        assert_eq!(severity(&[program, launch]), Severity::Error);
+    }
+
+    #[test]
     fn contacts_of_robots_that_are_only_shown() {
         // a tetrahedron with a face turned inside out
         let facets = ["0 1 2", "0 1 3", "1 2 3", "2 0 3"].map(|corners| {
