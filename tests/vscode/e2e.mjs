@@ -152,6 +152,43 @@ test("rename", "two_joint_gripper", async (window) => {
   for (const file of [arm, robot]) assert.ok(!file.text().includes("beam_width"), file.file);
 });
 
+test("rename-beside", "pick_arm", async (window) => {
+  const config = "src/pick_arm_moveit_config/config";
+  const arm = source(window, "src/pick_arm_description/urdf/arm_macro.xacro");
+  const others = [
+    source(window, `${config}/pick_arm.srdf`),
+    source(window, `${config}/joint_limits.yaml`),
+    source(window, `${config}/moveit_controllers.yaml`),
+    source(window, "src/pick_arm_bringup/config/controllers.yaml"),
+  ];
+  await window.file("arm_macro.xacro");
+  await window.status("pick_arm.urdf.xacro");
+  await window.go(...arm.find('name="${prefix}wrist"', 17));
+  const box = window.page.locator(".rename-box input, input.rename-input").first();
+  await until("the box for the new name", async () => {
+    await window.press("F2");
+    return box.waitFor({ timeout: 3000 }).then(() => true, () => false);
+  });
+  await box.fill("roll");
+  await window.press("Enter");
+  await window.page.locator('.tab[data-resource-name="arm_macro.xacro"].dirty').waitFor();
+  await window.command("File: Save All");
+  await arm.has('name="${prefix}roll"');
+  for (const file of others) {
+    await file.has("left_roll");
+    assert.ok(!file.text().includes("wrist"), file.file);
+  }
+  // a name that is typed in the SRDF and in YAML, and that the robot no longer has
+  await window.file("pick_arm.srdf");
+  await window.go(...others[0].find("left_roll", 9));
+  await window.page.keyboard.type("x");
+  assert.match(await window.problem("left_rollx"), /srdf-unknown-joint/);
+  await window.file("controllers.yaml");
+  await window.go(...others[3].find("left_roll", 9));
+  await window.page.keyboard.type("y");
+  assert.match(await window.problem("left_rolly"), /controller-unknown-joint/);
+});
+
 test("hover", "measuring_cell", async (window) => {
   const file = source(window, FURNITURE);
   await window.file("furniture.xacro");
