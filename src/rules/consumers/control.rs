@@ -79,9 +79,12 @@ fn document(facts: &Facts<'_, '_>, out: &mut Found) {
     if nodes().any(|node| node.kind() == NodeKind::Doctype) {
         out.add("doctype", at, "the robot");
     }
-    if document
-        .parts()
-        .any(|(_, item)| item.all_nodes().any(|node| node.attrs().any(|attr| is_entity(attr.raw()))))
+    // what is no entity has a row of its own
+    let is_sound = document.errors().is_empty();
+    if is_sound
+        && document
+            .parts()
+            .any(|(_, item)| item.all_nodes().any(|node| node.attrs().any(|attr| is_entity(attr.raw()))))
     {
         out.add("entity", at, "the robot");
     }

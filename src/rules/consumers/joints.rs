@@ -32,6 +32,7 @@ fn kind(facts: &Facts<'_, '_>, joint: &Joint, is_before: bool, out: &mut Found) 
         parent.is_some_and(|link| facts.kinematics.up(link).is_empty())
     };
     let row = match JointType::of(name) {
+        None if name.is_empty() && is_before => "joint-type-empty-before",
         None if name.is_empty() => "joint-type-empty",
         None if name == "spherical" => "joint-type-spherical",
         None if is_before => "joint-type-unknown-before",

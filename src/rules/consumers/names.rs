@@ -12,11 +12,13 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
         else {
             continue;
         };
+        let is_top = facts.bodies.iter().any(|body| body.links.first() == Some(&index));
         let is_root = facts.kinematics.up(index).is_empty();
         let mut add = |row: &str| out.add(row, name.origin, owner.as_str());
         match name.value.as_str() {
             "universe" => add("link-universe"),
-            "world" if !is_root => add("link-world"),
+            "world" if !is_root && is_top => add("link-world"),
+            "world" if !is_root => add("link-world-fixed"),
             "world" if link.inertial.is_some() || link.has_geometry() => add("root-world-with-body"),
             "world" => add("world-above"),
             _ if is_root
@@ -34,7 +36,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
         } else if value.contains(' ') {
             add("name-with-space");
         }
-        if is_reserved(value) && facts.bodies.iter().any(|body| body.links.first() == Some(&index)) {
+        if is_reserved(value) && is_top {
             add("link-name-reserved-in-sdf");
         }
         if value.contains("::") {
