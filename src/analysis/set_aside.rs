@@ -412,7 +412,10 @@ mod tests {
         assert_eq!(severity(&[program]), Severity::Info);
         assert_eq!(severity(&[("examples/fall.py", "read('plane.urdf')")]), Severity::Error);
         // a package of ROS
-        assert_eq!(severity(&[program, ("package.xml", "<package><name>r</name></package>")]), Severity::Error);
+        assert_eq!(
+            severity(&[program, ("package.xml", "<package><name>r</name></package>")]),
+            Severity::Error
+        );
         let launch = ("launch/box.launch", "<param textfile='data/box.urdf'/>");
         assert_eq!(severity(&[program, launch]), Severity::Error);
     }

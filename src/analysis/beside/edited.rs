@@ -9,7 +9,8 @@ use super::judge::{Compared, Robots};
 use base::CancelFlag;
 
 impl World {
-    /// What there is to say about the files beside robots among `paths`, and about those beside robots that are shown.
+    /// What there is to say about the files beside robots among `paths`, and about those beside robots that are shown: those
+    /// that other robots, or the same with other arguments, have to be expanded for are left to when they are open.
     /// `None` when cancelled.
     pub(in super::super) fn beside_findings(
         &mut self,
@@ -18,7 +19,10 @@ impl World {
         cancel: &CancelFlag,
     ) -> Option<Compared> {
         let mut files: Vec<PathBuf> = paths.iter().filter(|path| sort(path).is_some()).cloned().collect();
-        files.extend(roots.iter().flat_map(|root| self.session().beside_of(&root.file)));
+        let is_for_shown =
+            |file: &PathBuf| self.session().pairing(file).roots.iter().all(|own| roots.contains(own));
+        let beside = roots.iter().flat_map(|root| self.session().beside_of(&root.file));
+        files.extend(beside.filter(is_for_shown));
         files.sort();
         files.dedup();
         let robots = self.analyzed_for(&files, cancel)?;
