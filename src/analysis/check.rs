@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use rayon::prelude::*;
 
@@ -48,6 +48,23 @@ pub struct CheckOptions {
 #[derive(Default)]
 pub(super) struct Done {
     outcomes: FastMap<JobKey, Outcome>,
+}
+
+/// The expansions that files beside robots are compared with.
+struct Kept {
+    wanted: BTreeSet<RootChoice>,
+    robots: Mutex<Robots>,
+}
+
+impl Kept {
+    fn of(wanted: Vec<RootChoice>) -> Self {
+        Self { wanted: wanted.into_iter().collect(), robots: Mutex::default() }
+    }
+
+    fn add(&self, analyzed: Analyzed) {
+        let mut robots = self.robots.lock().unwrap_or_else(PoisonError::into_inner);
+        robots.insert(analyzed.root.clone(), Arc::new(analyzed));
+    }
 }
 
 /// What tells a job from others.
@@ -98,11 +115,13 @@ impl Session {
         let mut reads: BTreeSet<PathBuf> = jobs.iter().map(|job| job.file.clone()).collect();
         // most files are parts of robots: those are expanded first, and what they include needs no look of its own
         let (first, later) = self.in_turns(jobs);
-        let mut outcomes = self.run_all(options, first, done.as_deref());
+        let files = self.beside_files(options);
+        let compared = Kept::of(self.beside_roots(&files));
+        let mut outcomes = self.run_all(options, first, done.as_deref(), Some(&compared));
         let waiting = later.len();
         let later = self.uncovered(later, &outcomes);
         options.progress.skip(waiting - later.len());
-        outcomes.extend(self.run_all(options, later, done.as_deref()));
+        outcomes.extend(self.run_all(options, later, done.as_deref(), Some(&compared)));
         let mut made = Done::default();
         made.note(&outcomes, done.is_some());
         reads.extend(read_by(&outcomes));
@@ -124,9 +143,8 @@ impl Session {
         unreadable.extend(
             self.unreadable_configs().into_iter().map(|error| Unreadable { path: error.path.clone(), error }),
         );
-        let files = self.beside_files(options);
         reads.extend(files.iter().cloned());
-        let robots = self.analyzed_all(options, self.beside_roots(&files));
+        let robots = self.analyzed_all(options, compared);
         let beside = self.beside_findings(&files, &options.cancel, &robots);
         let unpaired = options.paths.iter().map(|path| self.vfs.absolute(path));
         let unpaired = unpaired.filter(|path| files.contains(path) && !beside.files.contains(path));
@@ -139,7 +157,7 @@ impl Session {
     fn called(&self, options: &CheckOptions, kept: &[Outcome], done: Option<&Done>) -> Vec<Outcome> {
         let jobs = if options.args.is_empty() { self.launched_jobs(kept) } else { Vec::new() };
         options.progress.add(jobs.len());
-        self.run_all(options, jobs, done)
+        self.run_all(options, jobs, done, None)
     }
 
     /// Take the words out of findings in files that belong to no robot: a link or an include can lead to any file, and
@@ -172,12 +190,27 @@ impl Session {
         }
     }
 
-    fn run_all(&self, options: &CheckOptions, jobs: Vec<Job>, done: Option<&Done>) -> Vec<Outcome> {
-        let run = |job| {
+    /// Check files; what `kept` asks for is not expanded again for the files beside it.
+    fn run_all(
+        &self,
+        options: &CheckOptions,
+        jobs: Vec<Job>,
+        done: Option<&Done>,
+        kept: Option<&Kept>,
+    ) -> Vec<Outcome> {
+        let run = |job: Job| {
+            let is_kept = job.called.is_none() && kept.is_some_and(|kept| kept.wanted.contains(&job.root()));
             let known = done.and_then(|done| done.outcomes.get(&key(&job)).cloned());
             let outcome = match known {
                 Some(known) => Outcome { job, ..known },
-                None => job::run(self, options, job),
+                None => match kept.filter(|_| is_kept) {
+                    Some(kept) => {
+                        let (outcome, analyzed) = job::run_kept(self, options, job);
+                        kept.add(analyzed);
+                        outcome
+                    }
+                    None => job::run(self, options, job),
+                },
             };
             options.progress.step();
             outcome
@@ -191,18 +224,21 @@ impl Session {
         }
     }
 
-    /// Roots expanded.
-    fn analyzed_all(&self, options: &CheckOptions, roots: Vec<RootChoice>) -> Robots {
+    /// All roots that are wanted, expanded.
+    fn analyzed_all(&self, options: &CheckOptions, kept: Kept) -> Robots {
+        let mut robots = kept.robots.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let roots: Vec<RootChoice> =
+            kept.wanted.into_iter().filter(|root| !robots.contains_key(root)).collect();
         let make = |root: RootChoice| {
             let analyzed = Arc::new(Analyzed::of(self, &root, options));
             (root, analyzed)
         };
-        match large_stacks().filter(|_| roots.len() > 1) {
-            Some(pool) => pool.install(|| roots.into_par_iter().map(make).collect::<Vec<_>>()),
+        let made: Vec<_> = match large_stacks().filter(|_| roots.len() > 1) {
+            Some(pool) => pool.install(|| roots.into_par_iter().map(make).collect()),
             None => roots.into_iter().map(make).collect(),
-        }
-        .into_iter()
-        .collect()
+        };
+        robots.extend(made);
+        robots
     }
 
     /// One report of many outcomes and of what there is to say beside them: merged, as configured, in order.

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
+use super::analyzed::Analyzed;
 use super::calls::as_called;
 use super::check::CheckOptions;
 use super::configs::Settings;
@@ -58,6 +59,15 @@ pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcom
     let robot = Robot::of(&expansion);
     let outcome = judge(session, &options.cancel, job, &expansion, robot.as_ref());
     Outcome { is_as_called, ..outcome }
+}
+
+/// The same, for somebody who keeps the expansion.
+pub(super) fn run_kept(session: &Session, options: &CheckOptions, job: Job) -> (Outcome, Analyzed) {
+    let kept = Request { keep: true, ..request(session, &options.cancel, &job) };
+    let (expansion, is_as_called) = expanded(session, &job, &kept);
+    let analyzed = Analyzed::new(job.root(), expansion, 0);
+    let outcome = judge(session, &options.cancel, job, &analyzed.expansion, analyzed.robot.as_ref());
+    (Outcome { is_as_called, ..outcome }, analyzed)
 }
 
 /// Expand a file, for somebody who keeps the result.

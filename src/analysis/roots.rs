@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::context::RootChoice;
 use super::launched::Called;
 use super::session::Session;
 use workspace::config::{Args, Axes, Root, Variant};
@@ -38,6 +39,12 @@ impl Job {
     /// A file with arguments.
     pub(super) fn new(file: PathBuf, reason: Reason, args: Args) -> Self {
         Self { file, reason, args, preset: None, called: None }
+    }
+
+    /// What is expanded.
+    pub(super) fn root(&self) -> RootChoice {
+        let Self { file, args, preset, .. } = self.clone();
+        RootChoice { file, args, preset }
     }
 }
 

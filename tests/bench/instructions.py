@@ -45,6 +45,8 @@ def runs(binary, folder):
     plain.write_bytes(b''.join(line for line in expanded.splitlines(True) if not line.startswith(b'<!--')))
     # a copy: what lies around the checkout, such as packages of npm, would be searched too
     examples = shutil.copytree(EXAMPLES, folder / 'examples')
+    # with files for MoveIt and controllers: a figure of its own
+    moveit = shutil.move(examples / 'pick_arm', folder / 'pick_arm')
     arm = examples / 'industrial_arm/src/lunder6_support/urdf/lunder6.xacro'
     return {
         'start': [binary, '--version'],
@@ -53,6 +55,7 @@ def runs(binary, folder):
         'check 1,000 links of plain URDF': [binary, 'check', plain],
         'check 1,000 links of generated URDF': [binary, 'check', generated],
         'check all examples': [binary, 'check', examples],
+        'check an arm with MoveIt': [binary, 'check', moveit],
     }
 
 

@@ -71,8 +71,8 @@ impl Session {
         if self.is_for_manager(path) {
             return false;
         }
-        let is_near = |file: &PathBuf| self.home(file) == self.home(path);
-        let mut near = self.descriptions_around(path).into_iter().filter(is_near);
+        let is_near = self.near(path);
+        let mut near = self.descriptions_around(path).into_iter().filter(|file| is_near(file));
         sort(path) == Some(Sort::Yaml) && near.any(|file| loads(&file))
     }
 
@@ -147,7 +147,8 @@ impl Session {
     /// The only robot that launch files of the package start.
     fn started_near(&self, path: &Path) -> Vec<RootChoice> {
         let calls = self.calls_around(path);
-        let near = calls.iter().filter(|call| self.home(&call.call.caller) == self.home(path));
+        let is_near = self.near(path);
+        let near = calls.iter().filter(|call| is_near(&call.call.caller));
         let roots: Vec<RootChoice> = near.filter_map(|call| self.started(call)).collect();
         let is_one = roots.windows(2).all(|pair| matches!(pair, [a, b] if a.file == b.file));
         if is_one { roots } else { Vec::new() }
@@ -201,8 +202,8 @@ impl Session {
         let Some(name) = self.robot_name(path) else { return Pairing::default() };
         let is_it = |file: &&PathBuf| self.is_robot(file) && self.robot_name(file).as_ref() == Some(&name);
         let found: Vec<&PathBuf> = all.iter().filter(is_it).collect();
-        let near: Vec<&PathBuf> =
-            found.iter().copied().filter(|file| self.home(file) == self.home(path)).collect();
+        let is_near = self.near(path);
+        let near: Vec<&PathBuf> = found.iter().copied().filter(|file| is_near(file)).collect();
         let found = if near.is_empty() { found } else { near };
         let mut roots: Vec<RootChoice> = found.into_iter().flat_map(|file| self.ways_of(file)).collect();
         roots.truncate(MOST_ROBOTS);
@@ -211,7 +212,7 @@ impl Session {
 
     /// The robots of the SRDFs in the same package; without any, the robots there.
     fn of_the_srdf(&self, path: &Path) -> Pairing {
-        let is_near = |other: &PathBuf| self.home(other) == self.home(path);
+        let is_near = self.near(path);
         let all = self.beside_around(path);
         let srdfs: Vec<&PathBuf> =
             all.iter().filter(|file| sort(file) == Some(Sort::Srdf) && is_near(file)).collect();
@@ -255,6 +256,12 @@ impl Session {
         ways
     }
 
+    /// Whether a file is in the package of `path`; without one, in its folder.
+    fn near(&self, path: &Path) -> impl Fn(&Path) -> bool {
+        let home = self.home(path);
+        move |file| home.as_ref().is_none_or(|home| file.starts_with(home)) && self.home(file) == home
+    }
+
     /// The package of a file; without one, its folder.
     fn home(&self, path: &Path) -> Option<PathBuf> {
         let package = self.packages.containing(path).map(|package| package.folder);
@@ -283,13 +290,16 @@ impl Session {
     /// The robots that include a description, or are it.
     fn roots_reading(&self, file: &Path) -> Vec<PathBuf> {
         const MOST_LEVELS: usize = 6;
-        let all = self.descriptions_around(file);
+        let all = self.descriptions_around(file).into_iter();
+        let all = all.filter_map(|other| {
+            let source = self.vfs.document(&other).ok()?;
+            Some((other, reach(&source, &self.packages)))
+        });
+        let all: Vec<_> = all.collect();
         let mut reading = vec![file.to_owned()];
         for _ in 0..MOST_LEVELS {
             let before = reading.len();
-            for other in &all {
-                let Ok(source) = self.vfs.document(other) else { continue };
-                let may_include = reach(&source, &self.packages);
+            for (other, may_include) in &all {
                 if !reading.contains(other) && reading.iter().any(|known| may_include.has(known)) {
                     reading.push(other.clone());
                 }
