@@ -2,8 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use ecow::EcoString;
+
 use super::context::RootChoice;
 use super::job::Outcome;
+use super::launch_findings::Known;
 use super::roots::Job;
 use super::session::Session;
 use base::limits::CALL_RUNS;
@@ -34,14 +37,18 @@ pub(super) struct Called {
 
 impl Session {
     /// The distinct calls of a robot of which all arguments are known, in the order of the paths of the launch files.
-    pub(super) fn launched(&self, robot: &Path) -> Vec<Launched> {
+    /// `own` are arguments that the robot is known to read.
+    pub(super) fn launched(&self, robot: &Path, own: &[(EcoString, EcoString)]) -> Vec<Launched> {
         let mut found: Vec<Launched> = Vec::new();
         let mut known = None;
         for call in self.robot_calls(robot).iter().filter(|call| call.target.as_deref() == Some(robot)) {
             let Some(mut args) = self.known_args(call) else { continue };
             // what the robot does not read makes no difference
-            let known = known.get_or_insert_with(|| self.known(robot));
-            args.retain(|(name, _)| !known.complete || known.names.contains(name.as_str()));
+            args.retain(|(name, _)| {
+                let is_own = own.iter().any(|(own, _)| own == name);
+                let may_read = |known: &Known| !known.complete || known.names.contains(name.as_str());
+                is_own || may_read(known.get_or_insert_with(|| self.known(robot)))
+            });
             let site = Span { file: self.vfs.file_id(&call.call.caller), range: call.call.range };
             match found.iter_mut().find(|launched| same(&launched.args, &args)) {
                 Some(launched) if launched.calls.contains(&site) => {}
@@ -70,7 +77,7 @@ impl Session {
             args: launched.args,
             preset: Some(launched.name),
         };
-        self.launched(robot).into_iter().take(CALL_RUNS).map(choice).collect()
+        self.launched(robot, &[]).into_iter().take(CALL_RUNS).map(choice).collect()
     }
 
     /// The arguments of a call, where all of them are known.
@@ -103,7 +110,7 @@ impl Session {
         };
         let is_other = |launched: &Launched| outcome.is_as_called || !launched.args.iter().all(has);
         let (mut others, defaults): (Vec<_>, Vec<_>) =
-            self.launched(&outcome.job.file).into_iter().partition(is_other);
+            self.launched(&outcome.job.file, &outcome.arguments).into_iter().partition(is_other);
         others.truncate(CALL_RUNS);
         let of = others.iter().chain(&defaults).map(|launched| launched.calls.len()).sum();
         let job = |launched: Launched| Job {
