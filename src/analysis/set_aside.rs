@@ -65,7 +65,10 @@ impl Session {
         });
         // Bullet computes inertia from the shapes unless it is told otherwise
         let about_bullet = |finding: &Finding| {
-            finding.rule.category == Category::Inertia || TAKEN_BY_BULLET.contains(&finding.rule.name)
+            // what has a fix is text before the declaration
+            let is_before = finding.rule.name == "xml-syntax-error" && finding.fix.is_some();
+            let is_taken = is_before || TAKEN_BY_BULLET.contains(&finding.rule.name);
+            is_taken || finding.rule.category == Category::Inertia
         };
         self.lower_where(findings, about_bullet, || self.is_for_bullet(&job.file).then_some(Severity::Info));
         let about_prefixes = |finding: &Finding| {

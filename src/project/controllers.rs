@@ -14,7 +14,7 @@ pub struct Controller {
     pub class: Option<Named>,
     /// The joints it names, with the keys that hold them.
     pub joints: Vec<(EcoString, Named)>,
-    /// `command_interfaces` of each joint.
+    /// `command_interfaces` of each joint, or `interface_names` of other controllers.
     pub commands: Vec<Named>,
     /// `state_interfaces` of each joint.
     pub states: Vec<Named>,
@@ -119,7 +119,7 @@ fn controller(name: Named, parameters: &Node, is_ros2: bool) -> Option<Controlle
     is_map.then(|| Controller {
         class: text(parameters, "type"),
         joints: joints.collect(),
-        commands: list("command_interfaces"),
+        commands: [list("command_interfaces"), list("interface_names")].concat(),
         states: list("state_interfaces"),
         interface: text(parameters, "interface_name"),
         name,

@@ -34,6 +34,8 @@ pub(in super::super) struct Compared {
 
 /// Arguments of a robot that are turned over.
 const MOST_SWITCHES: usize = 8;
+/// Values that launch files let somebody choose from for arguments of a robot, which are tried.
+const MOST_CHOICES: usize = 16;
 /// The part of the names of links and joints that has to fit when nothing but the name of the robot says for which one a
 /// file is, and when a file says so.
 const LIKE: f64 = 0.5;
@@ -210,7 +212,11 @@ impl Session {
                     }
                 });
             let switches: Vec<(String, String)> = switches.take(MOST_SWITCHES).collect();
-            let single = switches.iter().map(|switch| vec![switch.clone()]);
+            let chosen = self.launch_choices(&analyzed.root.file).into_iter();
+            let chosen =
+                chosen.flat_map(|(name, values)| values.into_iter().map(move |value| (name.clone(), value)));
+            let chosen: Vec<(String, String)> = chosen.take(MOST_CHOICES).collect();
+            let single = switches.iter().chain(&chosen).map(|switch| vec![switch.clone()]);
             let together = (switches.len() > 1).then(|| switches.clone());
             for more in single.chain(together) {
                 let base = job::request(self, cancel, &job_of(&analyzed.root));

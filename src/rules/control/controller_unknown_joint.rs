@@ -18,6 +18,8 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     for controller in cx.settings().into_iter().flat_map(|settings| &settings.controllers) {
         // `pid/joint_1` is an interface of another controller
         let joints = controller.joints.iter().filter(|(_, joint)| !joint.name.contains('/'));
+        // and `twist.linear.x` is one of no joint
+        let joints = joints.filter(|_| !controller.commands.iter().any(|name| name.name.contains('.')));
         // of a joint that the hardware has as well, that place is reported
         let joints = joints.filter(|(_, joint)| !is_computed(&joint.name));
         let joints: Vec<_> = joints.filter(|(_, joint)| !is_in_hardware(cx, &joint.name)).collect();

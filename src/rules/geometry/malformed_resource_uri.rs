@@ -1,5 +1,7 @@
 //! A URI of a mesh or texture that cannot be resolved.
 
+use std::path::Path;
+
 use super::super::context::DocumentCx;
 use super::super::edits::source_text;
 use super::super::grouping::Group;
@@ -83,7 +85,13 @@ fn without_find(cx: &DocumentCx<'_>, name: &Text) -> Option<String> {
 fn severity(cx: &DocumentCx<'_>, readers: Readers) -> Severity {
     let root = cx.expansion.files.first().map(|file| &*file.source.path);
     let is_ros1 = || root.and_then(|root| cx.world.packages.generation(root)) == Some(Target::Ros1);
+    // Gazebo looks for the files of a model in its folder
+    let is_model = || {
+        let folder = root.and_then(Path::parent);
+        folder.is_some_and(|folder| cx.world.vfs.is_file(&folder.join("model.config")))
+    };
     match readers {
+        Readers::None if is_model() => Severity::Info,
         Readers::None => Severity::Error,
         Readers::Gazebo => Severity::Info,
         Readers::OldCurl if is_ros1() => Severity::Info,

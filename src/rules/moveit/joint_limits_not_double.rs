@@ -29,7 +29,9 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     if !cx.is_ros2 {
         return;
     }
-    for limit in cx.settings().into_iter().flat_map(|settings| &settings.limits) {
+    // of a joint that the robot does not have, nothing is read
+    let limits = cx.settings().into_iter().flat_map(|settings| &settings.limits);
+    for limit in limits.filter(|limit| cx.joints(&limit.joint.name).next().is_some()) {
         for (key, value, is_integer, range) in &limit.values {
             let read = DOUBLES.iter().any(|(name, switch)| *name == key.name && limit.has(switch));
             if !is_integer || !read {

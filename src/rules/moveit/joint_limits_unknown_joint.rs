@@ -3,7 +3,7 @@
 use super::super::beside::BesideCx;
 use super::super::registry::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
-use project::Kind;
+use project::{Kind, is_computed};
 
 pub(super) const RULE: Rule = Rule::beside(
     "MOV001",
@@ -17,7 +17,7 @@ pub(super) const RULE: Rule = Rule::beside(
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     for limit in cx.settings().into_iter().flat_map(|settings| &settings.limits) {
         let joint = &limit.joint;
-        if cx.lacks(Kind::Joint, &joint.name) {
+        if !is_computed(&joint.name) && cx.lacks(Kind::Joint, &joint.name) {
             let message = format!("limits of unknown joint `{}`", joint.name);
             cx.report(out, joint, message).help(cx.advice(Kind::Joint, &joint.name)).done();
         }

@@ -2,6 +2,7 @@
 
 use super::super::beside::BesideCx;
 use super::super::registry::{Category, Rule, Severity, page};
+use super::super::run::is_whole;
 use super::super::sink::Sink;
 use super::adjacent::touching;
 use base::FastSet;
@@ -20,7 +21,7 @@ pub(super) const RULE: Rule = Rule::beside(
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     let Some(srdf) = cx.srdf() else { return };
     let ([paired], true) =
-        (cx.robots, srdf.default_disabled.is_empty() && !cx.has_variants && cx.has_all_groups)
+        (cx.robots, srdf.default_disabled.is_empty() && !cx.has_variants && is_whole(cx.expansion))
     else {
         return;
     };

@@ -2,6 +2,7 @@
 
 use super::super::beside::{BesideCx, unknown};
 use super::super::registry::{Category, Rule, Severity, page};
+use super::super::run::is_whole;
 use super::super::sink::Sink;
 use project::Kind;
 
@@ -15,7 +16,7 @@ pub(super) const RULE: Rule = Rule::semantic(
 );
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
-    let Some(srdf) = cx.srdf().filter(|_| cx.has_all_groups) else { return };
+    let Some(srdf) = cx.srdf().filter(|_| is_whole(cx.expansion)) else { return };
     for (text, kind, is_given) in srdf.names() {
         let is_unknown = |name: &str| kind == Kind::Group && !is_given && srdf.group(name).is_none();
         let Some(name) = text.name().filter(|name| is_unknown(name)) else { continue };

@@ -75,7 +75,7 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
         endings,
         is_open: takes_any(text),
         era: era(text),
-        is_bullet: ["loadURDF(", "BulletURDFImporter"].iter().any(|word| text.contains(word)),
+        is_bullet: ["loadURDF(", "Bullet", "pybullet"].iter().any(|word| text.contains(word)),
         simulates: SIMULATES.iter().any(|word| text.contains(word)),
         shows: text.contains("rviz"),
         args,
