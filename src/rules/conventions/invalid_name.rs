@@ -22,6 +22,7 @@ pub(super) const RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     check_ends(cx, out);
+    check_robot(cx, out);
     for (named, name) in cx.robot.into_iter().flat_map(names::names) {
         let Some(bad) = name.value.chars().find(|&c| !is_admitted(c)) else { continue };
         let what = named.word();
@@ -48,6 +49,16 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             None => report.done(),
         }
     }
+}
+
+/// The name of the robot, which becomes that of a model or a namespace in some programs.
+fn check_robot(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let name = cx.robot.and_then(|robot| robot.name.as_ref()).filter(|name| name.is_known());
+    let Some(name) = name.filter(|name| name.value.trim().contains(char::is_whitespace)) else { return };
+    out.report(name.origin, format!("name of robot {}contains whitespace", quoted(name)))
+        .severity(Severity::Info)
+        .help("write `_` instead of spaces")
+        .done();
 }
 
 /// The links that a joint names without the `$` of an expression.
