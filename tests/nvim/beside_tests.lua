@@ -44,12 +44,22 @@ return function(test)
     child:edit(ARM)
     child:at('name="${prefix}wr|ist"')
     child:lua([[vim.lsp.buf.rename('roll')]])
-    for _, file in ipairs({ 'arm_macro.xacro', 'control_macro.xacro', 'config/controllers.yaml', 'joint_limits.yaml', 'moveit_controllers.yaml', 'pick_arm.srdf' }) do
-      child:wait([[(function(file)
+    for _, file in ipairs({
+      'arm_macro.xacro',
+      'control_macro.xacro',
+      'config/controllers.yaml',
+      'joint_limits.yaml',
+      'moveit_controllers.yaml',
+      'pick_arm.srdf',
+    }) do
+      child:wait(
+        [[(function(file)
         local bufnr = vim.fn.bufnr(file)
         local text = bufnr > 0 and table.concat(vim.api.nvim_buf_get_lines(bufnr, 0, -1, false)) or ''
         return text:find('roll', 1, true)
-      end)(...)]], file)
+      end)(...)]],
+        file
+      )
     end
     child:lua([[vim.cmd('silent wall')]])
     for _, file in ipairs({ SRDF, CONTROLLERS, LIMITS, ARM }) do

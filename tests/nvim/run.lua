@@ -73,7 +73,14 @@ end
 
 local begin = vim.uv.hrtime()
 say('Neovim', tostring(vim.version()))
-for _, group in ipairs({ 'beside_tests', 'language_tests', 'command_tests', 'typing_tests', 'disk_tests', 'install_tests' }) do
+for _, group in ipairs({
+  'beside_tests',
+  'language_tests',
+  'command_tests',
+  'typing_tests',
+  'disk_tests',
+  'install_tests',
+}) do
   require(group)(test, skip)
 end
 say(('%d passed, %d failed, %d skipped in %.1f s'):format(passed, failed, skipped, (vim.uv.hrtime() - begin) / 1e9))
