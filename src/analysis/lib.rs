@@ -47,6 +47,8 @@ mod world;
 
 #[cfg(test)]
 mod package_tests;
+#[cfg(test)]
+mod set_aside_tests;
 
 pub use analyzed::Analyzed;
 pub use baseline::{Baseline, fingerprint};

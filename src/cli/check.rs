@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::args::{CheckArgs, FailLevel, Format, Show};
+use super::check_args::{CheckArgs, FailLevel, Format, Show};
 use super::diff::unified;
 use super::io::Io;
 use super::listing::{Listing, incomplete, least_shown, wants_all};

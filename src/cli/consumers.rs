@@ -7,7 +7,7 @@ use super::args::{ConsumersArgs, Plain};
 use super::io::Io;
 use super::render::{shown_path, visible};
 use super::text::counted;
-use super::tree::{expand_in, explain, fails, file_and_arguments, open};
+use super::tree::{Expanded, explain, fails};
 use analysis::Session;
 use base::Encoding;
 use expand::{Expansion, Origin};
@@ -38,18 +38,11 @@ pub(super) fn run(args: &ConsumersArgs, env: &Environment, io: &mut Io<'_>) -> u
         list(args.format, io);
         return 0;
     }
-    let (file, arguments) = match file_and_arguments(&args.file) {
-        Ok(named) => named,
+    let expanded = Expanded::of(&args.file, &args.package_path, env, io);
+    let Expanded { file, arguments, session, expansion } = match expanded {
+        Ok(expanded) => expanded,
         Err(message) => return fails(io, &message),
     };
-    let session = match open(&file, &args.package_path, env, io) {
-        Ok(session) => session,
-        Err(message) => return fails(io, &message),
-    };
-    let expansion = expand_in(&session, &file, arguments.clone());
-    if let Some(error) = &expansion.root_error {
-        return fails(io, &format!("{file}: {}", error.reason()));
-    }
     if !is_readable(&expansion) {
         explain(&session, &file, arguments, env, io);
         io.line("error: cannot compare: programs are not given a file with the errors above");

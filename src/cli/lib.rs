@@ -4,6 +4,7 @@ mod args;
 mod assets;
 mod calls;
 mod check;
+mod check_args;
 mod config;
 mod consumers;
 mod deps;
@@ -38,7 +39,8 @@ pub use reference::reference;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 
-use args::{Arguments, CheckArgs, Command};
+use args::{Arguments, Command};
+use check_args::CheckArgs;
 use vfs::Environment;
 
 /// Run a command line (without the program's name); the result is the exit code. What was printed is written when this

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use indexmap::IndexMap;
 
-use super::args::{CheckArgs, FailLevel, Show};
+use super::check_args::{CheckArgs, FailLevel, Show};
 use super::text::counted;
 use analysis::Report;
 use base::limits::{DRAWN_IN_ALL, DRAWN_OF_A_RULE};

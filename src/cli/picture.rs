@@ -6,7 +6,7 @@ use super::args::{RenderArgs, Viewpoint};
 use super::io::Io;
 use super::render::visible;
 use super::svg;
-use super::tree::{expand_in, explain, fails, file_and_arguments, good_tree, no_tree, open};
+use super::tree::{Expanded, explain, fails, good_tree, no_tree};
 use analysis::Session;
 use expand::Expansion;
 use model::Robot;
@@ -37,12 +37,8 @@ pub(super) fn run(args: &RenderArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
 fn draw(args: &RenderArgs, env: &Environment, io: &mut Io<'_>) -> Result<u8, String> {
     let form = form(&args.output, args.tree)?;
     let shot = shot(args)?;
-    let (file, arguments) = file_and_arguments(&args.file)?;
-    let session = open(&file, &args.package_path, env, io)?;
-    let expansion = expand_in(&session, &file, arguments.clone());
-    if let Some(error) = &expansion.root_error {
-        return Err(format!("{file}: {}", error.strerror));
-    }
+    let Expanded { file, arguments, session, expansion } =
+        Expanded::of(&args.file, &args.package_path, env, io)?;
     let robot = Robot::of(&expansion);
     let tree = robot.as_ref().filter(|_| !expansion.has_errors()).and_then(good_tree);
     if tree.is_none() {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use super::args::{CheckArgs, Format};
+use super::check_args::{CheckArgs, Format};
 use super::io::all_of;
 use super::options::mappings;
 use super::watch::State;

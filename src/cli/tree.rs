@@ -44,18 +44,11 @@ pub(super) fn kind(joint: &Joint) -> &str {
 
 /// Run `tree`.
 pub(super) fn run(args: &TreeArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
-    let (file, arguments) = match file_and_arguments(&args.file) {
-        Ok(named) => named,
+    let expanded = Expanded::of(&args.file, &args.package_path, env, io);
+    let Expanded { file, arguments, session, expansion } = match expanded {
+        Ok(expanded) => expanded,
         Err(message) => return fails(io, &message),
     };
-    let session = match open(&file, &args.package_path, env, io) {
-        Ok(session) => session,
-        Err(message) => return fails(io, &message),
-    };
-    let expansion = expand_in(&session, &file, arguments.clone());
-    if let Some(error) = &expansion.root_error {
-        return fails(io, &format!("{file}: {}", error.reason()));
-    }
     let robot = Robot::of(&expansion);
     let Some(tree) = robot.as_ref().filter(|_| !expansion.has_errors()).and_then(good_tree) else {
         explain(&session, &file, arguments, env, io);
@@ -126,6 +119,32 @@ pub(super) fn expand_named(
     match &expansion.root_error {
         Some(error) => Err(format!("{file}: {}", error.reason())),
         None => Ok(expansion),
+    }
+}
+
+/// The robot that a command line names, expanded.
+pub(super) struct Expanded {
+    pub(super) file: String,
+    pub(super) arguments: Vec<(String, String)>,
+    pub(super) session: Session,
+    pub(super) expansion: Expansion,
+}
+
+impl Expanded {
+    /// Expand the one file among `names` with the arguments there; the message of an error when it cannot be read.
+    pub(super) fn of(
+        names: &[String],
+        package_path: &[String],
+        env: &Environment,
+        io: &mut Io<'_>,
+    ) -> Result<Self, String> {
+        let (file, arguments) = file_and_arguments(names)?;
+        let session = open(&file, package_path, env, io)?;
+        let expansion = expand_in(&session, &file, arguments.clone());
+        match &expansion.root_error {
+            Some(error) => Err(format!("{file}: {}", error.reason())),
+            None => Ok(Self { file, arguments, session, expansion }),
+        }
     }
 }
 

@@ -17,15 +17,21 @@ ELEMENTS = ['<mimic joint="none"/>', '<dynamics/>', '<safety_controller k_veloci
 CHARACTERS = ['&', '<', '"', '>', '--', ' ', 'é', '&amp;', ']]>', '<!-- -- -->', '&#1;', '\t', '/']
 
 
-def drop_element(text, source):
-    found = list(re.finditer(r'<(inertial|mass|inertia|limit|axis|origin|parent|child|geometry|visual|collision|color|material|link|joint|'
-                             r'mimic|dynamics|safety_controller|transmission|actuator)\b(?:[^>]*/>|[^>]*>.*?</\1>)', text, re.S))
-    # of what may be dropped, each kind of element is as likely as any other
+def one_of(found, source):
+    """One of the matches; each kind of element or attribute, group 1, is as likely as any other."""
     kinds = sorted({match.group(1) for match in found})
     if not kinds:
         return None
     kind = source.choice(kinds)
-    match = source.choice([match for match in found if match.group(1) == kind])
+    return source.choice([match for match in found if match.group(1) == kind])
+
+
+def drop_element(text, source):
+    found = list(re.finditer(r'<(inertial|mass|inertia|limit|axis|origin|parent|child|geometry|visual|collision|color|material|link|joint|'
+                             r'mimic|dynamics|safety_controller|transmission|actuator)\b(?:[^>]*/>|[^>]*>.*?</\1>)', text, re.S))
+    match = one_of(found, source)
+    if match is None:
+        return None
     return text[:match.start()] + text[match.end():]
 
 
@@ -40,22 +46,18 @@ def twice(text, source):
 
 def drop_attribute(text, source):
     found = list(re.finditer(r'\s(?!xmlns)([a-z_:]+)="[^"]*"', text))
-    kinds = sorted({match.group(1) for match in found})
-    if not kinds:
+    match = one_of(found, source)
+    if match is None:
         return None
-    kind = source.choice(kinds)
-    match = source.choice([match for match in found if match.group(1) == kind])
     return text[:match.start()] + text[match.end():]
 
 
 def number(text, source):
     found = list(re.finditer(r'\b(value|ixx|ixy|izz|lower|upper|effort|velocity|xyz|rpy|size|radius|length|scale|rgba|damping|friction|'
                              r'multiplier|offset|k_velocity|rising)="([^"]*)"', text))
-    kinds = sorted({match.group(1) for match in found})
-    if not kinds:
+    match = one_of(found, source)
+    if match is None:
         return None
-    kind = source.choice(kinds)
-    match = source.choice([match for match in found if match.group(1) == kind])
     parts = match.group(2).split() or ['']
     way = source.randrange(4)
     if way == 0 and len(parts) > 1:

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-use super::client::{Client, Options, offset};
+use super::client::{Client, Options, offset, replace_all};
 use super::workspace::{fresh_folder, write};
 
 const ROBOT: &str = "src/pick_arm_description/urdf/pick_arm.urdf.xacro";
@@ -64,28 +64,14 @@ fn renamed(
     (file, at): (&str, &str),
     new: &str,
 ) -> Result<BTreeMap<String, usize>, String> {
-    let mut params = client.at(file, at);
-    params["newName"] = json!(new);
-    let id = client.post("textDocument/rename", params);
-    let reply = client.reply(id);
-    if let Some(error) = reply.get("error") {
-        return Err(error["message"].as_str().unwrap().to_owned());
-    }
     let mut counts = BTreeMap::new();
-    for (uri, edits) in reply["result"]["changes"].as_object().unwrap() {
-        let path = lsp_path(uri);
+    for (uri, edits) in client.changes_of_rename(file, at, new)? {
+        let path = lsp_path(&uri);
         let mut text = std::fs::read_to_string(&path).unwrap();
-        let edits = edits.as_array().unwrap().iter();
-        let mut edits: Vec<(usize, usize)> = edits
-            .map(|edit| (offset(&text, &edit["range"]["start"]), offset(&text, &edit["range"]["end"])))
-            .collect();
-        edits.sort_unstable();
-        for (start, end) in edits.iter().rev() {
-            text.replace_range(*start..*end, new);
-        }
+        let count = replace_all(&mut text, &edits, new);
         std::fs::write(&path, text).unwrap();
         let name = path.strip_prefix(folder).unwrap().file_name().unwrap().to_string_lossy().into_owned();
-        counts.insert(name, edits.len());
+        counts.insert(name, count);
     }
     Ok(counts)
 }
@@ -176,4 +162,19 @@ fn findings_follow_edits_of_the_robot_and_of_the_file() {
     let lacks =
         |client: &mut Client| client.findings(SRDF).iter().any(|one| one.ends_with("srdf-unknown-link"));
     assert!(client.eventually(lacks));
+}
+
+#[test]
+fn a_joint_with_another_name_is_one_finding_at_each_place() {
+    let folder = folder();
+    let arm = std::fs::read_to_string(folder.join(ARM)).unwrap();
+    write(&folder, ARM, arm.replace("wrist", "wrst"));
+    let found = check(&folder);
+    let count = |rule: &str| found.matches(&format!("[{rule}]")).count();
+    assert_eq!(count("srdf-unknown-joint"), 1, "{found}");
+    assert_eq!(count("joint-limits-unknown-joint"), 1, "{found}");
+    // the state has a value, for the old name
+    assert_eq!(count("srdf-incomplete-group-state"), 0, "{found}");
+    // the controller names what `<ros2_control>` has as well, where it is reported
+    assert_eq!((count("ros2-control-unknown-joint"), count("controller-unknown-joint")), (1, 0), "{found}");
 }

@@ -7,7 +7,7 @@ use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{self, Receiver};
 use std::time::{Duration, Instant};
 
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use super::workspace;
 
@@ -302,6 +302,23 @@ impl Client {
         json!({ "textDocument": { "uri": self.uri(file) }, "position": position(text, start + before.len()) })
     }
 
+    /// The changes of renaming what `at` marks; or the message of the error.
+    pub fn changes_of_rename(
+        &mut self,
+        file: &str,
+        at: &str,
+        new: &str,
+    ) -> Result<Map<String, Value>, String> {
+        let mut params = self.at(file, at);
+        params["newName"] = json!(new);
+        let id = self.post("textDocument/rename", params);
+        let reply = self.reply(id);
+        match reply.get("error") {
+            Some(error) => Err(error["message"].as_str().unwrap().to_owned()),
+            None => Ok(reply["result"]["changes"].as_object().unwrap().clone()),
+        }
+    }
+
     /// Parameters of a request about a file.
     pub fn of(&self, file: &str) -> Value {
         json!({ "textDocument": { "uri": self.uri(file) } })
@@ -489,4 +506,17 @@ fn read(output: &mut impl BufRead) -> Option<Value> {
     let mut body = vec![0; length.unwrap()];
     output.read_exact(&mut body).ok()?;
     Some(serde_json::from_slice(&body).unwrap())
+}
+
+/// Put `new` in place of what the edits of a rename replace; how many there are.
+pub fn replace_all(text: &mut String, edits: &Value, new: &str) -> usize {
+    let edits = edits.as_array().unwrap().iter();
+    let mut edits: Vec<(usize, usize)> = edits
+        .map(|edit| (offset(text, &edit["range"]["start"]), offset(text, &edit["range"]["end"])))
+        .collect();
+    edits.sort_unstable();
+    for &(start, end) in edits.iter().rev() {
+        text.replace_range(start..end, new);
+    }
+    edits.len()
 }

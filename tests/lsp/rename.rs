@@ -4,32 +4,16 @@ use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
 
-use super::client::{Client, Options, offset};
+use super::client::{Client, Options, replace_all};
 use super::workspace::{ROBOT, UNIT, pan_tilt};
 
 /// The files after renaming what `at` marks; or the message of the error.
 fn renamed(client: &mut Client, file: &str, at: &str, new: &str) -> Result<BTreeMap<String, String>, String> {
-    let mut params = client.at(file, at);
-    params["newName"] = json!(new);
-    let id = client.post("textDocument/rename", params);
-    let reply = client.reply(id);
-    if let Some(error) = reply.get("error") {
-        return Err(error["message"].as_str().unwrap().to_owned());
-    }
     let mut files = BTreeMap::new();
-    for (uri, edits) in reply["result"]["changes"].as_object().unwrap() {
-        let name = [ROBOT, UNIT].into_iter().find(|name| client.uri(name) == *uri).unwrap();
+    for (uri, edits) in client.changes_of_rename(file, at, new)? {
+        let name = [ROBOT, UNIT].into_iter().find(|name| client.uri(name) == uri).unwrap();
         let mut text = client.text(name).to_owned();
-        let mut edits: Vec<(usize, usize)> = edits
-            .as_array()
-            .unwrap()
-            .iter()
-            .map(|edit| (offset(&text, &edit["range"]["start"]), offset(&text, &edit["range"]["end"])))
-            .collect();
-        edits.sort_unstable();
-        for (start, end) in edits.into_iter().rev() {
-            text.replace_range(start..end, new);
-        }
+        replace_all(&mut text, &edits, new);
         files.insert(name.to_owned(), text);
     }
     Ok(files)

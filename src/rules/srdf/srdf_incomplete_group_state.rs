@@ -5,6 +5,7 @@ use super::super::registry::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joints::{Members, is_planned};
 use model::{Text, tag_start};
+use project::Kind;
 
 pub(super) const RULE: Rule = Rule::beside(
     "SRD008",
@@ -21,7 +22,9 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     for state in &srdf.states {
         let Some(group) = state.group.as_ref().and_then(Text::name) else { continue };
         let is_set = |name: &str| state.joints.iter().any(|(joint, _)| joint.value == name);
-        let is_known = state.joints.iter().all(|(joint, _)| joint.is_known());
+        // an unknown joint most likely is the one that is missing
+        let is_one = |joint: &Text| joint.name().is_some_and(|name| !cx.lacks(Kind::Joint, name));
+        let is_known = state.joints.iter().all(|(joint, _)| is_one(joint));
         let Some(joints) = members.of(group).filter(|_| is_known) else { continue };
         let mut missing: Vec<&str> = joints.iter().copied().filter(|name| !is_set(name)).collect();
         missing.retain(|name| is_planned(cx, srdf, name));
