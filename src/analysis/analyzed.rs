@@ -12,6 +12,7 @@ use base::CancelFlag;
 use base::limits::GLOB_ENTRIES;
 use expand::{Expansion, Read, Written, write_mapped};
 use model::{Kinematics, Robot};
+use rules::Names;
 use vfs::Vfs;
 
 /// A root expanded.
@@ -27,6 +28,8 @@ pub struct Analyzed {
     /// What the rules say, once somebody has asked: most questions of an editor are about the robot alone.
     outcome: OnceLock<Outcome>,
     written: OnceLock<Written>,
+    /// The names that it has when it is expanded in other ways.
+    pub(super) further: OnceLock<Names>,
     /// When it was made, as the world counts.
     pub(super) epoch: u64,
 }
@@ -36,8 +39,8 @@ impl Analyzed {
     pub(super) fn new(root: RootChoice, expansion: Expansion, epoch: u64) -> Self {
         let robot = Robot::of(&expansion);
         let kinematics = robot.as_ref().map(Kinematics::of);
-        let (outcome, written) = (OnceLock::new(), OnceLock::new());
-        Self { root, expansion, robot, kinematics, outcome, written, epoch }
+        let (outcome, written, further) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
+        Self { root, expansion, robot, kinematics, outcome, written, further, epoch }
     }
 
     /// A root expanded once, for a check.

@@ -115,7 +115,13 @@ impl Session {
         let mut reads: BTreeSet<PathBuf> = jobs.iter().map(|job| job.file.clone()).collect();
         // most files are parts of robots: those are expanded first, and what they include needs no look of its own
         let (first, later) = self.in_turns(jobs);
-        let files = self.beside_files(options);
+        let mut files = self.beside_files(options);
+        if let Some(change) = Change::of(self, options) {
+            let reached: FastSet<&PathBuf> = first.iter().chain(&later).map(|job| &job.file).collect();
+            let is_for_reached =
+                |file: &PathBuf| self.pairing(file).roots.iter().any(|root| reached.contains(&root.file));
+            files.retain(|file| change.holds(file) || is_for_reached(file));
+        }
         let compared = Kept::of(self.beside_roots(&files));
         let mut outcomes = self.run_all(options, first, done.as_deref(), Some(&compared));
         let waiting = later.len();

@@ -62,6 +62,9 @@ impl Session {
             self.findings_of_calls(&self.robot_calls(&folder), &options.cancel, &mut known, &mut found);
             found.extend(self.outside_choices(&folder, |_| true));
         }
+        // folders may be inside of others
+        let mut seen = FastSet::default();
+        found.retain(|finding| seen.insert((finding.rule.code, finding.span, finding.message.clone())));
         found
     }
 

@@ -32,9 +32,13 @@ impl Session {
         for robot in robots {
             let calls = self.robot_calls(robot);
             for call in calls.iter().filter(|call| call.target.as_ref() == Some(robot)) {
-                found.extend(self.spelled_in(&call.call, name).filter(|span| !found.contains(span)));
+                let argument = call.call.args.iter().find(|argument| argument.name == name);
+                let span = argument.and_then(|argument| self.spelled(&call.call, argument));
+                // files that are included from many others call the robot as often
+                found.extend(span.filter(|span| !found.contains(span)));
             }
         }
+        found.retain(|span| self.is_spelled(&self.vfs.path(span.file), span.range, name));
         found.sort_by_key(|span| (span.file, span.range.start));
         found
     }
@@ -43,9 +47,25 @@ impl Session {
     pub fn gives_to_another(&self, place: Span, robots: &[PathBuf], name: &str) -> Option<PathBuf> {
         let path = self.vfs.path(place.file);
         let others = self.robot_calls(&path).into_iter().filter(|call| call.call.caller == *path);
-        let others = others.filter(|call| self.spelled_in(&call.call, name) == Some(place));
+        let stands = |call: &Call| {
+            let argument = call.args.iter().find(|argument| argument.name == name)?;
+            self.spelled(call, argument)
+        };
+        let others = others.filter(|call| stands(&call.call) == Some(place));
         let mut others = others.filter_map(|call| call.target);
         others.find(|other| !robots.contains(other) && self.known(other).names.contains(name))
+    }
+
+    /// The calls of a launch file with their arguments, wherever these stand.
+    pub(super) fn given_in(&self, path: &Path) -> Vec<String> {
+        let text = self.vfs.text(path).ok();
+        let file = text.and_then(|file| launch::read(path, &file.text));
+        let given = |call: &Call| {
+            let args =
+                call.args.iter().map(|argument| format!(" {}:={}", argument.name, argument.value.shown()));
+            call.file.shown() + &args.collect::<String>()
+        };
+        file.as_ref().map(launch::calls).unwrap_or_default().iter().map(given).collect()
     }
 
     /// The argument whose name stands at an offset of a launch file.
@@ -75,13 +95,6 @@ impl Session {
         let mut calls = self.robot_calls(path);
         calls.retain(|call| call.call.caller == *path && call.call.range.touches(offset));
         calls
-    }
-
-    /// Where a call spells the name of an argument; none where it puts the name together.
-    fn spelled_in(&self, call: &Call, name: &str) -> Option<Span> {
-        let argument = call.args.iter().find(|argument| argument.name == name)?;
-        let span = self.spelled(call, argument)?;
-        self.is_spelled(&call.caller, span.range, name).then_some(span)
     }
 
     /// Whether a text in a launch file is the name of an argument: with another text there, the calls are the same but for it.

@@ -47,7 +47,7 @@ impl Session {
             return Vec::new();
         }
         let mut found = self.never_compared(robot, known, calls);
-        found.extend(self.never_set(robot, known, calls));
+        found.extend(self.never_set(robot, known));
         found
     }
 
@@ -72,18 +72,21 @@ impl Session {
         found
     }
 
-    fn never_set(&self, robot: &Path, known: &Known, calls: &[&RobotCall]) -> Vec<Finding> {
-        if calls.iter().any(|call| call.call.open) {
+    fn never_set(&self, robot: &Path, known: &Known) -> Vec<Finding> {
+        // calls in launch files that are not checked give arguments too
+        let mut all = self.robot_calls(robot);
+        all.retain(|call| call.target.as_deref() == Some(robot));
+        if all.iter().any(|call| call.call.open) {
             return Vec::new();
         }
-        let given = calls.iter().flat_map(|call| &call.call.args).map(|argument| argument.name.as_str());
+        let given = all.iter().flat_map(|call| &call.call.args).map(|argument| argument.name.as_str());
         let mut given: FastSet<&str> = given.collect();
         let settings = self.settings(robot);
         let is_of = |root: &&Root| root.files(&self.vfs).iter().any(|file| file == robot);
         let configured = settings.config.roots.iter().filter(is_of).flat_map(|root| &root.given);
         given.extend(configured.map(|(name, _)| name.as_str()));
         let mut places: FastSet<(PathBuf, TextRange)> = FastSet::default();
-        for call in calls {
+        for call in &all {
             places.insert((call.call.caller.clone(), call.call.range));
         }
         let mut found = Vec::new();

@@ -173,34 +173,40 @@ impl World {
     /// A file was opened, or its whole text replaced.
     pub fn set_text(&mut self, path: &Path, text: String) {
         self.session.vfs.set_buffer(path, Some(text));
-        self.session.forget_pairings();
-        self.touch(path);
+        self.touch(path, true);
     }
 
     /// A range of bytes of an open file was replaced.
     pub fn edit(&mut self, path: &Path, range: TextRange, text: &str) {
-        let said = |session: &Session| (session.robot_name(path), session.is_about_robots(path));
-        let before = said(&self.session);
+        let before = self.session.said_to_others(path);
         self.session.vfs.edit_buffer(path, range, text);
-        self.touch(path);
-        if said(&self.session) != before {
-            self.session.forget_pairings();
-        }
+        self.touch(path, self.session.said_to_others(path) != before);
     }
 
     /// A file was closed: the disk counts again.
     pub fn close(&mut self, path: &Path) {
         self.session.vfs.set_buffer(path, None);
+        self.rest_on(path, true);
         self.open.remove(path);
         self.refresh(path);
     }
 
-    fn touch(&mut self, path: &Path) {
+    fn touch(&mut self, path: &Path, is_news: bool) {
         self.edits += 1;
         self.open.insert(path.to_path_buf(), self.edits);
         self.unseen.insert(path.to_path_buf());
+        self.rest_on(path, is_news);
+    }
+
+    /// Forget what rests on a file that was changed; `is_news` when it says something else to other files.
+    fn rest_on(&mut self, path: &Path, is_news: bool) {
+        if is_news {
+            self.session.forget_pairings();
+        }
         match path.file_name().and_then(|name| name.to_str()) {
             Some(name) if config::CONFIG_NAMES.contains(&name) => self.reload(),
+            // robots may be expanded with the arguments that they give
+            _ if is_launch(path) => self.epoch += u64::from(is_news),
             // what an expansion reads of them is in its record
             _ if walk::is_description(path) || sort(path).is_some() => {}
             // manifests are read by rules, which no record tells of

@@ -2,10 +2,12 @@
 
 use std::path::PathBuf;
 
+use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 use super::check_args::{CheckArgs, PROFILES};
+use rules::Category;
 use rules::consumers::Consumer;
 
 /// Linter, language server and expander for xacro and URDF robot descriptions
@@ -74,7 +76,7 @@ pub(super) struct RulesArgs {
     #[arg(value_name = "RULE")]
     pub(super) rules: Vec<String>,
     /// Only rules in this category
-    #[arg(long, value_parser = CATEGORIES)]
+    #[arg(long, value_parser = categories())]
     pub(super) category: Option<String>,
     /// Only rules of this severity
     #[arg(long, value_enum)]
@@ -90,22 +92,10 @@ pub(super) struct RulesArgs {
     pub(super) format: Plain,
 }
 
-/// Categories of rules.
-const CATEGORIES: [&str; 13] = [
-    "xml",
-    "xacro",
-    "structure",
-    "joint",
-    "frames",
-    "inertia",
-    "geometry",
-    "conventions",
-    "package",
-    "control",
-    "consumers",
-    "style",
-    "linter",
-];
+/// Names of the categories of rules.
+fn categories() -> PossibleValuesParser {
+    PossibleValuesParser::new(Category::ALL.map(Category::name))
+}
 
 /// Severities.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

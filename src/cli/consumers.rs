@@ -28,6 +28,8 @@ struct Row<'a> {
 struct Matrix<'a> {
     consumers: Vec<&'static Consumer>,
     rows: Vec<Row<'a>>,
+    /// Whether constructs that all of these consumers accept are shown too.
+    all: bool,
     expansion: &'a Expansion,
     env: &'a Environment,
 }
@@ -49,8 +51,13 @@ pub(super) fn run(args: &ConsumersArgs, env: &Environment, io: &mut Io<'_>) -> u
         return 1;
     }
     let met = met(&session, &expansion, &file);
-    let matrix =
-        Matrix { consumers: wanted(&args.consumers), rows: rows(&met, args.all), expansion: &expansion, env };
+    let matrix = Matrix {
+        consumers: wanted(&args.consumers),
+        rows: rows(&met, args.all),
+        all: args.all,
+        expansion: &expansion,
+        env,
+    };
     match args.format {
         Plain::Text => io.out(&visible(&matrix.text())),
         Plain::Json => io.out(&format!("{:#}\n", matrix.json())),
@@ -100,11 +107,10 @@ impl Matrix<'_> {
         }
         let judged = |consumer: &&&Consumer| self.verdict(consumer) > Outcome::Accepts;
         let columns: Vec<&&Consumer> = self.consumers.iter().filter(judged).collect();
-        let rows = self
-            .rows
-            .iter()
-            .filter(|row| columns.iter().any(|consumer| row.construct.outcome(consumer) > Outcome::Accepts));
-        if !columns.is_empty() {
+        let is_judged =
+            |row: &Row<'_>| columns.iter().any(|consumer| row.construct.outcome(consumer) > Outcome::Accepts);
+        let rows: Vec<_> = self.rows.iter().filter(|row| self.all || is_judged(row)).collect();
+        if !columns.is_empty() && !rows.is_empty() {
             let names: Vec<&str> = columns.iter().map(|consumer| consumer.name).collect();
             text.push_str("\nx rejects, ~ changes or ignores, - accepts\n\n");
             text.push_str(&format!("{}\n", names.join("  ")));

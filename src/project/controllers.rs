@@ -31,6 +31,8 @@ pub struct Listed {
     pub name: Named,
     /// Its class.
     pub class: Named,
+    /// Whether its parameters are in a file that the controller manager is given.
+    pub has_file: bool,
 }
 
 /// The parameters of controllers that hold names of joints.
@@ -106,8 +108,11 @@ fn is_ros1(node: &Node) -> bool {
 }
 
 fn manager(parameters: &Node, listed: &mut Vec<Listed>) {
-    let with_class = entries(parameters).filter_map(|(name, value)| Some((name, text(value, "type")?)));
-    listed.extend(with_class.map(|(name, class)| Listed { name, class }));
+    let with_class = entries(parameters).filter_map(|(name, value)| {
+        let has_file = ["params_file", "params_files"].iter().any(|key| get(value, key).is_some());
+        Some(Listed { name, class: text(value, "type")?, has_file })
+    });
+    listed.extend(with_class);
 }
 
 fn controller(name: Named, parameters: &Node, is_ros2: bool) -> Option<Controller> {

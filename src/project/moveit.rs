@@ -11,6 +11,8 @@ pub struct MoveitController {
     pub name: Named,
     /// Its joints.
     pub joints: Vec<Named>,
+    /// Whether it takes commands for a gripper, not trajectories.
+    pub is_gripper: bool,
 }
 
 /// The limits of a joint.
@@ -91,17 +93,20 @@ pub(super) fn controllers(root: &Node) -> Vec<MoveitController> {
     for manager in [Some(top), get(top, "moveit_simple_controller_manager")].into_iter().flatten() {
         let names = get(manager, "controller_names").map(Named::list).unwrap_or_default();
         for name in names {
-            let joints = get(manager, &name.name).and_then(|own| get(own, "joints"));
-            found.push(MoveitController { joints: joints.map(Named::list).unwrap_or_default(), name });
+            let own = get(manager, &name.name);
+            found.push(controller(name, own));
         }
         if let Some(Node { kind: yaml::Kind::List(items), .. }) = get(manager, "controller_list") {
-            found.extend(items.iter().filter_map(|item| {
-                let joints = get(item, "joints").map(Named::list).unwrap_or_default();
-                Some(MoveitController { name: text(item, "name")?, joints })
-            }));
+            found.extend(items.iter().filter_map(|item| Some(controller(text(item, "name")?, Some(item)))));
         }
     }
     found
+}
+
+fn controller(name: Named, parameters: Option<&Node>) -> MoveitController {
+    let joints = parameters.and_then(|own| get(own, "joints")).map(Named::list).unwrap_or_default();
+    let kind = parameters.and_then(|own| text(own, "type"));
+    MoveitController { name, joints, is_gripper: kind.is_some_and(|kind| kind.name == "GripperCommand") }
 }
 
 /// The limits of joints.

@@ -46,12 +46,9 @@ fn names_in_settings() {
         ("joint_limits:\n  a:\n    lower: 1\n", vec![]),
         ("arm:\n  kinematics_solver: kdl\n", vec![group("arm")]),
         ("planner_configs:\n  RRT: {type: x}\narm:\n  planner_configs: [RRT]\n", vec![group("arm")]),
-        ("a: [1, 2", vec![]),
         ("- 1\n- b\n", vec![]),
     ] {
-        if yaml::load(text, "a.yaml").is_ok() {
-            check_names(text, &expected);
-        }
+        check_names(text, &expected);
     }
 }
 

@@ -80,6 +80,13 @@ impl Names {
         self.joints.extend(robot.joints.iter().filter_map(|joint| joint.name.as_ref()?.name().cloned()));
     }
 
+    /// Add the names of others.
+    pub fn extend(&mut self, other: &Self) {
+        self.links.extend(other.links.iter().cloned());
+        self.joints.extend(other.joints.iter().cloned());
+        self.groups.extend(other.groups.iter().cloned());
+    }
+
     fn of(&self, kind: Kind) -> Option<&FastSet<EcoString>> {
         match kind {
             Kind::Link => Some(&self.links),

@@ -37,13 +37,30 @@ def rows():
             yield path, row
 
 
+def asked(folder):
+    """What an answer rests on beside the robot: how readers are installed and asked, and the files of the robots."""
+    sources = [path for path in HERE.rglob('*') if path.suffix in ('.py', '.cpp', '.rs', '.toml', '.mjs')]
+    meshes = [path for path in pathlib.Path(folder).rglob('*') if path.suffix in ('.stl', '.obj', '.dae')]
+    digest = hashlib.sha1()
+    for path in sorted(path for path in sources + meshes if path.is_file()):
+        digest.update(path.read_bytes())
+    return digest
+
+
 def load(reader, tools, folder, files):
     """What a reader makes of files, by file. What it said of the same text before is not asked again."""
+    around = asked(folder)
+
+    def key_of(path):
+        digest = around.copy()
+        digest.update(path.read_bytes())
+        return digest.hexdigest()
+
     store = tools.answers / ('%s.jsonl' % reader)
     known = {}
     if store.exists():
         known = {answer['hash']: answer for answer in map(json.loads, store.read_text(encoding='utf-8').splitlines())}
-    hashes = {str(path): hashlib.sha1(path.read_bytes()).hexdigest() for path in files}
+    hashes = {str(path): key_of(pathlib.Path(path)) for path in files}
     new = [path for path, key in hashes.items() if key not in known]
     for answer in ask(reader, tools, folder, new) if new else []:
         answer['hash'] = hashes[answer['file']]

@@ -46,12 +46,12 @@ export class Server implements vscode.Disposable {
     this.output = vscode.window.createOutputChannel("Xacro", { log: true });
   }
 
-  /** Whether requests are answered. */
   /** What turns answers of the server into values of VS Code. */
   get from(): LanguageClient["protocol2CodeConverter"] | undefined {
     return this.client?.protocol2CodeConverter;
   }
 
+  /** Whether requests are answered. */
   get isRunning(): boolean {
     return this.client?.isRunning() === true;
   }

@@ -3,10 +3,30 @@
 use std::path::{Path, PathBuf};
 
 use super::super::context::RootChoice;
+use super::super::launch_names::is_launch;
+use super::super::session::Session;
 use super::super::world::World;
-use super::files::{Beside, sort};
+use super::files::{Beside, Sort, sort};
 use super::judge::{Compared, Robots};
 use base::CancelFlag;
+
+impl Session {
+    /// What a file says that the pairing of other files rests on, and the arguments that it gives to robots.
+    pub(in super::super) fn said_to_others(&self, path: &Path) -> Vec<String> {
+        let mut said = vec![format!("{:?} {}", self.robot_name(path), self.is_about_robots(path))];
+        let Ok(file) = self.vfs.text(path) else { return said };
+        if is_launch(path) {
+            said.extend(self.given_in(path));
+        } else if sort(path) == Some(Sort::Yaml) {
+            let settings = self.beside_settings(path);
+            said.extend(settings.map(|settings| format!("{:?} {:?}", settings.listed, settings.assistant)));
+        } else {
+            let parameters = file.text.split("<parameters>").skip(1);
+            said.extend(parameters.filter_map(|rest| Some(rest.split_once('<')?.0.to_owned())));
+        }
+        said
+    }
+}
 
 impl World {
     /// What there is to say about the files beside robots among `paths`, and about those beside robots that are shown: those
@@ -43,8 +63,23 @@ impl World {
     /// The files beside a robot, read. `None` when cancelled.
     pub fn beside(&mut self, root: &Path, cancel: &CancelFlag) -> Option<Vec<Beside>> {
         let files = self.session().beside_of(root);
-        let robots = self.analyzed_for(&files, cancel)?;
-        Some(files.iter().filter_map(|file| self.session().beside(file, &robots)).collect())
+        self.read(&files, cancel)
+    }
+
+    /// A file beside robots, read; none when it says nothing about one. `None` when cancelled.
+    pub fn beside_itself(&mut self, path: &Path, cancel: &CancelFlag) -> Option<Option<Beside>> {
+        Some(self.read(&[path.to_owned()], cancel)?.pop())
+    }
+
+    /// Files beside robots, read: of these, only SRDFs are expanded.
+    fn read(&mut self, files: &[PathBuf], cancel: &CancelFlag) -> Option<Vec<Beside>> {
+        let mut srdfs = Robots::default();
+        for file in files.iter().filter(|file| sort(file) == Some(Sort::Srdf)) {
+            let root = RootChoice::plain(file);
+            let analyzed = self.analyzed(&root, cancel)?;
+            srdfs.insert(root, analyzed);
+        }
+        Some(files.iter().filter_map(|file| self.session().beside(file, &srdfs)).collect())
     }
 
     /// The robots that a file beside them is for, the most likely one first.

@@ -204,26 +204,39 @@ impl Session {
         let mut names = Names::default();
         for analyzed in paired {
             self.add_written(&analyzed.root.file, &mut names);
-            let switches =
-                analyzed.expansion.arguments.iter().filter_map(|(name, value)| {
-                    match turned_over(value).as_slice() {
-                        [other] => Some((name.to_string(), (*other).to_owned())),
-                        _ => None,
+            match analyzed.further.get() {
+                Some(known) => names.extend(known),
+                None => {
+                    let made = self.names_otherwise(analyzed, cancel);
+                    names.extend(&made);
+                    if !cancel.is_cancelled() {
+                        let _ = analyzed.further.set(made);
                     }
-                });
-            let switches: Vec<(String, String)> = switches.take(MOST_SWITCHES).collect();
-            let chosen = self.launch_choices(&analyzed.root.file).into_iter();
-            let chosen =
-                chosen.flat_map(|(name, values)| values.into_iter().map(move |value| (name.clone(), value)));
-            let chosen: Vec<(String, String)> = chosen.take(MOST_CHOICES).collect();
-            let single = switches.iter().chain(&chosen).map(|switch| vec![switch.clone()]);
-            let together = (switches.len() > 1).then(|| switches.clone());
-            for more in single.chain(together) {
-                let base = job::request(self, cancel, &job_of(&analyzed.root));
-                let args = base.args.iter().cloned().chain(more).collect();
-                let expansion = expand(job::world(self), &Request { args, probe: false, ..base });
-                Robot::of(&expansion).iter().for_each(|robot| names.add(robot));
+                }
             }
+        }
+        names
+    }
+
+    fn names_otherwise(&self, analyzed: &Analyzed, cancel: &CancelFlag) -> Names {
+        let mut names = Names::default();
+        let turned = |(name, value): &(EcoString, EcoString)| match turned_over(value).as_slice() {
+            [other] => Some((name.to_string(), (*other).to_owned())),
+            _ => None,
+        };
+        let switches: Vec<(String, String)> =
+            analyzed.expansion.arguments.iter().filter_map(turned).take(MOST_SWITCHES).collect();
+        let chosen = self.launch_choices(&analyzed.root.file).into_iter();
+        let chosen =
+            chosen.flat_map(|(name, values)| values.into_iter().map(move |value| (name.clone(), value)));
+        let chosen: Vec<(String, String)> = chosen.take(MOST_CHOICES).collect();
+        let single = switches.iter().chain(&chosen).map(|switch| vec![switch.clone()]);
+        let together = (switches.len() > 1).then(|| switches.clone());
+        for more in single.chain(together).take_while(|_| !cancel.is_cancelled()) {
+            let base = job::request(self, cancel, &job_of(&analyzed.root));
+            let args = base.args.iter().cloned().chain(more).collect();
+            let expansion = expand(job::world(self), &Request { args, probe: false, ..base });
+            Robot::of(&expansion).iter().for_each(|robot| names.add(robot));
         }
         names
     }

@@ -8,7 +8,7 @@ use xml::NodeKind;
 /// Elements of `<gazebo>` that hold a number.
 const NUMBERS: [&str; 8] = ["mu1", "mu2", "kp", "kd", "maxVel", "max_vel", "minDepth", "min_depth"];
 /// The types of sensors of SDFormat.
-const SENSORS: [&str; 32] = [
+const SENSORS: [&str; 35] = [
     "air_pressure",
     "air_speed",
     "airpressure",
@@ -38,9 +38,12 @@ const SENSORS: [&str; 32] = [
     "rgbd",
     "rgbd_camera",
     "segmentation",
+    "segmentation_camera",
     "sonar",
     "thermal",
     "thermal_camera",
+    "wireless_receiver",
+    "wireless_transmitter",
 ];
 
 pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {

@@ -85,7 +85,7 @@ fn one<'t>(
     None
 }
 
-/// What holds for links and joints.
+/// What holds for a link whatever it is in the robot.
 fn common(name: &Text, owner: &str, out: &mut Found) {
     let value = name.value.as_str();
     let mut add = |row: &str| out.add(row, name.origin, owner);

@@ -66,8 +66,14 @@ fn report(cx: &DocumentCx<'_>, outcome: Outcome, out: &mut Sink<'_>) {
 
 /// Whether a construct needs a newer urdfdom than the oldest one that has to load the robot.
 fn is_newer(met: &Met, oldest: &str) -> bool {
-    let numbers = |text: &str| text.split('.').map(|part| part.parse().unwrap_or(0)).collect::<Vec<u32>>();
-    met.construct.oldest.as_ref().is_some_and(|needed| numbers(needed) > numbers(oldest))
+    met.construct.oldest.as_ref().is_some_and(|needed| version(needed) > version(oldest))
+}
+
+/// The numbers of a version; `6` is `6.0`.
+fn version(text: &str) -> Vec<u32> {
+    let mut parts: Vec<u32> = text.split('.').map(|part| part.parse().unwrap_or(0)).collect();
+    parts.truncate(parts.iter().rposition(|&part| part > 0).map_or(0, |last| last + 1));
+    parts
 }
 
 fn say(met: &Met, outcome: Outcome, who: &[String], out: &mut Sink<'_>) {
@@ -108,5 +114,17 @@ fn listed(names: &[String]) -> String {
     match names {
         [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
         _ => names.concat(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::version;
+
+    #[test]
+    fn versions() {
+        assert_eq!(version("6"), version("6.0.0"));
+        assert!(version("6.0") > version("5.1") && version("3.10") > version("3.9"));
+        assert!(version("6.0.1") > version("6"));
     }
 }

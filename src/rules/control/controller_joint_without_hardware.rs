@@ -3,6 +3,7 @@
 use super::super::beside::BesideCx;
 use super::super::registry::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
+use super::controller_unknown_interface::is_commanding;
 use super::hardware::Hardware;
 use project::joint_keys;
 
@@ -22,7 +23,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         for (key, joint) in &controller.joints {
             // the joints that the broadcaster publishes need no hardware
             let is_driven = match key.as_str() {
-                "joints" => !controller.commands.is_empty(),
+                "joints" => is_commanding(cx, controller),
                 key => key != "extra_joints" && joint_keys().contains(&key),
             };
             if !is_driven || hardware.has(&joint.name) || cx.joints(&joint.name).next().is_none() {

@@ -56,6 +56,13 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
+/// Whether a controller commands the joints of its parameter `joints`.
+pub(super) fn is_commanding(cx: &BesideCx<'_>, controller: &Controller) -> bool {
+    let class = class_of(cx, controller);
+    let is_by_class = || COMMANDED.iter().any(|(of, key, _)| Some(*of) == class && *key == "joints");
+    !controller.commands.is_empty() || controller.interface.is_some() || is_by_class()
+}
+
 /// The joints of a parameter.
 fn joints<'a>(controller: &'a Controller, key: &str) -> impl Iterator<Item = &'a Named> {
     controller.joints.iter().filter(move |(own, _)| own == key).map(|(_, joint)| joint)

@@ -35,7 +35,9 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     let given: FastSet<&str> = names(cx.all_settings());
     let listed: FastSet<&str> =
         cx.all_settings().flat_map(|settings| &settings.listed).map(|one| one.name.name.as_str()).collect();
-    for one in own.listed.iter().filter(|one| NEED_JOINTS.contains(&one.class.name.as_str())) {
+    let needing =
+        own.listed.iter().filter(|one| !one.has_file && NEED_JOINTS.contains(&one.class.name.as_str()));
+    for one in needing {
         if given.contains(one.name.name.as_str()) {
             continue;
         }
@@ -50,14 +52,13 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     for controller in
         own.controllers.iter().filter(|one| one.is_ros2 && one.class.is_none() && !one.joints.is_empty())
     {
-        if !listed.contains(controller.name.name.as_str()) {
-            let message =
-                format!("parameters of `{}`, which no controller manager lists", controller.name.name);
-            let help = match nearest(&controller.name.name, listed.iter().copied()) {
-                Some(near) => format!("did you mean `{near}`?"),
-                None => "list it with its `type` in the parameters of the controller manager".to_owned(),
-            };
-            cx.report(out, &controller.name, message).help(help).done();
+        let name = controller.name.name.as_str();
+        // other nodes have parameters too: only what looks like a listed controller is meant for one
+        let lacking = listed.iter().copied().filter(|one| !given.contains(one));
+        let near = nearest(name, lacking).filter(|_| !listed.contains(name));
+        if let Some(near) = near {
+            let message = format!("parameters of `{name}`, which no controller manager lists");
+            cx.report(out, &controller.name, message).help(format!("did you mean `{near}`?")).done();
         }
     }
 }

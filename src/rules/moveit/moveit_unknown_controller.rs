@@ -30,11 +30,15 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let message = format!("controller `{name}` is not in any controller manager of the robot");
-        let help = match nearest(name, listed.iter().copied()) {
+        let near = nearest(name, listed.iter().copied());
+        // the driver of a gripper may offer the action itself
+        let is_of_driver = controller.is_gripper && near.is_none();
+        let severity = if is_of_driver { Severity::Info } else { RULE.severity };
+        let help = match near {
             Some(near) => format!("did you mean `{near}`?"),
             None => format!("add `{name}` with its `type` to the parameters of the controller manager"),
         };
-        cx.report(out, &controller.name, message).help(help).done();
+        cx.report(out, &controller.name, message).severity(severity).help(help).done();
     }
 }
 

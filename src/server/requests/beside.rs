@@ -45,7 +45,17 @@ pub fn asked_beside(
     offset: u32,
     cancel: &CancelFlag,
 ) -> Result<Option<Asked>, Failure> {
-    for root in state.world.robots_beside(path) {
+    let roots = state.world.robots_beside(path);
+    if roots.is_empty() {
+        return Ok(None);
+    }
+    // most places of YAML are at no name: no robot is expanded for them
+    let own = state.world.beside_itself(path, cancel).ok_or(Failure::Cancelled)?;
+    let names = own.map(|own| names_in(state, &own)).unwrap_or_default();
+    if !names.iter().any(|name| name.place.range.touches(offset)) {
+        return Ok(None);
+    }
+    for root in roots {
         let beside = names_beside(state, &root, cancel)?;
         let range = |name: &BesideName| name.place.file == source.id && name.place.range.touches(offset);
         if !beside.iter().any(range) {

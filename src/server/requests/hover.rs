@@ -1,7 +1,7 @@
 //! F4: what is shown under the pointer.
 
 use super::launch::{is_about_launch, launched};
-use super::navigation::asked;
+use super::navigation::asked_for_name;
 use lsp_types::{HoverContents, HoverParams, TextDocumentPositionParams};
 
 use super::navigation::Asked;
@@ -29,7 +29,7 @@ pub fn hover(
     if let Some(found) = hover_while_typing(state, &params.text_document_position_params)? {
         return Ok(Some(found));
     }
-    let asked = asked(state, &params.text_document_position_params, cancel)?;
+    let Some(asked) = asked_for_name(state, at, cancel)? else { return Ok(None) };
     Ok(hover_at(state, &asked, asked.offset).map(|hover| hover_answer(state, &asked.source, hover)))
 }
 

@@ -14,7 +14,7 @@ use lsp_types::{
 use crate::convert;
 use crate::failure::Failure;
 use crate::state::State;
-use analysis::{Analyzed, RootChoice};
+use analysis::{Analyzed, RootChoice, is_launch, is_settings};
 use base::{CancelFlag, Span, TextRange};
 use expand::FrameId;
 use ide::{self, BesideName, Cx, FilePlace, Target, TextNames};
@@ -66,9 +66,6 @@ pub fn asked(
 ) -> Result<Asked, Failure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    if let Some(asked) = asked_beside(state, (&path, &source), offset, cancel)? {
-        return Ok(asked);
-    }
     let root = state.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path));
     let mut analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
     let around = analyzed.clone();
@@ -78,8 +75,25 @@ pub fn asked(
     }
     let pin = state.pins.get(&analyzed.root.file);
     let pinned = pin.and_then(|pin| ide::pinned(&analyzed.expansion, pin));
-    let beside = names_beside(state, &analyzed.root, cancel)?;
-    Ok(Asked { source, analyzed, around, offset, beside, pinned })
+    Ok(Asked { source, analyzed, around, offset, beside: Vec::new(), pinned })
+}
+
+/// The same with the names in files beside the robot, for who asks what a name is; also in such a file. None in YAML and launch
+/// files at what is no name of a robot.
+pub fn asked_for_name(
+    state: &mut State,
+    at: &TextDocumentPositionParams,
+    cancel: &CancelFlag,
+) -> Result<Option<Asked>, Failure> {
+    let (path, source) = state.source(&at.text_document.uri)?;
+    let offset = convert::offset(&source.document, at.position, state.encoding);
+    let found = asked_beside(state, (&path, &source), offset, cancel)?;
+    if found.is_some() || is_settings(&path) || is_launch(&path) {
+        return Ok(found);
+    }
+    let asked = asked(state, at, cancel)?;
+    let beside = names_beside(state, &asked.analyzed.root, cancel)?;
+    Ok(Some(Asked { beside, ..asked }))
 }
 
 pub fn definition(
@@ -95,7 +109,7 @@ pub fn definition(
             places_of(state, origin, &[found.target], state.client.links.definition)
         }));
     }
-    let asked = asked(state, at, cancel)?;
+    let Some(asked) = asked_for_name(state, at, cancel)? else { return Ok(None) };
     // a name of xacro comes first, then a file, then the link or joint that the whole text names
     let by_text = || ide::definitions_by_text(&asked.cx(), &asked.names(state), asked.offset);
     let symbol = match asked.cx().symbol_at(asked.offset) {
@@ -235,7 +249,8 @@ pub fn highlights(
     params: DocumentHighlightParams,
     cancel: &CancelFlag,
 ) -> Result<Option<Vec<DocumentHighlight>>, Failure> {
-    let asked = asked(state, &params.text_document_position_params, cancel)?;
+    let at = &params.text_document_position_params;
+    let Some(asked) = asked_for_name(state, at, cancel)? else { return Ok(None) };
     let document = &asked.source.document;
     let highlight = |range: TextRange, kind| DocumentHighlight {
         range: convert::range(document, range, state.encoding),

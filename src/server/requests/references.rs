@@ -2,7 +2,7 @@
 
 use super::branches::inside;
 use super::launch::{in_launch_files, launched};
-use super::navigation::asked;
+use super::navigation::asked_for_name;
 use crate::convert::places;
 use std::path::PathBuf;
 
@@ -30,7 +30,10 @@ pub fn references(
     let at = &params.text_document_position;
     let mut asked = match launched(state, at, cancel)? {
         Some(found) => found.asked,
-        None => asked(state, at, cancel)?,
+        None => match asked_for_name(state, at, cancel)? {
+            Some(asked) => asked,
+            None => return Ok(None),
+        },
     };
     let is_name = |asked: &Asked| ide::robot_name_at(&asked.cx(), asked.offset).is_some();
     if ide::kind_at(&asked.cx(), &asked.names(state), asked.offset).is_none() && !is_name(&asked) {

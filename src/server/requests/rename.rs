@@ -2,7 +2,7 @@
 
 use super::branches::{in_all_robots, inside};
 use super::launch::{in_launch_files, launched};
-use super::navigation::asked;
+use super::navigation::asked_for_name;
 use crate::convert::location;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
@@ -36,7 +36,7 @@ pub fn prepare_rename(
         let placeholder = found.source.document.slice(found.range);
         return Ok(Some(PrepareRenameResponse::RangeWithPlaceholder { range, placeholder }));
     }
-    let asked = asked_for_name(state, &params, cancel)?;
+    let Some(asked) = asked_to_rename(state, &params, cancel)? else { return Ok(None) };
     let found = ide::renameable(&asked.cx(), &asked.names(state), asked.offset);
     Ok(found.map(|(range, placeholder)| {
         let range = convert::range(&asked.source.document, range, state.encoding);
@@ -50,7 +50,9 @@ pub fn rename(
     cancel: &CancelFlag,
 ) -> Result<Option<WorkspaceEdit>, Failure> {
     scan_all(state, cancel)?;
-    let asked = asked_for_name(state, &params.text_document_position, cancel)?;
+    let Some(asked) = asked_to_rename(state, &params.text_document_position, cancel)? else {
+        return Ok(None);
+    };
     let new = params.new_name.as_str();
     let names = asked.names(state);
     let mut spans = ide::rename(&asked.cx(), &names, asked.offset, new).map_err(Failure::Refused)?;
@@ -84,19 +86,19 @@ pub fn rename(
 }
 
 /// A place with a name; where nothing evaluated it, in the expansion that takes the branch around it.
-fn asked_for_name(
+fn asked_to_rename(
     state: &mut State,
     at: &TextDocumentPositionParams,
     cancel: &CancelFlag,
-) -> Result<Asked, Failure> {
+) -> Result<Option<Asked>, Failure> {
     if let Some(found) = launched(state, at, cancel)? {
-        return Ok(found.asked);
+        return Ok(Some(found.asked));
     }
-    let asked = asked(state, at, cancel)?;
+    let Some(asked) = asked_for_name(state, at, cancel)? else { return Ok(None) };
     if ide::renameable(&asked.cx(), &asked.names(state), asked.offset).is_some() {
-        return Ok(asked);
+        return Ok(Some(asked));
     }
-    Ok(inside(state, &asked, cancel)?.unwrap_or(asked))
+    Ok(Some(inside(state, &asked, cancel)?.unwrap_or(asked)))
 }
 
 /// Whether robots stay what they are but for the name.

@@ -364,7 +364,9 @@ fn search(vfs: &Vfs, top: &Path) -> Uses {
             let path = folder.join(&entry.name);
             let passed_over =
                 entry.name.starts_with('.') || is_built(&entry.name) || entry.name == "node_modules";
-            if !entry.is_dir && read::is_beside(&entry.name) && uses.beside.len() < CALLER_FILES {
+            let is_small = || vfs.size(&path).is_some_and(|size| size <= CALLER_BYTES);
+            let fits = || entry.name.contains(".srdf") || is_small();
+            if !entry.is_dir && read::is_beside(&entry.name) && uses.beside.len() < CALLER_FILES && fits() {
                 uses.beside.push(path.clone());
             }
             match entry.is_dir {
@@ -372,8 +374,7 @@ fn search(vfs: &Vfs, top: &Path) -> Uses {
                 true => open.push((path, depth + 1)),
                 false if files < CALLER_FILES && read::may_call(&entry.name) => {
                     files += 1;
-                    let is_small = vfs.size(&path).is_some_and(|size| size <= CALLER_BYTES);
-                    let text = is_small.then(|| vfs.text(&path).ok()).flatten();
+                    let text = is_small().then(|| vfs.text(&path).ok()).flatten();
                     if let Some(file) = text {
                         uses.callers.extend(read::caller(&path, &file.text));
                         if launch::may_call(&file.text) {

@@ -59,7 +59,18 @@ impl Applier {
                         config.consumers.extend(name.filter(|name| !config.consumers.contains(name)));
                     }
                 }
-                "oldest-reader" => config.oldest_reader = self.text(entry).map(str::to_owned),
+                "oldest-reader" => {
+                    let is_version = |text: &&str| text.split('.').all(|part| part.parse::<u32>().is_ok());
+                    let version = self.text(entry);
+                    config.oldest_reader = version.filter(is_version).map(str::to_owned);
+                    if let Some(text) = version.filter(|text| !is_version(text)) {
+                        let key = &entry.key;
+                        let message = format!(
+                            "invalid value `{text}` for `{key}`; use a version of urdfdom, such as `4.0`"
+                        );
+                        self.warn(entry.value.range, message, None);
+                    }
+                }
                 "profile" => {
                     let all = [Profile::RosIndustrial, Profile::Mobile, Profile::Gazebo, Profile::Pedantic];
                     for value in self.values(entry) {

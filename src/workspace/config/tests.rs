@@ -246,6 +246,10 @@ fn what_does_not_fit_is_a_warning_and_the_rest_holds() {
             "target = 'ros3'",
             "1:10: invalid value `ros3` for `target`; use `ros2`, `ros1`; did you mean `ros2`?",
         ),
+        (
+            "oldest-reader = 'newest'",
+            "1:17: invalid value `newest` for `oldest-reader`; use a version of urdfdom, such as `4.0`",
+        ),
         ("profile = 'mobile'", "1:11: `profile` must be a list, not a string"),
         (
             "profile = ['moblie']",
