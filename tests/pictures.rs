@@ -64,6 +64,74 @@ fn difference(a: &Path, b: &Path) -> f64 {
     far.count() as f64 / f64::from(w * h)
 }
 
+/// An arm of URDF 1.1 or 1.2; the three shapes that stand for a capsule in 1.0 are given, and so are both rotations.
+fn arm(version: &str, limit: &str, capsule: impl Fn(&str, f64, f64) -> String, turns: [&str; 2]) -> String {
+    let [lying, tilted] = turns;
+    let (upper, fore) =
+        (capsule("xyz=\"0 0 0.25\"", 0.06, 0.4), capsule(&format!("xyz=\"0.2 0 0\" {lying}"), 0.05, 0.3));
+    let joint = |name: &str, kind: &str, [parent, child]: [&str; 2], origin: &str| {
+        format!(
+            "<joint name=\"{name}\" type=\"{kind}\"><parent link=\"{parent}\"/><child link=\"{child}\"/><origin {origin}/>\
+             <axis xyz=\"0 1 0\"/><limit lower=\"-2\" upper=\"2\" effort=\"10\" velocity=\"1\" {limit}/></joint>"
+        )
+    };
+    let shape = |shape: &str| format!("<visual><geometry>{shape}</geometry></visual>");
+    let base = shape("<cylinder radius=\"0.15\" length=\"0.1\"/>");
+    let flange = shape("<box size=\"0.04 0.2 0.1\"/>");
+    format!(
+        "<robot name=\"arm\" {version}><link name=\"base_link\">{base}</link><link name=\"upper_arm\">{upper}</link>\
+         <link name=\"forearm\">{fore}</link><link name=\"flange\">{flange}</link>{}{}{}</robot>",
+        joint("shoulder", "revolute", ["base_link", "upper_arm"], "xyz=\"0 0 0.05\""),
+        joint("elbow", "revolute", ["upper_arm", "forearm"], "xyz=\"0 0 0.5\""),
+        joint("wrist", "fixed", ["forearm", "flange"], &format!("xyz=\"0.42 0 0\" {tilted}")),
+    )
+}
+
+#[test]
+fn capsules_and_quaternions_are_drawn_as_what_they_stand_for() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("newer_urdf");
+    fs::create_dir_all(&folder).unwrap();
+    let capsule = |origin: &str, radius: f64, length: f64| {
+        format!(
+            "<visual><origin {origin}/><geometry><capsule radius=\"{radius}\" length=\"{length}\"/></geometry></visual>"
+        )
+    };
+    // the ends lie along the axis of the cylinder: z, and x for the one that is turned
+    let shapes = |origin: &str, radius: f64, length: f64| {
+        let visual = |origin: &str, shape: &str| {
+            format!("<visual><origin {origin}/><geometry>{shape}</geometry></visual>")
+        };
+        let ends = if origin.contains("rpy") {
+            [format!("{} 0 0", 0.2 - length / 2.0), format!("{} 0 0", 0.2 + length / 2.0)]
+        } else {
+            [format!("0 0 {}", 0.25 - length / 2.0), format!("0 0 {}", 0.25 + length / 2.0)]
+        };
+        let cylinder = visual(origin, &format!("<cylinder radius=\"{radius}\" length=\"{length}\"/>"));
+        let ends =
+            ends.map(|end| visual(&format!("xyz=\"{end}\""), &format!("<sphere radius=\"{radius}\"/>")));
+        format!("{cylinder}{}", ends.concat())
+    };
+    let quaternions = ["quat_xyzw=\"0 0.70710678 0 0.70710678\"", "quat_xyzw=\"0.3826834 0 0 0.9238795\""];
+    let angles = ["rpy=\"0 1.5707963 0\"", "rpy=\"0.7853982 0 0\""];
+    let draw = |name: &str, text: String| {
+        let robot = folder.join(name).with_extension("urdf");
+        fs::write(&robot, text).unwrap();
+        draw((name, robot.to_str().unwrap(), "--size 480x400"), &folder)
+    };
+    let newer = draw("version_1_1.png", arm("version=\"1.1\"", "", capsule, quaternions));
+    let newest =
+        arm("version=\"1.2\"", "acceleration=\"2\" deceleration=\"2\" jerk=\"3\"", capsule, quaternions);
+    let newest = draw("version_1_2.png", newest);
+    let older = draw("version_1_0.png", arm("", "", shapes, angles));
+    assert_eq!(fs::read(&newer).unwrap(), fs::read(newest).unwrap(), "limits are not drawn");
+    let part = difference(&newer, &older);
+    assert!(part < 0.005, "{part} of the picture differs from that of cylinders, spheres and angles");
+    // older robots know no quaternions: urdfdom ignores them
+    let ignored = draw("ignored.png", arm("version=\"1.0\"", "", capsule, quaternions));
+    let part = difference(&newer, &ignored);
+    assert!(part > 0.05, "{part} of the picture shows that a quaternion counts for nothing in URDF 1.0");
+}
+
 #[test]
 fn the_pictures_of_the_documentation_are_up_to_date() {
     let images = repository().join("docs/images");

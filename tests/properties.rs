@@ -97,7 +97,8 @@ macro_rules! properties {
     };
 }
 
-properties! { xml edits formatter expression yaml expander fixes mesh configuration launch messages }
+properties! { xml edits formatter expression yaml expander fixes mesh configuration launch
+launch_requests messages }
 
 /// Inputs that made a function fail once; `tests/fuzz/regressions/TARGET-WHAT`.
 #[test]

@@ -36,7 +36,8 @@ fn root() -> &'static Path {
 
 /// Whether a text begins with a capital letter that is not part of an abbreviation or a name.
 fn is_capitalized(text: &str) -> bool {
-    const NAMES: &[&str] = &["RViz", "Gazebo", "SDFormat", "Python", "Linux", "ROS-Industrial"];
+    const NAMES: &[&str] =
+        &["RViz", "Gazebo", "Drake", "Pinocchio", "Isaac", "SDFormat", "Python", "Linux", "ROS-Industrial"];
     let word = text.split(|c: char| !c.is_alphanumeric() && c != '-').next().unwrap_or_default();
     let is_name = NAMES.contains(&word) || word.chars().skip(1).any(char::is_uppercase);
     word.chars().next().is_some_and(char::is_uppercase) && !is_name

@@ -39,4 +39,15 @@
     });
     code.innerHTML = marked.join('\n');
   }
+
+  // the bad example of a rule, to be changed and checked in the browser
+  const [, rule] = /\/rules\/([a-z0-9-]+)\.html$/.exec(location.pathname) ?? [];
+  const bad = document.querySelector('code.bad');
+  if (rule && bad) {
+    const link = document.createElement('a');
+    link.href = `../playground/index.html#rule=${rule}`;
+    link.className = 'try';
+    link.textContent = 'Open in the playground';
+    bad.closest('pre').after(link);
+  }
 })();

@@ -28,16 +28,19 @@ impl Admission<'_> {
     /// The fixes of these findings that can be made together: all of them, or those of each half that can.
     pub(super) fn of(&self, numbers: &[usize]) -> Admitted {
         let mut good = Vec::new();
-        let is_repair = |number: &usize| {
-            self.report.findings.get(*number).is_some_and(|finding| claim(finding) == Claim::Repaired)
+        let of = |wanted: Claim| -> Vec<usize> {
+            let is_it = |number: &usize| {
+                self.report.findings.get(*number).is_some_and(|found| claim(found) == wanted)
+            };
+            numbers.iter().copied().filter(is_it).collect()
         };
-        let (repairs, others): (Vec<usize>, Vec<usize>) =
-            numbers.iter().partition(|number| is_repair(number));
+        let repairs = of(Claim::Repaired);
         self.add(&mut good, &repairs, self.claim(Claim::Repaired));
         // beside repairs nothing else is proved: it waits for the next round
         let has_time = good.is_empty() || self.most == Safety::Unsafe;
         if has_time {
-            self.add(&mut good, &others, self.claim(Claim::Same));
+            self.add(&mut good, &of(Claim::Same), self.claim(Claim::Same));
+            self.add(&mut good, &of(Claim::Fitted), self.claim(Claim::Fitted));
         }
         let tried = if has_time { numbers } else { &repairs };
         let refused = tried.iter().filter(|number| !good.contains(number)).copied().collect();

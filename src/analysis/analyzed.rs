@@ -10,7 +10,7 @@ use super::roots::{Job, Reason};
 use super::session::Session;
 use base::CancelFlag;
 use base::limits::GLOB_ENTRIES;
-use expand::{Expansion, Read, Written, write_mapped};
+use expand::{Expansion, Read, SymbolKind, Written, write_mapped};
 use model::{Kinematics, Robot};
 use rules::Names;
 use vfs::Vfs;
@@ -45,7 +45,7 @@ impl Analyzed {
 
     /// A root expanded once, for a check.
     pub(super) fn of(session: &Session, root: &RootChoice, options: &CheckOptions) -> Self {
-        Self::new(root.clone(), job::expansion(session, options, &job_of(root)), 0)
+        Self::new(root.clone(), job::expansion(session, &options.cancel, &job_of(root), None), 0)
     }
 
     /// The expanded document as text, with its map.
@@ -54,11 +54,23 @@ impl Analyzed {
         self.written.get_or_init(|| write_mapped(&self.expansion.tree, name))
     }
 
+    /// The arguments with their values, in the order in which they are declared: what matters is declared first.
+    pub fn declared_arguments(&self) -> Vec<(&str, &str)> {
+        let definitions = self.expansion.symbols.definitions.iter();
+        let names = definitions.filter(|given| given.kind == SymbolKind::Argument);
+        let order: Vec<&str> = names.map(|given| given.name.as_str()).collect();
+        let arguments = self.expansion.arguments.iter().map(|(name, value)| (name.as_str(), value.as_str()));
+        let mut arguments: Vec<(&str, &str)> = arguments.collect();
+        arguments.sort_by_key(|(name, _)| order.iter().position(|known| known == name).unwrap_or(usize::MAX));
+        arguments
+    }
+
     /// What the rules say. `None` when cancelled.
     pub(super) fn outcome(&self, session: &Session, cancel: &CancelFlag) -> Option<&Outcome> {
         if self.outcome.get().is_none() {
             let (job, robot) = (job_of(&self.root), self.robot.as_ref());
-            let outcome = job::judge(session, cancel, job, &self.expansion, robot);
+            let options = CheckOptions { cancel: cancel.clone(), ..CheckOptions::default() };
+            let outcome = job::judge(session, &options, job, &self.expansion, robot);
             if cancel.is_cancelled() {
                 return None;
             }

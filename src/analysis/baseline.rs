@@ -114,7 +114,7 @@ impl Baseline {
 impl Key {
     fn of(report: &Report, finding: &Finding, folder: &Path) -> Self {
         let path = report.path(finding.span.file);
-        let file = path.strip_prefix(folder).unwrap_or(path).to_string_lossy().replace('\\', "/");
+        let file = vfs::slashed(path.strip_prefix(folder).unwrap_or(path));
         let line = format!("{:016x}", fingerprint(&[report.line(finding.span).trim()]));
         Self { file, rule: finding.rule.name.to_owned(), line }
     }

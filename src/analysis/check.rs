@@ -38,6 +38,8 @@ pub struct CheckOptions {
     pub changed: Vec<PathBuf>,
     /// Arguments of every expansion, over those of configured roots.
     pub args: Vec<(String, String)>,
+    /// Whether to count what programs reject or change that nobody named.
+    pub count_consumers: bool,
     /// Set to stop early.
     pub cancel: CancelFlag,
     /// Says how far the check is.
@@ -267,7 +269,11 @@ impl Session {
                 let names = report.incomplete.entry(outcome.job.file.clone()).or_default();
                 names.extend(outcome.unfound.iter().cloned());
             }
-            report.partial.extend(outcome.is_partial.then(|| outcome.job.file.clone()));
+            report.partial.extend(outcome.cut.clone().map(|cut| (outcome.job.file.clone(), cut)));
+            if !outcome.consumers.is_empty() {
+                let counted = report.consumers.entry(outcome.job.file.clone()).or_default();
+                counted.extend(outcome.consumers.iter().map(|(name, worst)| (*name, *worst)));
+            }
             report.nameless.extend(outcome.is_nameless.then(|| outcome.job.file.clone()));
         }
         let homes = self.homes(options);
@@ -438,7 +444,7 @@ impl Session {
         let Some(severity) = self.settings(&path).severity(finding, &path) else { return false };
         finding.severity = severity;
         // what `$(find)` made absolute is shown as the user would write it
-        let cwd = format!("{}/", self.env.cwd.display());
+        let cwd = format!("{}/", vfs::slashed(&self.env.cwd));
         let related = finding.related.iter_mut().map(|related| &mut related.message);
         for text in std::iter::once(&mut finding.message).chain(&mut finding.help).chain(related) {
             if text.contains(&cwd) {

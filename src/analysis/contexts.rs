@@ -188,7 +188,7 @@ impl Contexts {
     fn label(&self, number: usize) -> Option<String> {
         let run = self.runs.get(number)?;
         let short = name(&run.file);
-        let long = || run.file.display().to_string();
+        let long = || vfs::slashed(&run.file);
         let name = if self.ambiguous.contains(&short) { long() } else { short };
         Some(label(name, &run.args))
     }

@@ -222,7 +222,7 @@ impl Session {
 
     /// The command that generates a file again.
     fn command(&self, way: &Way, file: &Path) -> String {
-        let shown = |path: &Path| path.strip_prefix(&self.env.cwd).unwrap_or(path).display().to_string();
+        let shown = |path: &Path| vfs::slashed(path.strip_prefix(&self.env.cwd).unwrap_or(path));
         let source = super::contexts::label(shown(&way.source), &way.args);
         format!("xacro-lint expand {source} -o {}", shown(file))
     }

@@ -178,7 +178,10 @@ pub fn is_said_safe(finding: &Finding) -> bool {
 
 /// What a fix that is said to be safe promises.
 pub(super) fn claim(finding: &Finding) -> Claim {
-    use Category::{Joint, Structure, Xacro, Xml};
+    use Category::{Consumers, Joint, Structure, Xacro, Xml};
+    if finding.rule.category == Consumers {
+        return Claim::Fitted;
+    }
     let is_refused = finding.rule.severity == Severity::Error
         && matches!(finding.rule.category, Joint | Structure | Xacro | Xml);
     if is_refused { Claim::Repaired } else { Claim::Same }

@@ -1,12 +1,12 @@
 //! One defect, one finding: places of one defect are put together at the very end, for whoever reads the report.
 //! Until then each place is a finding of its own: suppressions, baselines, fixes and `--changed` count places.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use indexmap::IndexMap;
 
 use super::report::Report;
-use base::{FastSet, FileId, Span};
+use base::{FastMap, FastSet, FileId, Span};
 use rules::{Edit, Finding, Fix, Group, Related, Severity};
 
 /// What the findings of a group share.
@@ -26,7 +26,8 @@ impl Report {
     /// edits all of them.
     #[must_use]
     pub fn grouped(mut self) -> Self {
-        let groups = groups(&self.findings, false, |span| self.text(span));
+        let copied = self.copied();
+        let groups = groups(&self.findings, Some(&copied), |span| self.text(span));
         let mut findings: Vec<Option<Finding>> = self.findings.into_iter().map(Some).collect();
         for group in groups {
             let mut members = group.iter().filter_map(|&i| findings.get_mut(i).and_then(Option::take));
@@ -37,6 +38,24 @@ impl Report {
         }
         self.findings = findings.into_iter().flatten().collect();
         self
+    }
+
+    /// The files with findings whose text another one has as well, each with the first of that text.
+    fn copied(&self) -> FastMap<FileId, FileId> {
+        let files: BTreeSet<FileId> = self.findings.iter().map(|finding| finding.span.file).collect();
+        let mut by_text: FastMap<u64, Vec<FileId>> = FastMap::default();
+        for file in files {
+            if let Some(source) = self.source(file) {
+                by_text.entry(source.hash).or_default().push(file);
+            }
+        }
+        let several = by_text.into_values().filter(|files| files.len() > 1);
+        several
+            .flat_map(|files| {
+                let first = files.first().copied();
+                files.into_iter().filter_map(move |file| Some((file, first?)))
+            })
+            .collect()
     }
 
     /// Mark the places of one defect for an editor, see `mark_groups` below.
@@ -54,7 +73,7 @@ impl Report {
 /// Mark the places of one defect for an editor. There every file is looked at by itself: the first place in a file
 /// keeps its severity and names the others, and the others become hints that lead to the first.
 fn mark_groups(findings: &mut [Finding], text: impl Fn(Span) -> Option<String>) {
-    for group in groups(findings, true, text) {
+    for group in groups(findings, None, text) {
         let Some((&first, others)) = group.split_first() else { continue };
         let Some(at) = findings.get(first).filter(|first| first.severity > Severity::Hint) else { continue };
         let (span, message) = (at.span, format!("the first of {} locations with this problem", group.len()));
@@ -73,15 +92,19 @@ fn mark_groups(findings: &mut [Finding], text: impl Fn(Span) -> Option<String>) 
     }
 }
 
-/// The numbers of the findings of each group, in order.
-fn groups(findings: &[Finding], by_file: bool, text: impl Fn(Span) -> Option<String>) -> Vec<Vec<usize>> {
+/// The numbers of the findings of each group, in order: of every file by itself where nothing is said of copies of files.
+fn groups(
+    findings: &[Finding],
+    copied: Option<&FastMap<FileId, FileId>>,
+    text: impl Fn(Span) -> Option<String>,
+) -> Vec<Vec<usize>> {
     let mut groups: IndexMap<Key, Vec<usize>> = IndexMap::new();
     for (number, finding) in findings.iter().enumerate() {
-        if let Some(key) = key(finding, by_file, &text) {
+        if let Some(key) = key(finding, copied, &text) {
             groups.entry(key).or_default().push(number);
         }
     }
-    if by_file {
+    if copied.is_none() {
         groups.retain(|key, members| members.len() >= key.group.least());
         return groups.into_values().collect();
     }
@@ -121,14 +144,23 @@ struct Joined {
 /// How many copies of a finding are one.
 const COPIES: usize = 3;
 
-fn key(finding: &Finding, by_file: bool, text: impl Fn(Span) -> Option<String>) -> Option<Key> {
-    let group = finding.group.clone().unwrap_or_else(|| finding.rule.group());
+fn key(
+    finding: &Finding,
+    copied: Option<&FastMap<FileId, FileId>>,
+    text: impl Fn(Span) -> Option<String>,
+) -> Option<Key> {
+    let mut group = finding.group.clone().unwrap_or_else(|| finding.rule.group());
+    let original = copied.and_then(|copied| copied.get(&finding.span.file)).filter(|_| group == Group::Place);
+    if let Some(original) = original {
+        let range = finding.span.range;
+        group = Group::Thing(format!("{}:{}-{}", original.0, range.start, range.end).into());
+    }
     let text = match group {
         Group::Place => return None,
         Group::Text => text(finding.span)?,
         _ => String::new(),
     };
-    let anywhere = matches!(group, Group::Value(_) | Group::Thing(_)) && !by_file;
+    let anywhere = matches!(group, Group::Value(_) | Group::Thing(_)) && copied.is_some();
     let file = (!anywhere).then_some(finding.span.file);
     Some(Key { rule: finding.rule.code, severity: finding.severity, file, group, text })
 }
@@ -209,6 +241,26 @@ mod tests {
         );
         assert_eq!((findings[3].message.as_str(), findings[3].related[0].span), ("link 9", span(0, 1, 2)));
         assert_eq!(findings[6].message, "link 1", "two places in a file are two findings");
+    }
+
+    #[test]
+    fn findings_in_copies_of_a_file_are_one() {
+        let tree = vfs::testing::Tree::new();
+        let twice = "<robot name='r'><link name='a'/><link name='a'/></robot>";
+        tree.write("one/r.urdf", twice);
+        tree.write("two/r.urdf", twice);
+        tree.write("other/r.urdf", &twice.replace("'/>", "' />"));
+        let setup = crate::Setup { folders: vec![tree.root().to_owned()], ..crate::Setup::default() };
+        let session = crate::Session::new(&tree.environment(&[]), setup).unwrap();
+        let paths = vec![tree.root().to_owned()];
+        let report =
+            session.check(&crate::CheckOptions { paths, ..crate::CheckOptions::default() }).grouped();
+        let found = report.findings.iter().filter(|finding| finding.rule.name == "duplicate-link-name");
+        let found: Vec<&str> = found.map(|finding| finding.message.as_str()).collect();
+        assert_eq!(
+            found,
+            ["duplicate link name `a`; 1 more location, in 2 files", "duplicate link name `a`"]
+        );
     }
 
     #[test]

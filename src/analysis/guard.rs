@@ -26,8 +26,9 @@ pub(super) fn harms(before: &Report, after: &Report, made: &[usize]) -> bool {
     if fixed().any(|finding| REVEAL.contains(&finding.rule.code)) {
         return false;
     }
-    // a value that is known now may be wrong; one error for another is no loss
-    !fixed().any(is_value) || new.len() > old.len()
+    // a value that is known now may be wrong, and another name is another message; one error for another is no loss
+    !fixed().any(|finding| is_value(finding) || finding.rule.category == Category::Consumers)
+        || new.len() > old.len()
 }
 
 /// Whether what was wrong gave no value.

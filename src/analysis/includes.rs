@@ -8,8 +8,8 @@ use rayon::prelude::*;
 use base::FastMap;
 use facts::{Fact, FactKind, facts};
 use vfs::SourceFile;
-use workspace::Packages;
 use workspace::config::Pattern;
+use workspace::{Packages, include_pattern, included_files};
 use xml::Node;
 
 /// The files that a file may include, as patterns of absolute paths.
@@ -30,20 +30,9 @@ impl Reach {
         self.patterns.iter().any(|pattern| pattern.matches(path))
     }
 
-    /// The files that are there, for each include. One whose name is computed is looked for in the folder that is written
-    /// in front of it, and nowhere else.
+    /// The files that are there, for each include.
     pub(super) fn files(&self, vfs: &vfs::Vfs) -> impl Iterator<Item = Vec<std::path::PathBuf>> {
-        self.patterns.iter().map(|pattern| match pattern.start() {
-            (path, true) if vfs.is_file(&path) => vec![path],
-            (_, true) => Vec::new(),
-            (start, false) => {
-                let folder = if vfs.is_dir(&start) { Some(start.as_path()) } else { start.parent() };
-                let Some(folder) = folder else { return Vec::new() };
-                let files = vfs.list_dir(folder);
-                let paths = files.iter().filter(|entry| !entry.is_dir).map(|entry| folder.join(&entry.name));
-                paths.filter(|path| pattern.matches(path)).collect()
-            }
-        })
+        self.patterns.iter().map(|pattern| included_files(pattern, vfs))
     }
 }
 
@@ -60,7 +49,7 @@ fn read(source: &SourceFile, packages: &Packages) -> impl Iterator<Item = Option
     let is_include = |node: &Node<'_>| ["xacro:include", "include"].contains(&node.name());
     let nodes = document.parts().flat_map(|(_, item)| item.all_nodes()).filter(is_include);
     let names = nodes.filter_map(|node| Some(node.attr("filename")?.value(document.entities()).into_owned()));
-    names.map(|name| pattern(&name, &source.path, packages))
+    names.map(|name| include_pattern(&name, &source.path, packages))
 }
 
 /// What the files of a workspace include, arranged so that nobody has to try every pattern on every file.
@@ -115,77 +104,25 @@ impl Included {
 
     /// Whether another file may include `file`.
     pub(super) fn has(&self, file: &Path) -> bool {
-        file.ancestors().filter_map(|start| self.by_start.get(start)).flatten().any(|include| {
-            let matches = match &include.pattern {
-                Some(pattern) => pattern.matches(file),
-                None => include.start == *file,
-            };
-            matches && *include.from != *file
-        })
+        self.includers(file).next().is_some()
     }
-}
 
-/// A file name with packages found and every other expression standing for anything. None when the name says
-/// nothing about the file.
-fn pattern(name: &str, from: &Path, packages: &Packages) -> Option<Pattern> {
-    let mut pattern = String::new();
-    let mut rest = name;
-    while let Some(at) = rest.find('$') {
-        let (before, after) = rest.split_at(at);
-        pattern.push_str(before);
-        let close = if after.starts_with("${") { '}' } else { ')' };
-        let end = after.find(close)?;
-        match after.get(2..end)?.trim().strip_prefix("find ") {
-            Some(package) => pattern.push_str(packages.find(package.trim(), from).ok()?.path.to_str()?),
-            // a whole step of the path may be several
-            None if (pattern.is_empty() || pattern.ends_with('/'))
-                && after.get(end + 1..)?.starts_with('/') =>
-            {
-                pattern.push_str("**");
-            }
-            None => pattern.push('*'),
-        }
-        rest = after.get(end + 1..)?;
+    /// The other files that may include `file`.
+    pub(super) fn includers(&self, file: &Path) -> impl Iterator<Item = &Path> {
+        let near = file.ancestors().filter_map(|start| self.by_start.get(start)).flatten();
+        let matching = near.filter(move |include| match &include.pattern {
+            Some(pattern) => pattern.matches(file),
+            None => include.start == *file,
+        });
+        matching.map(|include| &*include.from).filter(move |from| *from != file)
     }
-    pattern.push_str(rest);
-    let folder = from.parent()?;
-    let file = pattern.rsplit('/').next().unwrap_or("");
-    let says_something = file.chars().any(|c| !matches!(c, '*' | '.'));
-    says_something.then(|| {
-        let pattern = tidy(&format!("./{pattern}"), pattern.starts_with('/'));
-        Pattern::new(&installed(&pattern, folder, packages).unwrap_or(pattern), folder)
-    })
-}
-
-/// A pattern whose folders only the build makes, as a pattern of the source tree.
-fn installed(pattern: &str, folder: &Path, packages: &Packages) -> Option<String> {
-    let end = pattern.find('*').map_or(Some(pattern.len()), |star| pattern.get(..star)?.rfind('/'))?;
-    let (start, rest) = pattern.split_at_checked(end)?;
-    let start = folder.join(start);
-    let present = packages.present(&start);
-    (*present != *start).then(|| format!("{}{rest}", present.display()))
-}
-
-/// The path without `folder/..`, by its text alone.
-fn tidy(path: &str, absolute: bool) -> String {
-    let mut parts: Vec<&str> = Vec::new();
-    for part in path.split('/').filter(|part| !part.is_empty() && *part != ".") {
-        match parts.last() {
-            Some(&last) if part == ".." && last != ".." => {
-                parts.pop();
-            }
-            _ => parts.push(part),
-        }
-    }
-    let lead = if absolute { "/" } else { "./" };
-    format!("{lead}{}", parts.join("/"))
 }
 
 #[cfg(test)]
 mod tests {
     use std::path::Path;
 
-    use super::{Included, tidy};
+    use super::Included;
     use vfs::testing::Tree;
     use workspace::{PackageOptions, Packages};
 
@@ -219,17 +156,5 @@ mod tests {
             assert_eq!(included.has(&tree.path(file)), expected, "{file}");
         }
         assert!(!included.has(Path::new("/")));
-    }
-
-    #[test]
-    fn paths() {
-        for (path, absolute, expected) in [
-            ("./a/b.xacro", false, "./a/b.xacro"),
-            ("./a/../b.xacro", false, "./b.xacro"),
-            ("./../a/./b.xacro", false, "./../a/b.xacro"),
-            (".//ws/pkg/../b.xacro", true, "/ws/b.xacro"),
-        ] {
-            assert_eq!(tidy(path, absolute), expected);
-        }
     }
 }

@@ -1,5 +1,6 @@
 //! One expansion, and what the rules say about it.
 
+use std::cell::OnceCell;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -10,12 +11,14 @@ use super::analyzed::Analyzed;
 use super::calls::as_called;
 use super::check::CheckOptions;
 use super::configs::Settings;
+use super::cut::Cut;
 use super::roles::Checked;
 use super::roots::{Job, Reason};
 use super::session::Session;
 use base::{CancelFlag, FastSet, FileId, Span, TextRange};
-use expand::{Expansion, FileUse, Forced, FrameKind, Limits, Origin, Read, Request, World, expand};
+use expand::{Expansion, FileUse, Forced, FrameKind, Limits, Origin, Read, Request, World, expand_again};
 use model::Robot;
+use rules::consumers::{self, Tally};
 use rules::{
     Activation, Chosen, Finding, RootKind, Rule, Selector, Suppressions, all, by_code, check_expansion,
     check_files, holds_for_semantic, include_tags, is_semantic, is_whole, missing_packages,
@@ -32,8 +35,8 @@ pub(super) struct Outcome {
     pub(super) is_nameless: bool,
     /// The packages of a robot that were not found.
     pub(super) unfound: BTreeSet<String>,
-    /// Whether it is a robot, and errors left out a part of it.
-    pub(super) is_partial: bool,
+    /// What was not checked of it: it is a robot, and errors left out a part of it.
+    pub(super) cut: Option<Cut>,
     /// Whether it is one of the contexts that are checked: findings say in which of these they occur.
     pub(super) is_context: bool,
     /// Whether it has arguments of a caller, since it fails with the defaults.
@@ -51,38 +54,52 @@ pub(super) struct Outcome {
     pub(super) includes: Vec<(FileId, Span)>,
     /// The macros that were called: where each is defined.
     pub(super) called: FastSet<Span>,
+    /// What programs reject or change that nobody named, where somebody asked.
+    pub(super) consumers: Tally,
 }
 
 /// Expand a file and check the result.
 pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcome {
-    let (expansion, is_as_called) = expanded(session, &job, &request(session, &options.cancel, &job));
+    let request = request(session, &options.cancel, &job);
+    let (expansion, is_as_called) = expanded(session, &job, &request, None);
     let robot = Robot::of(&expansion);
-    let outcome = judge(session, &options.cancel, job, &expansion, robot.as_ref());
+    let outcome = judge(session, options, job, &expansion, robot.as_ref());
     Outcome { is_as_called, ..outcome }
 }
 
 /// The same, for somebody who keeps the expansion.
 pub(super) fn run_kept(session: &Session, options: &CheckOptions, job: Job) -> (Outcome, Analyzed) {
     let kept = Request { keep: true, ..request(session, &options.cancel, &job) };
-    let (expansion, is_as_called) = expanded(session, &job, &kept);
+    let (expansion, is_as_called) = expanded(session, &job, &kept, None);
     let analyzed = Analyzed::new(job.root(), expansion, 0);
-    let outcome = judge(session, &options.cancel, job, &analyzed.expansion, analyzed.robot.as_ref());
+    let robot = analyzed.robot.as_ref();
+    let outcome = judge(session, options, job, &analyzed.expansion, robot);
     (Outcome { is_as_called, ..outcome }, analyzed)
 }
 
-/// Expand a file, for somebody who keeps the result.
-pub(super) fn expansion(session: &Session, options: &CheckOptions, job: &Job) -> Expansion {
-    expanded(session, job, &Request { keep: true, ..request(session, &options.cancel, job) }).0
+/// Expand a file, for somebody who keeps the result; `before` is what was kept of the last time.
+pub(super) fn expansion(
+    session: &Session,
+    cancel: &CancelFlag,
+    job: &Job,
+    before: Option<&Expansion>,
+) -> Expansion {
+    expanded(session, job, &Request { keep: true, ..request(session, cancel, job) }, before).0
 }
 
 /// Expand a file with the outcome of conditions given.
 pub(super) fn forced(session: &Session, cancel: &CancelFlag, job: &Job, forced: Vec<Forced>) -> Expansion {
-    expanded(session, job, &Request { keep: true, forced, ..request(session, cancel, job) }).0
+    expanded(session, job, &Request { keep: true, forced, ..request(session, cancel, job) }, None).0
 }
 
 /// The expansion, and whether its arguments are those of a caller, since it fails with the defaults.
-fn expanded(session: &Session, job: &Job, request: &Request) -> (Expansion, bool) {
-    let first = expand(world(session), request);
+fn expanded(
+    session: &Session,
+    job: &Job,
+    request: &Request,
+    before: Option<&Expansion>,
+) -> (Expansion, bool) {
+    let first = expand_again(world(session), request, before);
     // what a call does not give is missing
     match job.called {
         Some(_) => (first, false),
@@ -98,7 +115,7 @@ pub(super) fn request(session: &Session, cancel: &CancelFlag, job: &Job) -> Requ
     let settings = session.settings(&job.file);
     Request {
         // messages name files as the user would
-        file: job.file.strip_prefix(&session.env.cwd).unwrap_or(&job.file).to_string_lossy().into_owned(),
+        file: vfs::slashed(job.file.strip_prefix(&session.env.cwd).unwrap_or(&job.file)),
         args: job.args.clone(),
         probe: true,
         ros_shell: true,
@@ -111,7 +128,7 @@ pub(super) fn request(session: &Session, cancel: &CancelFlag, job: &Job) -> Requ
 /// Check an expansion. When cancelled, findings are missing.
 pub(super) fn judge(
     session: &Session,
-    cancel: &CancelFlag,
+    options: &CheckOptions,
     job: Job,
     expansion: &Expansion,
     robot: Option<&Robot>,
@@ -122,7 +139,9 @@ pub(super) fn judge(
     let explicit = job.reason != Reason::Walked;
     let mut rules = wanted(session, expansion, settings.clone());
     rules.retain(|rule| kind != RootKind::Semantic || holds_for_semantic(rule));
-    let chosen = Chosen { rules: &rules, cancel };
+    let found = OnceCell::new();
+    let tally = counts_consumers(&settings, options, &job).then_some(&found);
+    let chosen = Chosen { rules: &rules, cancel: &options.cancel, tally };
     let mut findings = check_expansion(expansion, robot, (kind, explicit), around, chosen);
     findings.append(&mut check_files(expansion, around, chosen));
     if let Some(error) = &expansion.root_error {
@@ -136,7 +155,7 @@ pub(super) fn judge(
         is_robot: kind == RootKind::Robot,
         is_nameless: kind == RootKind::Library && robot.is_some_and(Robot::lacks_only_a_name),
         unfound: if is_meant { missing_packages(expansion, around) } else { BTreeSet::new() },
-        is_partial: is_meant && !is_whole(expansion),
+        cut: (is_meant && !is_whole(expansion)).then(|| Cut::of(expansion, &rules)),
         is_context: job.reason == Reason::Root,
         is_as_called: false,
         complete: expansion.whole
@@ -147,8 +166,28 @@ pub(super) fn judge(
         arguments: expansion.arguments.clone(),
         includes: include_tags(expansion, around),
         called: called(expansion),
+        consumers: wanted_of(found.into_inner().unwrap_or_default(), &settings, &job),
         job,
     }
+}
+
+/// Whether to count what programs reject or change: where somebody asked and named none.
+fn counts_consumers(settings: &Settings, options: &CheckOptions, job: &Job) -> bool {
+    let is_named = !settings.config.consumers.is_empty() || settings.config.oldest_reader.is_some();
+    let runs = |outcome| rule_of(outcome).is_some_and(|rule| settings.runs(rule, &job.file));
+    let runs = runs(consumers::Outcome::Rejects) || runs(consumers::Outcome::Changes);
+    options.count_consumers && !is_named && runs && job.called.is_none()
+}
+
+/// What is counted, without what a rule would say that is left out.
+fn wanted_of(mut found: Tally, settings: &Settings, job: &Job) -> Tally {
+    found.retain(|_, worst| rule_of(*worst).is_some_and(|rule| settings.runs(rule, &job.file)));
+    found
+}
+
+/// The rule that says what a named program does.
+fn rule_of(outcome: consumers::Outcome) -> Option<&'static Rule> {
+    by_code(if outcome == consumers::Outcome::Rejects { "CSM001" } else { "CSM002" })
 }
 
 /// Whether a file is a robot, or says so by its name and lacks only what it includes.

@@ -12,7 +12,7 @@ use super::includes::reach;
 use super::launch_names::is_launch;
 use super::session::Session;
 use base::{CancelFlag, FastSet, Span, TextRange};
-use rules::{Finding, launched_file_not_found, unknown_launch_argument};
+use rules::{Finding, Severity, launched_file_not_found, unknown_launch_argument};
 use vfs::SourceFile;
 use workspace::launch::{Argument, Call};
 use workspace::{RobotCall, has_name, nearest};
@@ -105,8 +105,11 @@ impl Session {
             if cancel.is_cancelled() {
                 return;
             }
-            if group.first().is_some_and(is_checked) {
-                self.findings_of(group, known, found);
+            let Some(call) = group.first().filter(|call| is_checked(call)) else { continue };
+            let before = found.len();
+            self.findings_of(group, known, found);
+            if self.is_kept(&call.call.caller) {
+                found.iter_mut().skip(before).for_each(|one| one.severity = one.severity.min(Severity::Info));
             }
         }
         for (robot, known) in &*known {
@@ -357,11 +360,11 @@ mod tests {
             &[],
             &[
                 "error unknown argument `use_simm` of `arm.urdf.xacro` @use_simm `use_sim`?",
-                "error unknown argument `colour` of `arm.urdf.xacro` @colour",
+                "warning unknown argument `colour` of `arm.urdf.xacro` @colour",
             ],
         );
         let process = "xacro.process_file(get_package_share_directory('arm') + '/urdf/arm.urdf.xacro', mappings={'colour': 'x'})";
-        check_launch(process, &[], &["error unknown argument `colour` of `arm.urdf.xacro` @colour"]);
+        check_launch(process, &[], &["warning unknown argument `colour` of `arm.urdf.xacro` @colour"]);
     }
 
     #[test]
@@ -387,7 +390,7 @@ mod tests {
                        '/launch/arm.launch.py']), launch_arguments={'kind': 'hand'}.items())\n";
         let files = [("arm/urdf/hand.urdf.xacro", hand), ("bringup/launch/hand.launch.py", include)];
         check_launch(launch, &files, &[]);
-        check_launch(launch, &files[..1], &["error unknown argument `hand` of `arm.urdf.xacro` @hand"]);
+        check_launch(launch, &files[..1], &["warning unknown argument `hand` of `arm.urdf.xacro` @hand"]);
     }
 
     #[test]

@@ -114,19 +114,12 @@ fn is_expected(value: &str, compared: &Compared) -> bool {
 /// The arguments that a robot does nothing with but compare them with words, and these words. The default of an
 /// argument counts as one.
 fn comparisons(known: &Known) -> FastMap<EcoString, Compared> {
-    let mut found: FastMap<EcoString, Compared> = FastMap::default();
+    let mut found = all_comparisons(known);
     let mut mentions: FastMap<EcoString, usize> = FastMap::default();
-    for file in &known.files {
-        for (_, item) in file.document.parts() {
-            let facts = facts_of(item);
-            for mention in facts.mentions().filter(|mention| mention.kind == MentionKind::Argument) {
-                *mentions.entry(mention.name.clone()).or_default() += 1;
-            }
-            for node in item.all_nodes() {
-                for attr in node.attrs().filter(|attr| attr.raw().contains("$(arg ")) {
-                    compare(&attr.value(file.document.entities()), &mut found);
-                }
-            }
+    for (_, item) in known.files.iter().flat_map(|file| file.document.parts()) {
+        let facts = facts_of(item);
+        for mention in facts.mentions().filter(|mention| mention.kind == MentionKind::Argument) {
+            *mentions.entry(mention.name.clone()).or_default() += 1;
         }
     }
     found.retain(|name, compared| mentions.get(name) == Some(&compared.comparisons));
@@ -136,6 +129,24 @@ fn comparisons(known: &Known) -> FastMap<EcoString, Compared> {
             && !compared.words.contains(&default)
         {
             compared.words.push(default);
+        }
+    }
+    found
+}
+
+/// The words that a robot compares an argument with, whatever else it does with it.
+pub(super) fn compared_words(known: &Known, name: &str) -> Vec<String> {
+    all_comparisons(known).remove(name).map(|compared| compared.words).unwrap_or_default()
+}
+
+/// The comparisons of all arguments.
+fn all_comparisons(known: &Known) -> FastMap<EcoString, Compared> {
+    let mut found: FastMap<EcoString, Compared> = FastMap::default();
+    for file in &known.files {
+        for node in file.document.parts().flat_map(|(_, item)| item.all_nodes()) {
+            for attr in node.attrs().filter(|attr| attr.raw().contains("$(arg ")) {
+                compare(&attr.value(file.document.entities()), &mut found);
+            }
         }
     }
     found

@@ -210,7 +210,7 @@ mod tests {
         let args = args.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
         let options = CheckOptions { paths: vec![tree.root().to_owned()], args, ..CheckOptions::default() };
         let report = session.check(&options);
-        let found = report.findings.iter().filter(|finding| finding.severity == rules::Severity::Error);
+        let found = report.findings.iter().filter(|finding| finding.severity > rules::Severity::Info);
         let found: Vec<String> = found
             .map(|finding| {
                 let in_script = |span: base::Span| report.path(span.file).ends_with("a.sh");

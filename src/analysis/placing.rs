@@ -108,7 +108,7 @@ fn closed(finding: &Finding, open: impl Fn(Span) -> bool) -> Option<Span> {
     finding.related.iter().find(|related| related.is_call && open(related.span)).map(|call| call.span)
 }
 
-/// A finding at the call that is to blame.
+/// A finding at the call that caused it.
 fn at_call(finding: &Finding, way: &Way) -> Finding {
     let body =
         Related { span: finding.span, message: format!("here in macro `{}`", way.name), is_call: false };

@@ -16,7 +16,7 @@ use super::session::Session;
 use super::walk::is_description;
 use base::{CancelFlag, TextRange};
 use expand::Forced;
-use model::{JointType, same_robot};
+use model::{JointType, same_but_for_mesh_formats, same_robot};
 use vfs::{SourceFile, Vfs};
 use xml::{Document, Node, NodeKind};
 
@@ -46,6 +46,8 @@ pub(super) enum Claim {
     Same,
     /// The same, but for robots that are refused, or that hold what was meant for xacro: those are accepted afterwards.
     Repaired,
+    /// The same, but for robots whose collision meshes are in other formats.
+    Fitted,
     /// No robot that is accepted is refused afterwards.
     Accepted,
 }
@@ -178,9 +180,10 @@ impl<'a> Trial<'a> {
         let forced = setting.forced.iter().map(|forced| Forced { at: self.moved(forced), ..forced.clone() });
         let setting = Setting { args: setting.args.clone(), forced: forced.collect() };
         let after = self.run(job, &self.after, &setting);
-        let is_same = before.text == after.text || same_robot(&before.text, &after.text) == Some(true);
+        let same = if claim == Claim::Fitted { same_but_for_mesh_formats } else { same_robot };
+        let is_same = before.text == after.text || same(&before.text, &after.text) == Some(true);
         let holds = match claim {
-            Claim::Same if !is_same => before.refused && !after.refused,
+            Claim::Same | Claim::Fitted if !is_same => before.refused && !after.refused,
             _ => before.refused || !after.refused,
         };
         holds.then_some(before)

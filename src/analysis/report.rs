@@ -4,9 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::cut::Cut;
 use base::limits::DRAWN_LINE;
 use base::{Encoding, FileId, Span};
 use rules::Finding;
+use rules::consumers::Tally;
 use vfs::{LoadError, SourceFile};
 
 /// What a check found.
@@ -31,7 +33,9 @@ pub struct Report {
     /// The robots some of whose packages were not found, with the names of these.
     pub incomplete: BTreeMap<PathBuf, BTreeSet<String>>,
     /// The robots that errors left out a part of: rules about what is missing or unused do not run on them.
-    pub partial: BTreeSet<PathBuf>,
+    pub partial: BTreeMap<PathBuf, Cut>,
+    /// The robots that programs reject or change which nobody named, with what they do; empty when it was not counted.
+    pub consumers: BTreeMap<PathBuf, Tally>,
     /// The files beside robots, such as SRDF, that were compared with them.
     pub compared: Vec<PathBuf>,
     /// The robots that were checked in place of the files that were named, which are parts of them.

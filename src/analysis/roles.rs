@@ -3,7 +3,7 @@
 //! Much of what is wrong in a file by itself is right in the file that includes it: names that are defined there, links
 //! that are added there. So such findings are judged by the role of the file.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use ecow::EcoString;
@@ -18,6 +18,8 @@ use base::FastSet;
 use expand::{Expansion, Outside};
 use model::{Kinematics, Robot};
 use rules::{Check, Finding, RootKind, Severity, is_plain_urdf, missing_robot_name};
+use workspace::RobotCall;
+use workspace::launch::Argument;
 
 /// What a file is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,6 +94,16 @@ impl Session {
     }
 
     fn role(&self, checked: &Checked<'_>, findings: &[Finding]) -> Role {
+        match self.role_by_itself(checked, findings) {
+            Role::Root if checked.job.reason == Reason::Walked && self.is_passed(&checked.job.file) => {
+                Role::Part
+            }
+            role => role,
+        }
+    }
+
+    /// The role of a file, whatever launch files give to other robots.
+    fn role_by_itself(&self, checked: &Checked<'_>, findings: &[Finding]) -> Role {
         let Checked { job, kind, expansion, robot } = *checked;
         if job.reason == Reason::Root {
             return Role::Root;
@@ -146,11 +158,27 @@ impl Session {
         self.included_around(file).is_some_and(|included| included.has(file))
     }
 
+    /// Whether a launch file gives a file to another robot, as the value of an argument.
+    fn is_passed(&self, file: &Path) -> bool {
+        let is_it = |call: &RobotCall, argument: &Argument| {
+            let value = argument.value.path(&self.packages, &call.call.caller);
+            call.target.as_deref() != Some(file) && value.as_deref() == Some(file)
+        };
+        let calls = self.calls_around(file);
+        calls.iter().any(|call| call.call.args.iter().any(|argument| is_it(call, argument)))
+    }
+
+    /// The files of the workspace that include this one.
+    pub(super) fn includers(&self, file: &Path) -> Vec<PathBuf> {
+        let all = self.included_around(file);
+        all.iter().flat_map(|all| all.includers(file)).map(Path::to_owned).collect()
+    }
+
     /// What the descriptions of the workspace around a file include.
     fn included_around(&self, file: &Path) -> Option<Arc<Included>> {
         let top = self.packages.sources_around(file)?;
         Some(self.included_below(&top, || {
-            let files = walk::all_descriptions(&top, &self.env);
+            let files = walk::all_descriptions(&top, &self.vfs, &self.env);
             let sources = files.par_iter().filter_map(|file| self.vfs.document(file).ok());
             Arc::new(Included::of_files(sources.collect(), &self.packages))
         }))

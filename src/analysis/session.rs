@@ -215,6 +215,11 @@ impl Session {
         self.callers.launch(file, &self.packages)
     }
 
+    /// Whether a launch file of the workspace around a file loads a description.
+    pub(super) fn is_beside_launched(&self, file: &Path) -> bool {
+        self.callers.launch_any(file, &self.packages)
+    }
+
     /// The names of the descriptions that launch files load instead of this one.
     pub(super) fn launched_instead(&self, file: &Path) -> FastSet<String> {
         self.callers.launched_instead(file, &self.packages)

@@ -13,7 +13,7 @@ use vfs::SourceFile;
 use workspace::Era;
 
 /// Words in the name of a file or folder that say that it is kept and not used.
-const KEPT: [&str; 13] = [
+const KEPT: [&str; 15] = [
     "archive",
     "archived",
     "attic",
@@ -26,8 +26,13 @@ const KEPT: [&str; 13] = [
     "old",
     "orig",
     "original",
+    "outdated",
+    "past",
     "unused",
 ];
+
+/// How many folders above a file a model of Gazebo begins at most.
+const MODEL_DEPTH: usize = 3;
 
 /// Rules about collisions that a robot which is only shown does not need.
 const ABOUT_CONTACTS: [&str; 2] = ["collision-mesh-too-detailed", "mesh-inconsistent-normals"];
@@ -71,8 +76,10 @@ impl Session {
             is_taken || finding.rule.category == Category::Inertia
         };
         self.lower_where(findings, about_bullet, || self.is_for_bullet(&job.file).then_some(Severity::Info));
-        let about_prefixes = |finding: &Finding| {
-            ["unprefixed-xacro-tag", "unprefixed-macro-call"].contains(&finding.rule.name)
+        let about_prefixes = |finding: &Finding| match finding.rule.name {
+            "unprefixed-xacro-tag" | "unprefixed-macro-call" => true,
+            "unknown-geometry-type" => finding.message.starts_with("`insert_block`"),
+            _ => false,
         };
         if let Some(most) =
             self.lower_where(findings, about_prefixes, || self.severity_of_bare_tags(&job.file))
@@ -83,6 +90,13 @@ impl Session {
                 finding.group = Some(Group::Value("for an old xacro".into()));
             });
         }
+        let about_order = |finding: &Finding| finding.rule.name == "use-before-definition";
+        let is_unordered = || (self.era(&job.file) == Era::Unordered).then_some(Severity::Info);
+        self.lower_where(findings, about_order, is_unordered);
+        // a library of which the robots that are launched use a part
+        let is_uncalled = |finding: &Finding| finding.probed;
+        let is_library = || self.is_beside_launched(&job.file).then_some(Severity::Info);
+        self.lower_where(findings, is_uncalled, is_library);
         let is_placeholder = |finding: &Finding| match finding.rule.name {
             "invalid-number" => self.is_filled_in(&job.file, finding),
             "expression-error" => self.is_replaced(&job.file, finding),
@@ -125,7 +139,7 @@ impl Session {
     fn severity_of_bare_tags(&self, file: &Path) -> Option<Severity> {
         match self.era(file) {
             _ if self.is_of_rosbuild(file) => Some(Severity::Info),
-            Era::Old => Some(Severity::Info),
+            Era::Unordered | Era::Old => Some(Severity::Info),
             Era::Melodic => Some(Severity::Warning),
             Era::Any => None,
         }
@@ -140,15 +154,52 @@ impl Session {
             && file.ancestors().skip(1).take_while(inside).any(has_manifest)
     }
 
-    /// Whether nobody includes a file, and nobody names it either though its path says that it is old or a copy, or the
-    /// launch files of its package load others. A template is filled by a script that names it.
+    /// Whether a file is not in use, and only such files include it.
     fn is_set_aside(&self, file: &Path) -> bool {
-        let kept = || self.words_of(file).iter().any(|word| KEPT.contains(&word.as_str()));
+        let mut open = vec![file.to_owned()];
+        let mut seen: FastSet<PathBuf> = FastSet::default();
+        while let Some(file) = open.pop() {
+            if seen.contains(&file) {
+                continue;
+            }
+            if !self.is_unnamed(&file) {
+                return false;
+            }
+            open.extend(self.includers(&file));
+            seen.insert(file);
+        }
+        true
+    }
+
+    /// Whether nobody names a file though its path says that it is old or a copy, or the launch files of its package load
+    /// others. A template is filled by a script that names it.
+    fn is_unnamed(&self, file: &Path) -> bool {
         let is_empty = || self.vfs.text(file).is_ok_and(|file| file.text.trim().is_empty());
-        let is_other = || kept() || self.is_left_over(file) || self.is_passed_over(file) || is_empty();
+        let is_other = || {
+            self.is_kept(file)
+                || self.is_left_over(file)
+                || self.is_passed_over(file)
+                || self.is_beside_model(file)
+                || is_empty()
+        };
         let is_unused = |file: &Path| !self.is_named(file) && is_other();
         let is_unused_template = |file: &Path| is_template(file) && !self.is_launched(file);
-        (is_unused(file) || is_unused_template(file)) && !self.is_included(file)
+        is_unused(file) || is_unused_template(file)
+    }
+
+    /// Whether the path of a file says that it is kept and not used.
+    pub(super) fn is_kept(&self, file: &Path) -> bool {
+        self.words_of(file).iter().any(|word| KEPT.contains(&word.as_str()))
+    }
+
+    /// Whether a file lies in a model of Gazebo, whose `model.config` names another one.
+    fn is_beside_model(&self, file: &Path) -> bool {
+        let config = file.ancestors().skip(1).take(MODEL_DEPTH).map(|folder| folder.join("model.config"));
+        let Some(config) = config.into_iter().find(|config| self.vfs.is_file(config)) else { return false };
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        self.vfs
+            .text(&config)
+            .is_ok_and(|config| config.text.contains("</sdf>") && !config.text.contains(&*name))
     }
 
     /// Whether launch files load other descriptions of the package, and nothing can mean this one.
@@ -161,7 +212,7 @@ impl Session {
             let name = other.file_name().and_then(|name| name.to_str());
             other != file && name.is_some_and(|name| launched.contains(name))
         };
-        walk::all_descriptions(&package.folder, &self.env).iter().any(is_launched)
+        walk::all_descriptions(&package.folder, &self.vfs, &self.env).iter().any(is_launched)
     }
 
     /// The words in the path of a file, from the top of the workspace. What file managers call copies are old.

@@ -3,18 +3,19 @@
 use std::path::{Path, PathBuf};
 
 use ignore::WalkBuilder;
+use ignore::gitignore::{Gitignore, GitignoreBuilder};
 
 use super::launch_names::is_launch;
 use super::report::{SkipReason, Skipped};
 use super::session::Session;
 use base::limits::SCAN_FILES;
-use vfs::{Environment, LoadError};
+use vfs::{Environment, LoadError, Vfs};
 use workspace::is_built;
 
 /// The descriptions below `folder`, sorted by path. Left out are hidden files, what git ignores, the folders
 /// of build tools and what the configuration excludes. With them, what could not be searched.
 pub(super) fn descriptions(folder: &Path, session: &Session) -> (Vec<PathBuf>, Vec<Skipped>) {
-    let mut found = Listing::of(&[folder.to_owned()], &session.env);
+    let mut found = Listing::of(&[folder.to_owned()], &session.vfs, &session.env);
     found.go_on(session, &|| false);
     found.skipped.sort_by(|a, b| a.path.cmp(&b.path));
     (found.done, found.skipped)
@@ -22,15 +23,14 @@ pub(super) fn descriptions(folder: &Path, session: &Session) -> (Vec<PathBuf>, V
 
 /// The same with what the configuration excludes: an excluded file may include others all the same, and no
 /// configuration is read for it.
-pub(super) fn all_descriptions(folder: &Path, env: &Environment) -> Vec<PathBuf> {
-    let entries = walk(folder, env).filter_map(Result::ok).take(SCAN_FILES * 10);
-    let files = entries.filter(|entry| !entry.file_type().is_some_and(|kind| kind.is_dir()));
-    files.map(ignore::DirEntry::into_path).filter(|path| is_description(path)).take(SCAN_FILES).collect()
+pub(super) fn all_descriptions(folder: &Path, vfs: &Vfs, env: &Environment) -> Vec<PathBuf> {
+    let entries = walk(folder, vfs, env).filter_map(Result::ok).take(SCAN_FILES * 10);
+    entries.flatten().filter(|path| is_description(path)).take(SCAN_FILES).collect()
 }
 
 /// A search for descriptions below some folders that may be interrupted: a folder can be as large as the disk.
 pub(super) struct Listing {
-    walks: Vec<ignore::Walk>,
+    walks: Vec<Walk>,
     /// What was found below the folders before, and below the present one.
     done: Vec<PathBuf>,
     found: Vec<PathBuf>,
@@ -40,8 +40,8 @@ pub(super) struct Listing {
 
 impl Listing {
     /// One that was not begun.
-    pub fn of(folders: &[PathBuf], env: &Environment) -> Self {
-        let walks = folders.iter().rev().map(|folder| walk(folder, env)).collect();
+    pub fn of(folders: &[PathBuf], vfs: &Vfs, env: &Environment) -> Self {
+        let walks = folders.iter().rev().map(|folder| walk(folder, vfs, env)).collect();
         Self { walks, done: Vec::new(), found: Vec::new(), skipped: Vec::new() }
     }
 
@@ -55,8 +55,7 @@ impl Listing {
                 continue;
             };
             match entry {
-                Ok(entry) if entry.file_type().is_some_and(|kind| kind.is_dir()) => {}
-                Ok(entry) => self.add(entry.into_path(), session),
+                Ok(file) => file.into_iter().for_each(|file| self.add(file, session)),
                 Err(error) => self.skipped.extend(unreadable(error)),
             }
             if stop() {
@@ -97,13 +96,54 @@ fn unreadable(error: ignore::Error) -> Option<Skipped> {
     Some(Skipped { path, reason })
 }
 
+/// The files of a search, one after the other; `None` for a folder.
+type Walk = Box<dyn Iterator<Item = Result<Option<PathBuf>, ignore::Error>> + Send>;
+
 /// What lies below a folder, without what build tools made.
-fn walk(folder: &Path, env: &Environment) -> ignore::Walk {
+fn walk(folder: &Path, vfs: &Vfs, env: &Environment) -> Walk {
+    if let Some(files) = vfs.files_in_memory(folder) {
+        return Box::new(in_memory(folder, files, vfs).into_iter().map(|file| Ok(Some(file))));
+    }
+    let file = |entry: ignore::DirEntry| {
+        (!entry.file_type().is_some_and(|kind| kind.is_dir())).then(|| entry.into_path())
+    };
+    Box::new(on_disk(folder, env).map(move |entry| entry.map(file)))
+}
+
+/// The same of files in memory: what is left of them without hidden ones and those that git ignores.
+fn in_memory(folder: &Path, mut files: Vec<PathBuf>, vfs: &Vfs) -> Vec<PathBuf> {
+    let mut ignored: Vec<Gitignore> = Vec::new();
+    for list in files.iter().filter(|file| file.ends_with(".gitignore")) {
+        let Ok(text) = vfs.text(list) else { continue };
+        let mut builder = GitignoreBuilder::new(list.parent().unwrap_or(folder));
+        for line in text.text.lines() {
+            // a line that is no pattern has no effect, as with git
+            let _ = builder.add_line(None, line);
+        }
+        ignored.extend(builder.build());
+    }
+    // the list that is nearest to a file has the last word
+    ignored.sort_by_key(|list| std::cmp::Reverse(list.path().components().count()));
+    files.retain(|file| {
+        let inside = file.strip_prefix(folder).unwrap_or(file);
+        let folders = inside.parent().into_iter().flat_map(Path::components);
+        let is_hidden = inside.components().any(|part| part.as_os_str().as_encoded_bytes().starts_with(b"."));
+        let mut verdicts = ignored.iter().filter(|list| file.starts_with(list.path()));
+        let verdict = verdicts.find_map(|list| {
+            let found = list.matched_path_or_any_parents(file, false);
+            (!found.is_none()).then(|| found.is_ignore())
+        });
+        !is_hidden && !folders.into_iter().any(|part| is_built(part.as_os_str())) && verdict != Some(true)
+    });
+    files
+}
+
+fn on_disk(folder: &Path, env: &Environment) -> ignore::Walk {
     let top = folder.to_owned();
     let mut walk = WalkBuilder::new(folder);
     // what git ignores everywhere is written down at home; where no home is named the user database of the system
     // would be asked, which a static program cannot do safely
-    let has_home = cfg!(windows) || env.var("HOME").is_some_and(|home| !home.is_empty());
+    let has_home = env.home().is_some();
     walk.require_git(false).git_global(has_home).filter_entry(move |entry| {
         let is_dir = entry.file_type().is_some_and(|kind| kind.is_dir());
         !(is_dir && is_built(entry.file_name())) || entry.path() == top

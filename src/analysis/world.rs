@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use super::analyzed::{Analyzed, job_of};
 use super::beside::sort;
@@ -18,6 +18,7 @@ use super::proof::{Effort, Roots};
 use super::report::Report;
 use super::session::Session;
 use super::walk::{self, Listing};
+use base::clock::Instant;
 use base::limits::SCAN_FILES;
 use base::{CancelFlag, FastMap, TextRange};
 use expand::Forced;
@@ -68,6 +69,11 @@ impl World {
     /// A world that sees `folders`; without any, single files are shown by themselves.
     pub fn new(env: Environment, folders: Vec<PathBuf>) -> Self {
         let vfs = Arc::new(Vfs::with_cwd(config::Limits::default().file_bytes(), env.cwd.clone()));
+        Self::over(vfs, env, folders)
+    }
+
+    /// The same over files that others use too.
+    pub fn over(vfs: Arc<Vfs>, env: Environment, folders: Vec<PathBuf>) -> Self {
         let session = Session::of_editor(&vfs, &env, &folders, Vec::new());
         Self {
             session,
@@ -282,7 +288,8 @@ impl World {
     /// Search for the files to look at, until `stop` says so; whether all were found.
     fn list(&mut self, stop: &dyn Fn() -> bool) -> bool {
         if !self.scanned {
-            let listing = self.listing.get_or_insert_with(|| Listing::of(&self.folders, &self.env));
+            let listing =
+                self.listing.get_or_insert_with(|| Listing::of(&self.folders, &self.session.vfs, &self.env));
             if !listing.go_on(&self.session, stop) {
                 return false;
             }
@@ -374,9 +381,10 @@ impl World {
         {
             return Some(known.clone());
         }
-        let (session, options) =
-            (&self.session, CheckOptions { cancel: cancel.clone(), ..CheckOptions::default() });
-        let expansion = job::expansion(session, &options, &job_of(root));
+        // what no record tells of is the same in the same epoch
+        let before = self.cache.get(root).filter(|known| known.epoch == self.epoch);
+        let before = before.map(|known| &known.expansion);
+        let expansion = job::expansion(&self.session, cancel, &job_of(root), before);
         if cancel.is_cancelled() {
             return None;
         }

@@ -1,7 +1,9 @@
 //! Ids, text ranges, positions and cancellation: the vocabulary all other modules share.
 
 mod cancel;
+pub mod clock;
 pub mod limits;
+pub mod paths;
 mod position;
 mod range;
 

@@ -21,6 +21,7 @@ fn main() -> ExitCode {
     let mut io = Io::plain(&mut out, &mut err, &mut stdin);
     (io.color, io.color_out, io.terminal) = (color, color_out, terminal);
     io.out_is_terminal = std::io::stdout().is_terminal();
+    io.is_read = io.out_is_terminal;
     if let Some(stack) = first_stack() {
         on_first_thread(stack);
     }

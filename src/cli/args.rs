@@ -362,6 +362,9 @@ pub(super) struct DepsArgs {
     /// Search this folder for packages first; repeatable
     #[arg(long, value_name = "DIR")]
     pub(super) package_path: Vec<String>,
+    /// List the files beside the robot as well: SRDF, controllers, settings of MoveIt; JSON always lists them
+    #[arg(long)]
+    pub(super) beside: bool,
     /// Output format: one file per line, or JSON with everything the robot depends on
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: Plain,

@@ -106,7 +106,7 @@ fn asset(
 ) -> Result<PathBuf, String> {
     let path = match places.packages.resolve_uri(name, from).outcome {
         UriOutcome::Found(path) => path,
-        UriOutcome::Missing(path) => return Err(format!("`{}` does not exist", path.display())),
+        UriOutcome::Missing(path) => return Err(format!("`{}` does not exist", vfs::slashed(&path))),
         UriOutcome::UnknownPackage(error) => return Err(format!("package `{}` not found", error.name)),
         UriOutcome::Malformed(why) => return Err(why.to_owned()),
         UriOutcome::Elsewhere => return Err("it is not a file on this machine".to_owned()),
@@ -157,7 +157,7 @@ impl Copies {
             let beside = copy.parent().unwrap_or(Path::new("")).join(relative(from, &needed));
             let inside = without_parents(&beside);
             if !inside.starts_with(&self.folder) || !belongs(&needed) {
-                self.left_out.push(format!("`{name}`, which `{}` needs, is not copied", path.display()));
+                self.left_out.push(format!("`{name}`, which `{}` needs, is not copied", vfs::slashed(path)));
                 continue;
             }
             self.copy_as(&needed, inside, places)?;
@@ -185,9 +185,9 @@ impl Copies {
         if self.of.insert(place.clone(), path.to_owned()).is_none() {
             let bytes = places.vfs.bytes(path, MESH_BYTES);
             let bytes =
-                bytes.map_err(|error| format!("cannot read {}: {}", path.display(), error.reason()))?;
+                bytes.map_err(|error| format!("cannot read {}: {}", vfs::slashed(path), error.reason()))?;
             vfs::write_atomically(&place, &bytes)
-                .map_err(|error| format!("cannot write {}: {error}", place.display()))?;
+                .map_err(|error| format!("cannot write {}: {error}", vfs::slashed(&place)))?;
         }
         Ok(place)
     }

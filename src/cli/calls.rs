@@ -28,7 +28,7 @@ pub(super) fn run(args: &CallsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     };
     warn_about_config(&session, env, io);
     if !session.vfs.exists(&args.path) {
-        io.line(&format!("error: {}: No such file or directory", visible(&args.path.to_string_lossy())));
+        io.line(&format!("error: {}: No such file or directory", visible(&vfs::slashed(&args.path))));
         return 2;
     }
     let calls = session.robot_calls(&args.path);

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::check_args::{CheckArgs, FailLevel, Format, Show};
+use super::consumers::counted_line;
 use super::diff::unified;
 use super::io::Io;
 use super::listing::{Listing, incomplete, least_shown, wants_all};
@@ -13,7 +14,7 @@ use super::prepare::{Prepared, prepare};
 use super::progress::watched;
 use super::render::{shown_path, visible};
 use super::watch::{Round, State, watch};
-use super::{json, sarif, services, text};
+use super::{sarif, services, text};
 use analysis::{Baseline, CheckOptions, FixOptions, Fixed, Report, Session};
 use rules::{Safety, Severity};
 use vfs::{Environment, write_atomically};
@@ -44,10 +45,12 @@ pub(super) fn run(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
 
 /// One check.
 fn once(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> Round {
-    let prepared = match prepare(args, env, &mut io.stdin) {
+    let mut prepared = match prepare(args, env, &mut io.stdin) {
         Ok(prepared) => prepared,
         Err(message) => return Round { code: usage(io, &message), state: State::default() },
     };
+    // it takes as long as a third of the check
+    prepared.options.count_consumers &= io.is_read;
     let Prepared { session, options, .. } = &prepared;
     let parts = session.robots_of_parts(options).filter(|_| !args.changed);
     let (options, part_of) =
@@ -70,7 +73,7 @@ fn once(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> Round {
 /// Say what in the configuration has no effect; the exit code: 2 when it cannot be read.
 pub(super) fn warn_about_config(session: &Session, env: &Environment, io: &mut Io<'_>) -> u8 {
     for warning in session.config_warnings() {
-        let text = warning.to_string().replace(&format!("{}/", env.cwd.display()), "");
+        let text = warning.to_string().replace(&format!("{}/", vfs::slashed(&env.cwd)), "");
         io.line(&visible(&format!("warning: {text}")));
     }
     let mut code = 0;
@@ -262,7 +265,8 @@ impl Run<'_> {
     fn draw(&self, report: &Report, done: &str, could: &str, io: &mut Io<'_>) {
         let listing = Listing::of(report, self.args);
         text::full(&listing, report, &self.session.packages, &self.env.cwd, io);
-        for line in listing.footer(done, could) {
+        let consumers = counted_line(report, &self.options.args, &self.env.cwd);
+        for line in listing.footer(done, could).into_iter().chain(consumers) {
             io.out(&format!("{line}\n"));
         }
     }
@@ -297,7 +301,7 @@ impl Run<'_> {
     fn print(&self, report: &Report, io: &mut Io<'_>) {
         let (hints, cwd) = (matches!(self.args.show, Some(Show::Hint | Show::All)), &self.env.cwd);
         match self.args.format {
-            Format::Json => io.out(&json::findings(report, cwd)),
+            Format::Json => io.out(&report.to_json(cwd)),
             Format::Sarif => io.out(&sarif::document(report, cwd)),
             Format::Github => io.out(&services::github(report, cwd, hints)),
             Format::Gitlab => io.out(&services::gitlab(report, cwd, hints)),

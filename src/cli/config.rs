@@ -24,12 +24,15 @@ pub(super) fn run(args: &ConfigArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     let session = match Session::new(env, setup) {
         Ok(session) => session,
         Err(error) => {
-            io.line(&format!("error: {}", visible(&format!("{}: {}", error.path.display(), error.reason()))));
+            io.line(&format!(
+                "error: {}",
+                visible(&format!("{}: {}", vfs::slashed(&error.path), error.reason()))
+            ));
             return 2;
         }
     };
     if !session.vfs.exists(&args.path) {
-        io.line(&format!("error: {}: No such file or directory", visible(&args.path.to_string_lossy())));
+        io.line(&format!("error: {}: No such file or directory", visible(&vfs::slashed(&args.path))));
         return 2;
     }
     let path = session.vfs.absolute(&args.path);

@@ -1,5 +1,8 @@
 //! `xacro-lint consumers`.
 
+use std::collections::BTreeMap;
+use std::path::Path;
+
 use indexmap::IndexMap;
 use serde_json::{Value, json};
 
@@ -8,7 +11,7 @@ use super::io::Io;
 use super::render::{shown_path, visible};
 use super::text::counted;
 use super::tree::{Expanded, explain, fails};
-use analysis::Session;
+use analysis::{Report, Session};
 use base::Encoding;
 use expand::{Expansion, Origin};
 use model::Robot;
@@ -177,6 +180,28 @@ impl Matrix<'_> {
             "constructs": rows.collect::<Vec<_>>(),
         })
     }
+}
+
+/// What programs reject or change of the robots that were checked, when nobody named any, and how to see it.
+pub(super) fn counted_line(report: &Report, args: &[(String, String)], cwd: &Path) -> Option<String> {
+    let (first, _) = report.consumers.first_key_value()?;
+    let constructs: BTreeMap<_, _> = report.consumers.values().flatten().collect();
+    let count = |wanted: Outcome| constructs.values().filter(|worst| ***worst == wanted).count();
+    let what = match (count(Outcome::Rejects), count(Outcome::Changes)) {
+        (rejected, 0) => format!("reject {}", counted(rejected, "construct")),
+        (0, changed) => format!("change or ignore {}", counted(changed, "construct")),
+        (rejected, changed) => {
+            format!("reject {} and change or ignore {changed}", counted(rejected, "construct"))
+        }
+    };
+    let (of, command) = match report.consumers.len() {
+        1 => {
+            let args: Vec<String> = args.iter().map(|(name, value)| format!(" {name}:={value}")).collect();
+            (String::new(), format!("{}{}", shown_path(first, cwd), args.concat()))
+        }
+        robots => (format!(" in {}", counted(robots, "robot")), "FILE".to_owned()),
+    };
+    Some(visible(&format!("some programs {what}{of}: run `xacro-lint consumers {command}`")))
 }
 
 fn past(outcome: Outcome) -> &'static str {

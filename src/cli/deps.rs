@@ -1,23 +1,27 @@
 //! `xacro-lint deps`.
 
+use std::path::Path;
+
 use serde_json::{Value, json};
 
 use super::args::{DepsArgs, Plain};
 use super::io::Io;
 use super::render::{shown_path, visible};
-use super::tree::expand_named;
+use super::tree::Expanded;
+use analysis::Session;
 use expand::{Expansion, Read};
 use vfs::Environment;
 
 /// Print what an expansion depends on.
 pub(super) fn run(args: &DepsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
-    let expansion = match expand_named(&args.file, &args.package_path, env, io) {
-        Ok(expansion) => expansion,
-        Err(message) => {
-            io.line(&format!("error: {}", visible(&message)));
-            return 2;
-        }
-    };
+    let Expanded { file, session, expansion, .. } =
+        match Expanded::of(&args.file, &args.package_path, env, io) {
+            Ok(expanded) => expanded,
+            Err(message) => {
+                io.line(&format!("error: {}", visible(&message)));
+                return 2;
+            }
+        };
     match args.format {
         Plain::Text => {
             for read in expansion.record.iter() {
@@ -25,14 +29,30 @@ pub(super) fn run(args: &DepsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
                     io.out(&visible(&format!("{}\n", shown_path(path, &env.cwd))));
                 }
             }
+            let beside = if args.beside { session.files_beside(Path::new(&file)) } else { Vec::new() };
+            for (path, _) in beside {
+                io.out(&visible(&format!("{}\n", shown_path(&path, &env.cwd))));
+            }
         }
-        Plain::Json => io.out(&format!("{:#}\n", everything(&expansion))),
+        Plain::Json => {
+            let mut found = everything(&expansion);
+            if let Value::Object(entries) = &mut found {
+                entries.insert("beside".to_owned(), beside(&session, &file));
+            }
+            io.out(&format!("{found:#}\n"));
+        }
     }
     let errors = expansion.problems.iter().filter(|p| p.severity == expand::Severity::Error).count();
     if errors > 0 {
         io.line(&format!("warning: {errors} errors; the list may be incomplete (run `xacro-lint check`)"));
     }
     u8::from(errors > 0)
+}
+
+/// The files beside a robot, for JSON.
+pub(super) fn beside(session: &Session, file: &str) -> Value {
+    let files = session.files_beside(Path::new(file)).into_iter();
+    files.map(|(path, kind)| json!({"path": path, "kind": kind})).collect()
 }
 
 fn everything(expansion: &Expansion) -> Value {

@@ -16,6 +16,7 @@ use super::text::is_shown;
 use analysis::FixedFile;
 use base::Encoding;
 use base::limits::DRAWN_PROBLEMS;
+use base::paths::HERE;
 use expand::{
     Expansion, FileUse, Limits, Place, Problem, Request, Severity, World, Written, expand, write,
     write_mapped,
@@ -91,7 +92,7 @@ fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
     let request = Request {
         file,
         args: options.args.clone(),
-        root_dir: options.root_dir.clone(),
+        root_dir: options.root_dir.as_deref().map(|root| HERE.slashed(root).into_owned()),
         probe: false,
         last: true,
         limits,
@@ -203,7 +204,7 @@ fn read_stdin(
 ) -> Result<String, String> {
     const NAME: &str = "<stdin>";
     if options.input != "-" {
-        return Ok(options.input.clone());
+        return Ok(HERE.slashed(&options.input).into_owned());
     }
     let text = all_of(io.stdin).map_err(|error| format!("cannot read standard input: {error}"))?;
     let root = options.root_dir.as_deref().unwrap_or("");
@@ -222,8 +223,11 @@ pub fn package_options(explicit: &[String], env: &Environment, environment_first
 
 fn unreadable(error: &LoadError, request: &Request) -> String {
     let root = request.root_dir.as_deref().unwrap_or(".");
-    let name =
-        if request.file.starts_with('/') { request.file.clone() } else { format!("{root}/{}", request.file) };
+    let name = if HERE.is_absolute(&request.file) {
+        request.file.clone()
+    } else {
+        format!("{root}/{}", request.file)
+    };
     let LoadError { strerror, errno, .. } = error;
     visible(&format!("{strerror}: {name} [Errno {errno}] {strerror}: '{name}'"))
 }
@@ -330,7 +334,7 @@ fn as_report<'a>(problem: &Problem, files: &'a [(ShownFile<'a>, bool)]) -> Optio
 
 /// Write the map of an expansion; files are named by path, columns count characters.
 fn save_map(expansion: &Expansion, written: &Written, path: &Path) -> std::io::Result<()> {
-    let name = |file: &FileUse| file.source.path.display().to_string();
+    let name = |file: &FileUse| vfs::slashed(&file.source.path);
     let map = source_map(expansion, written, Encoding::Utf32, name);
     let text = serde_json::to_string(&map)?;
     vfs::write_atomically(path, text.as_bytes())

@@ -36,7 +36,7 @@ pub(super) fn run(args: &FormatArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     if let Some(missing) =
         args.paths.iter().find(|path| session.vfs.text(path).is_err() && !is_dir(&session, path))
     {
-        return usage(io, &format!("cannot read {}", visible(&missing.to_string_lossy())));
+        return usage(io, &format!("cannot read {}", visible(&vfs::slashed(missing))));
     }
     let mut done = Done::default();
     let excluded = |path: &Path| session.settings(path).excludes(path);

@@ -19,6 +19,8 @@ pub struct Io<'a> {
     pub color_out: bool,
     /// Whether results go to a terminal.
     pub out_is_terminal: bool,
+    /// Whether a person reads results, not a program or a log.
+    pub is_read: bool,
     /// Whether all goes to a terminal, where a line can be written over.
     pub terminal: bool,
     /// Why results could not be written, once that has happened.
@@ -26,7 +28,7 @@ pub struct Io<'a> {
 }
 
 impl<'a> Io<'a> {
-    /// Streams without colours, none of them a terminal.
+    /// Streams without colours, none of them a terminal; a person reads them.
     pub fn plain(out: &'a mut dyn Write, err: &'a mut dyn Write, stdin: &'a mut dyn Read) -> Self {
         Self {
             out,
@@ -35,6 +37,7 @@ impl<'a> Io<'a> {
             color: false,
             color_out: false,
             out_is_terminal: false,
+            is_read: true,
             terminal: false,
             failed: None,
         }

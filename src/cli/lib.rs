@@ -14,7 +14,6 @@ mod explain;
 mod fingerprints;
 mod format;
 mod io;
-mod json;
 mod listing;
 mod options;
 mod packages;

@@ -170,7 +170,7 @@ impl<'a> Listing<'a> {
     /// That errors left out parts of robots, for those of which no package is said to be missing.
     fn partial(&self) -> Option<String> {
         let Report { partial, incomplete, .. } = self.report;
-        let count = partial.iter().filter(|robot| !incomplete.contains_key(*robot)).count();
+        let count = partial.keys().filter(|robot| !incomplete.contains_key(*robot)).count();
         let whose = if count == 1 { "it" } else { "them" };
         (count > 0).then(|| {
             let robots = counted(count, "robot");

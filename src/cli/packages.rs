@@ -26,7 +26,7 @@ pub(super) fn run(args: &PackagesArgs, env: &Environment, io: &mut Io<'_>) -> u8
     warn_about_config(&session, env, io);
     let vfs = &session.vfs;
     if !vfs.exists(&args.from) {
-        io.line(&format!("error: {}: No such file or directory", visible(&args.from.to_string_lossy())));
+        io.line(&format!("error: {}: No such file or directory", visible(&vfs::slashed(&args.from))));
         return 2;
     }
     // the look-up starts from a file
@@ -38,7 +38,7 @@ pub(super) fn run(args: &PackagesArgs, env: &Environment, io: &mut Io<'_>) -> u8
             let list: Vec<_> = entries
                 .iter()
                 .map(|entry| {
-                    let (path, step) = (entry.path.to_string_lossy(), entry.step.to_string());
+                    let (path, step) = (vfs::slashed(&entry.path), entry.step.to_string());
                     json!({"name": entry.name, "path": path, "step": step, "shadowed": entry.shadowed})
                 })
                 .collect();

@@ -90,7 +90,7 @@ fn picture(
 
 fn write(args: &RenderArgs, bytes: &[u8], env: &Environment) -> Result<(), String> {
     let written = write_atomically(&env.cwd.join(&args.output), bytes);
-    written.map_err(|error| format!("{}: {error}", args.output.display()))
+    written.map_err(|error| format!("{}: {error}", vfs::slashed(&args.output)))
 }
 
 /// The form that a file name asks for.
@@ -99,10 +99,11 @@ fn form(output: &Path, tree: bool) -> Result<Form, String> {
     match (ending.as_str(), tree) {
         ("svg", _) => Ok(Form::Svg),
         ("png", false) => Ok(Form::Png),
-        (_, false) => Err(format!("{}: file name must end in .png or .svg", output.display())),
-        (_, true) => {
-            Err(format!("{}: a tree is drawn as SVG, so the file name must end in .svg", output.display()))
-        }
+        (_, false) => Err(format!("{}: file name must end in .png or .svg", vfs::slashed(output))),
+        (_, true) => Err(format!(
+            "{}: a tree is drawn as SVG, so the file name must end in .svg",
+            vfs::slashed(output)
+        )),
     }
 }
 

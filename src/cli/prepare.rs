@@ -55,8 +55,8 @@ pub(super) fn prepare(args: &CheckArgs, env: &Environment, stdin: &mut dyn Read)
         // who checks a folder means the packages in it
         folders: options.paths.iter().map(|path| env.cwd.join(path)).collect(),
     };
-    let session =
-        Session::new(env, setup).map_err(|error| format!("{}: {}", error.path.display(), error.reason()))?;
+    let session = Session::new(env, setup)
+        .map_err(|error| format!("{}: {}", vfs::slashed(&error.path), error.reason()))?;
     if let Some(name) = stdin_name(args) {
         let read = read_stdin(&name, &session, stdin);
         read.map_err(|error| format!("cannot read standard input: {error}"))?;
@@ -66,7 +66,7 @@ pub(super) fn prepare(args: &CheckArgs, env: &Environment, stdin: &mut dyn Read)
 }
 
 fn read_baseline(path: &Path, session: &Session) -> Result<(Baseline, PathBuf), String> {
-    let named = |why: &str| format!("{}: {why}", path.display());
+    let named = |why: &str| format!("{}: {why}", vfs::slashed(path));
     let file = session.vfs.text(path).map_err(|error| named(&error.reason()))?;
     let baseline = Baseline::from_json(&file.text).map_err(|why| named(&why))?;
     let folder = file.path.parent().map(Path::to_owned).unwrap_or_default();
@@ -111,6 +111,7 @@ fn options(args: &CheckArgs) -> Result<CheckOptions, String> {
             changed,
             entries: args.entry.clone(),
             args: arguments,
+            count_consumers: args.format == Format::Text && !args.statistics && !args.changed,
             ..CheckOptions::default()
         }),
     }

@@ -12,6 +12,7 @@ use super::render::{shown_path, visible};
 use super::tree::file_and_arguments;
 use super::watch::State;
 use analysis::{RootChoice, World};
+use base::paths::HERE;
 use base::{CancelFlag, Encoding};
 use preview::{FromViewer, Hub, Location, Names, Received, RootName, Views, file_uri};
 use vfs::Environment;
@@ -169,6 +170,6 @@ fn with_names<T>(work: impl FnOnce(&Names<'_>) -> T) -> T {
 }
 
 fn path_of(uri: &str) -> Option<PathBuf> {
-    let path = uri.strip_prefix("file://")?;
-    Some(PathBuf::from(percent_decoded(path).unwrap_or_else(|| path.to_owned())))
+    let path = HERE.of_file_uri(uri.strip_prefix("file:")?)?;
+    Some(PathBuf::from(percent_decoded(&path).unwrap_or(path)))
 }

@@ -1,13 +1,12 @@
 //! Problems as people read them on a terminal: the rustc layout, through annotate-snippets.
 
-use std::path::Path;
-
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
 use base::limits::DRAWN_LINE;
 use base::{Encoding, TextRange};
 use vfs::SourceFile;
+pub use vfs::shown_path;
 
 /// A file as it is shown: its text, and its path relative to where the user is.
 pub struct ShownFile<'a> {
@@ -51,15 +50,6 @@ pub struct Report<'a> {
 const MOST_STEPS: usize = 8;
 /// Further places that are drawn.
 const MOST_PLACES: usize = 3;
-
-/// A path relative to `cwd` when it lies below, with `/` between its parts.
-pub fn shown_path(path: &Path, cwd: &Path) -> String {
-    let path = path.strip_prefix(cwd).unwrap_or(path);
-    // a name must not begin a line of its own
-    let text = path.to_string_lossy().replace('\n', "␊");
-    // elsewhere, a backslash is a letter of a name
-    if cfg!(windows) { text.replace('\\', "/") } else { text }
-}
 
 /// Draw a report.
 pub fn render(report: &Report<'_>, color: bool) -> String {

@@ -9,6 +9,7 @@ use super::fingerprints::Fingerprints;
 use super::render::shown_path;
 use analysis::Report;
 use base::Span;
+use base::paths::HERE;
 use rules::{Finding, Fix, Rule, Severity};
 
 const SCHEMA: &str = "https://json.schemastore.org/sarif-2.1.0.json";
@@ -136,7 +137,10 @@ impl Writer<'_> {
 
 /// A path as a URI: relative ones stay relative.
 fn uri(path: &str) -> String {
-    let mut out = String::from(if path.starts_with('/') { "file://" } else { "" });
+    if HERE.is_absolute(path) {
+        return HERE.file_uri(path);
+    }
+    let mut out = String::new();
     for byte in path.bytes() {
         match byte {
             b'/' | b'-' | b'.' | b'_' | b'~' => out.push(byte as char),

@@ -7,7 +7,6 @@ use serde_json::{Value, json};
 
 use super::args::{TestArgs, TestFormat};
 use super::io::Io;
-use super::json as findings;
 use super::progress::watched;
 use super::render::{shown_path, visible, visible_name};
 use super::services::quoted;
@@ -32,7 +31,7 @@ pub(super) fn run(args: &TestArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     };
     let session = match Session::new(env, setup) {
         Ok(session) => session,
-        Err(error) => return failed(io, &format!("{}: {}", error.path.display(), error.reason())),
+        Err(error) => return failed(io, &format!("{}: {}", vfs::slashed(&error.path), error.reason())),
     };
     let options = TestOptions {
         check: CheckOptions { paths, ..CheckOptions::default() },
@@ -81,7 +80,7 @@ impl Runner<'_> {
             let path = self.shown(&unreadable.path);
             code = failed(io, &format!("{path}: {}", unreadable.error.reason()));
         }
-        let prefix = format!("{}/", self.env.cwd.display());
+        let prefix = format!("{}/", vfs::slashed(&self.env.cwd));
         for warning in &self.tests.invalid {
             code = failed(io, &warning.to_string().replace(&prefix, ""));
         }
@@ -180,7 +179,7 @@ impl Runner<'_> {
                 "arguments": args,
                 "passed": case.failures.is_empty(),
                 "expectations": case.expectations,
-                "failures": failures.map(|found| findings::value(&self.tests.report, found, &self.env.cwd)).collect::<Value>(),
+                "failures": failures.map(|found| self.tests.report.finding_to_json(found, &self.env.cwd)).collect::<Value>(),
             })
         };
         self.tests.cases.iter().map(case).collect()

@@ -6,6 +6,7 @@ use serde_json::json;
 
 use super::args::{TreeArgs, TreeFormat};
 use super::check::warn_about_config;
+use super::deps::beside;
 use super::io::Io;
 use super::options::{mappings, with_assignment};
 use super::render::{visible, visible_name};
@@ -58,7 +59,7 @@ pub(super) fn run(args: &TreeArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     match args.format {
         TreeFormat::Text => io.out(&text_tree(&tree, args.joints)),
         TreeFormat::Dot => io.out(&dot(&tree)),
-        TreeFormat::Json => io.out(&format!("{:#}\n", as_json(&tree))),
+        TreeFormat::Json => io.out(&format!("{:#}\n", as_json(&tree, beside(&session, &file)))),
         TreeFormat::Svg => io.out(&svg::draw(&tree)),
     }
     0
@@ -103,22 +104,6 @@ pub(super) fn explain(
     report.findings.retain(|f| f.severity == Severity::Error && categories.contains(&f.rule.category));
     for line in text::drawings(report.findings.iter(), &report, &session.packages, &env.cwd, io.color) {
         io.line(&line);
-    }
-}
-
-/// Expand the one file among `names`, with `name:=value` from there as well.
-pub(super) fn expand_named(
-    names: &[String],
-    package_path: &[String],
-    env: &Environment,
-    io: &mut Io<'_>,
-) -> Result<Expansion, String> {
-    let (file, arguments) = file_and_arguments(names)?;
-    let session = open(&file, package_path, env, io)?;
-    let expansion = expand_in(&session, &file, arguments);
-    match &expansion.root_error {
-        Some(error) => Err(format!("{file}: {}", error.reason())),
-        None => Ok(expansion),
     }
 }
 
@@ -202,7 +187,7 @@ fn text_tree(tree: &Tree<'_>, joints: bool) -> String {
 }
 
 /// Links and joints in document order, as lists: trees may be deeper than JSON readers bear.
-fn as_json(tree: &Tree<'_>) -> serde_json::Value {
+fn as_json(tree: &Tree<'_>, beside: serde_json::Value) -> serde_json::Value {
     let text = |text: &Option<model::Text>| text.as_ref().map(|text| text.value.to_string());
     let links: Vec<_> = (0..tree.robot.links.len()).map(|link| tree.link(link)).collect();
     let joints: Vec<_> = tree
@@ -219,6 +204,7 @@ fn as_json(tree: &Tree<'_>) -> serde_json::Value {
         })
         .collect();
     json!({
+        "beside": beside,
         "robot": text(&tree.robot.name),
         "root": tree.link(tree.root),
         "links": links,

@@ -67,6 +67,7 @@ impl Expander<'_> {
 
     /// `xacro:arg`
     pub fn arg(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
+        self.note_unclear();
         let name = self.required_attr(tag, "name", cx);
         let default = self.required_attr(tag, "default", cx);
         self.check_attrs(tag, &["name", "default"], cx);
@@ -133,6 +134,7 @@ impl Expander<'_> {
         let cx = Cx { frame, ..cx };
         match block {
             Block::Source(at) => {
+                self.note_source(at.src);
                 if let Some(item) = self.item(at.src) {
                     let node = item.node(at.node);
                     let content = self.container(Origin { src: at.src, range: node.range(), frame });

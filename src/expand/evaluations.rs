@@ -1,5 +1,6 @@
 //! What each `${...}` and `$(...)` gave, each time it was evaluated: what editors show beside it.
 
+use std::ops::Range;
 use std::sync::OnceLock;
 
 use super::machine::Expander;
@@ -59,6 +60,31 @@ impl Evaluations {
             frames
         });
         self.list.get(*frames.get(&(place, frame))? as usize)
+    }
+
+    #[cfg(debug_assertions)]
+    pub(super) fn all(&self) -> &[Evaluation] {
+        &self.list
+    }
+
+    /// How many there are.
+    pub(super) fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    /// Whether so many more are kept.
+    pub(super) fn has_room(&self, more: usize) -> bool {
+        self.list.len() + more < EVALUATIONS
+    }
+
+    /// The values of a part of them.
+    pub(super) fn values(&self, part: Range<usize>) -> impl Iterator<Item = &Value> {
+        self.list.get(part).unwrap_or_default().iter().map(|evaluation| &evaluation.value)
+    }
+
+    /// Add a part of others.
+    pub(super) fn extend_from(&mut self, others: &Self, part: Range<usize>) {
+        self.list.extend_from_slice(others.list.get(part).unwrap_or_default());
     }
 
     /// Whether there were more than are kept.

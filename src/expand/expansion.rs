@@ -5,6 +5,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::evaluations::Evaluations;
+use super::memo::Memo;
 use super::origin::{Frame, Source, SrcId};
 use super::probe::Probe;
 use super::problem::Problem;
@@ -68,6 +69,8 @@ pub struct Expansion {
     pub arguments: Vec<(EcoString, EcoString)>,
     /// Why the root file could not be read; there is no document then.
     pub root_error: Option<LoadError>,
+    /// What the next expansion of the same root may take over.
+    pub(super) memo: Option<Box<Memo>>,
 }
 
 impl Expansion {
@@ -80,6 +83,11 @@ impl Expansion {
         self.symbols.shrink();
         self.evaluations.shrink();
         self.reads.shrink_to_fit();
+    }
+
+    /// How many macro calls were taken over from the expansion before.
+    pub fn taken_over(&self) -> usize {
+        self.memo.as_ref().map_or(0, |memo| memo.taken_over)
     }
 
     /// Properties, parameters and arguments that were read for something: indices of [`Self::bindings`].

@@ -120,6 +120,7 @@ impl ExprHost<'_, '_, '_> {
         range: TextRange,
     ) -> Result<Value, EvalError> {
         let name = text_argument("<lambda>", "name", args, keywords)?;
+        self.machine.note_argument(&name);
         match self.machine.args.get(&name) {
             Some((Some(value), info)) => {
                 let (value, info) = (value.clone(), *info);
@@ -165,6 +166,7 @@ impl ExprHost<'_, '_, '_> {
         range: TextRange,
     ) -> Result<Value, EvalError> {
         let name = text_argument("load_yaml", "filename", args, keywords)?;
+        self.machine.note_unclear();
         let name = self.machine.absolute_name(&name);
         // load_yaml opens relative to the working directory, whatever --root-dir says
         let mut path: PathBuf = self.machine.world.env.cwd.join(&name);

@@ -18,8 +18,9 @@ use super::symbols::SymbolKind;
 use super::tree::XId;
 use base::TextRange;
 use base::limits::{GLOB_ENTRIES, GLOB_FILES};
+use base::paths::HERE;
 use expr::{Value, display, literal};
-use vfs::{LoadError, LoadErrorKind, SourceFile, TooMany};
+use vfs::{LoadError, LoadErrorKind, SourceFile, TooMany, slashed};
 use workspace::Built;
 use xml::{NodeKind, SyntaxError, SyntaxErrorKind};
 
@@ -40,6 +41,7 @@ struct Inclusion {
 impl Expander<'_> {
     /// `xacro:include`
     pub fn include(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
+        self.note_unclear();
         let Some((text, place)) = self.required_attr(tag, "filename", cx) else { return };
         self.check_attrs(tag, &["filename", "ns", "optional"], cx);
         let inner = self.include_scope(tag, cx);
@@ -156,14 +158,15 @@ impl Expander<'_> {
 
     /// A relative name joined to the folder of the file processed now, as it will be printed.
     pub fn absolute_name(&self, name: &str) -> String {
-        if name.starts_with('/') || Path::new(name).is_absolute() {
-            return name.to_owned();
+        let name = HERE.slashed(name);
+        if !HERE.root(&name).is_empty() {
+            return name.into_owned();
         }
         match self.current_file().rsplit_once('/').map(|(folder, _)| (folder, folder.trim_end_matches('/'))) {
             // as Python's `dirname`: slashes at the end go, except when there is nothing else
             Some((folder, "")) => format!("{folder}/{name}"),
             Some((_, folder)) => format!("{folder}/{name}"),
-            None => name.to_owned(),
+            None => name.into_owned(),
         }
     }
 
@@ -191,7 +194,7 @@ impl Expander<'_> {
             let reference = format!("Include tag's filename spec \"{name}\" matched no files.");
             self.warn("XAC035", at, message, reference);
         }
-        found.into_iter().map(|path| path.to_string_lossy().into_owned()).collect()
+        found.iter().map(|path| slashed(path)).collect()
     }
 
     /// None of the files is included. What matches is not part of the record either: to ask again whether it still is too
@@ -275,7 +278,7 @@ impl Expander<'_> {
             return;
         }
         let message =
-            format!("included file `{name}` is generated from `{}` at build time", template.display());
+            format!("included file `{name}` is generated from `{}` at build time", slashed(template));
         let problem = self.problem("XAC008", at, message).excused();
         self.push(problem.help("build the package to generate the file; definitions in it are not checked"));
     }
@@ -326,7 +329,7 @@ impl Expander<'_> {
         self.include_missing = true;
         self.result.complete = false;
         let shown =
-            if name.starts_with('/') { name.to_owned() } else { format!("{}/{name}", self.root_name()) };
+            if HERE.is_absolute(name) { name.to_owned() } else { format!("{}/{name}", self.root_name()) };
         let LoadError { strerror, errno, .. } = &error;
         let message = match error.kind {
             LoadErrorKind::NotFound => format!("included file `{name}` not found"),
@@ -335,11 +338,11 @@ impl Expander<'_> {
         };
         let help = match error.kind {
             LoadErrorKind::TooLarge { .. } => raise("file-mb"),
-            _ => format!("correct the path, or add the file: {}", error.path.display()),
+            _ => format!("correct the path, or add the file: {}", slashed(&error.path)),
         };
         let path = match error.kind {
             LoadErrorKind::TooLarge { .. } => None,
-            _ => Some(error.path.display().to_string()),
+            _ => Some(slashed(&error.path)),
         };
         let meant = match error.kind {
             LoadErrorKind::NotFound => meant::by_include(self.text_of(at)),
@@ -360,6 +363,11 @@ impl Expander<'_> {
             .depends_on(argument.cloned().map_or(Outside::File, Outside::Argument))
             .help(help);
         let problem = super::Problem { detail: path, ..problem };
+        let problem =
+            match error.kind == LoadErrorKind::NotFound && self.world.packages.may_be_made(&error.path) {
+                true => problem.excused().help("build the package to generate the file, or correct the path"),
+                false => problem,
+            };
         self.push(match meant {
             Some(meant) => meant.said_of(problem),
             None => problem,

@@ -20,12 +20,16 @@ mod late;
 mod machine;
 mod macros;
 mod meant;
+mod memo;
 mod origin;
 mod params;
 mod probe;
 mod problem;
 mod property;
 mod record;
+mod replay;
+#[cfg(test)]
+mod replay_tests;
 mod resolve;
 mod scope;
 mod slips;
@@ -35,13 +39,16 @@ mod substitution;
 mod symbols;
 mod text;
 mod tree;
+#[cfg(debug_assertions)]
+mod verify;
+mod watch;
 mod write;
 mod yaml_value;
 
 pub use argument::{argument, is_partial};
 pub use evaluations::{Evaluation, Evaluations};
 pub use expansion::{Expansion, FileUse};
-pub use machine::{Forced, Limits, Request, World, expand};
+pub use machine::{Forced, Limits, Request, World, expand, expand_again};
 pub use origin::{FileIdx, Frame, FrameId, FrameKind, Origin, Source, SrcId};
 pub use params::parse as parse_params;
 pub use probe::Probe;

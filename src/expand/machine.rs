@@ -2,20 +2,23 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use ecow::EcoString;
 
 use super::expansion::Expansion;
 use super::late::Undefined;
+use super::memo::{Kept, Recorder};
 use super::origin::{FileIdx, Frame, FrameId, FrameKind, Origin};
 use super::problem::{Place as ProblemPlace, Problem, Problems, Severity, Step, step_message};
 use super::record::Read;
+use super::replay::Before;
 use super::resolve::{BindingInfo, LazyUse};
 use super::scope::{MacroDef, Macros, MacrosId, Scopes};
 use super::stack::with_stack;
 use super::text::SplitText;
 use super::tree::{XAttr, XId, XKind};
+use base::clock::Instant;
 use base::limits::{self, EVAL_DEPTH};
 use base::{CancelFlag, FastMap, FastSet, TextRange};
 use expr::{Budget, ScopeId, Value};
@@ -105,6 +108,28 @@ pub struct Request {
     pub cancel: CancelFlag,
 }
 
+impl Request {
+    /// Whether the same is asked for, whoever may cancel it.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        let Self {
+            file,
+            args,
+            root_dir,
+            limits,
+            probe,
+            unknown_args,
+            ros_shell,
+            keep,
+            last: _,
+            forced,
+            cancel: _,
+        } = self;
+        (file, args, root_dir, limits) == (&other.file, &other.args, &other.root_dir, &other.limits)
+            && (*probe, *ros_shell, *keep) == (other.probe, other.ros_shell, other.keep)
+            && (unknown_args, forced) == (&other.unknown_args, &other.forced)
+    }
+}
+
 /// A condition (`xacro:if` or `xacro:unless`) whose outcome is given.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Forced {
@@ -119,7 +144,22 @@ pub struct Forced {
 /// Expand a file. Never fails: what went wrong is in [`Expansion::problems`].
 ///
 pub fn expand(world: World<'_>, request: &Request) -> Expansion {
-    with_stack(|| Expander::new(world, request).run())
+    expand_again(world, request, None)
+}
+
+/// The same after an edit: macro calls of the root are taken over from the expansion `before` where nothing that they read
+/// has changed. The result is the same as that of [`expand`].
+pub fn expand_again(world: World<'_>, request: &Request, before: Option<&Expansion>) -> Expansion {
+    let made = with_stack(|| Expander::new(world, request, Before::of(before, request)).run());
+    #[cfg(debug_assertions)]
+    if before.is_some() && !request.cancel.is_cancelled() {
+        let fresh = with_stack(|| Expander::new(world, request, None).run());
+        // a new edit may have cut it short
+        if !request.cancel.is_cancelled() {
+            super::verify::same(&made, &fresh);
+        }
+    }
+    made
 }
 
 /// How to raise a limit of the configuration.
@@ -206,6 +246,18 @@ pub(super) struct Expander<'w> {
     pub idle_macros: Vec<(Arc<MacroDef>, Cx)>,
     /// Properties that nothing reads are being evaluated: what they read is not used by that.
     pub idle: bool,
+    /// The last expansion of this root.
+    pub before: Option<Before<'w>>,
+    /// Whether steps are kept for the next expansion.
+    pub keeps_steps: bool,
+    /// The steps so far.
+    pub steps: Vec<Kept>,
+    /// What the step that is evaluated now reads.
+    pub recorder: Option<Recorder>,
+    /// How many steps were taken over.
+    pub taken_over: usize,
+    /// How many nodes were not made since steps were taken over.
+    pub nodes_left_out: usize,
     ticks: u32,
 }
 
@@ -213,7 +265,7 @@ impl<'w> Expander<'w> {
     /// Steps shown of the way to a problem.
     const TRACE_STEPS: usize = 100;
 
-    fn new(world: World<'w>, request: &'w Request) -> Self {
+    fn new(world: World<'w>, request: &'w Request, before: Option<Before<'w>>) -> Self {
         let mut result = Expansion { complete: true, ..Expansion::default() };
         result.frames.push(Frame {
             kind: FrameKind::Root,
@@ -260,6 +312,12 @@ impl<'w> Expander<'w> {
             stopped: false,
             idle_macros: Vec::new(),
             idle: false,
+            before,
+            keeps_steps: request.keep && request.forced.is_empty(),
+            steps: Vec::new(),
+            recorder: None,
+            taken_over: 0,
+            nodes_left_out: 0,
             ticks: 0,
         }
     }
@@ -282,8 +340,10 @@ impl<'w> Expander<'w> {
         if self.request.keep {
             // it will be looked at often; what it was made with is not needed any more
             (self.texts, self.scopes) = (FastMap::default(), Scopes::new());
+            let ordinals = self.step_ordinals();
             let Expansion { tree, probes, .. } = &mut self.result;
             tree.compact(probes.iter_mut().map(|probe| &mut probe.content));
+            self.result.memo = Some(Box::new(self.placed_steps(&ordinals)));
             self.result.shrink();
         }
         let result = std::mem::take(&mut self.result);
@@ -351,7 +411,7 @@ impl<'w> Expander<'w> {
             return true;
         }
         self.ticks += 1;
-        if self.result.tree.len() as u64 > self.request.limits.expand_nodes {
+        if self.nodes_made() as u64 > self.request.limits.expand_nodes {
             let most = self.request.limits.expand_nodes;
             self.stop(at, format!("the expanded robot has more than {most} nodes"), Some("expand-nodes"));
         } else if self.ticks.is_multiple_of(256) {

@@ -219,13 +219,26 @@ impl Expander<'_> {
 
     /// A macro call.
     pub fn call(&mut self, tag: Tag<'_>, name: &str, has_next: bool, out: XId, cx: Cx) {
+        if !self.is_step(tag, out, cx) {
+            if let Some(body) = self.call_body(tag, name, cx) {
+                self.place_body(body, has_next, out, cx);
+            }
+        } else if !self.replay(tag, has_next, out, cx) {
+            self.recorded_call(tag, name, has_next, out, cx);
+        }
+    }
+
+    /// What a call gives, in a container.
+    #[inline]
+    pub(super) fn call_body(&mut self, tag: Tag<'_>, name: &str, cx: Cx) -> Option<XId> {
         let at = self.tag_origin(tag, cx);
         let Some(Resolved { def, macros, scope }) = self.find_macro(name, cx, at) else {
-            return self.unknown_macro(tag, name, cx);
+            self.unknown_macro(tag, name, cx);
+            return None;
         };
         self.note_use(self.called_name(tag, &def, cx), Some(def.definition), UseKind::Call);
         if self.is_endless(&def, at) {
-            return;
+            return None;
         }
         let frame = self.push_frame(FrameKind::Macro, def.name.clone(), at, Some(def.origin));
         let body_cx =
@@ -244,6 +257,12 @@ impl Expander<'_> {
         self.calls.push((Arc::as_ptr(&def) as usize, self.conditions));
         self.eval_body(&def, body, body_cx);
         self.calls.pop();
+        Some(body)
+    }
+
+    /// Put what a call gives in its place.
+    #[inline]
+    pub(super) fn place_body(&mut self, body: XId, has_next: bool, out: XId, cx: Cx) {
         self.drop_comments(out, has_next);
         self.lift_namespaces(body, out, cx);
         self.splice(body, out);
@@ -260,6 +279,7 @@ impl Expander<'_> {
 
     pub(super) fn eval_body(&mut self, def: &MacroDef, body: XId, cx: Cx) {
         let Some(item) = self.item(def.body.src) else { return };
+        self.note_source(def.body.src);
         let node = item.node(def.body.node);
         // the reference evaluates the attributes of the macro tag as well
         self.eval_attributes(Tag { node, src: def.body.src, name: node.name(), used: &[] }, body, cx);
@@ -342,8 +362,8 @@ impl Expander<'_> {
         let Some(&(_, conditions)) = same else {
             return self.too_deep(def, at);
         };
-        if self.unknown_conditions > 0 {
-            // whether to go on cannot be known, so the recursion ends here
+        if self.unknown_conditions > 0 || self.include_missing {
+            // whether to go on cannot be known, so the recursion ends here: a file that is missing may define the macro anew
             self.result.complete = false;
             self.content_lost = true;
             return true;

@@ -1,5 +1,7 @@
 //! What went wrong, where, and by which way expansion came there.
 
+use std::cell::Cell;
+
 use ecow::EcoString;
 
 use super::advice;
@@ -161,14 +163,22 @@ pub(super) struct Problems {
     pub list: Vec<Problem>,
     /// By code and place: the problems that were reported there.
     seen: FastMap<(&'static str, super::FileIdx, TextRange), Vec<usize>>,
+    /// How often somebody reported something or asked what is reported.
+    touched: Cell<u64>,
 }
 
 impl Problems {
     /// Calls kept for one problem.
     const MOST_CALLS: usize = 100;
 
+    /// How often somebody reported something or asked what is reported.
+    pub fn touched(&self) -> u64 {
+        self.touched.get()
+    }
+
     /// The number of a problem that was reported.
     pub fn find(&self, code: &'static str, place: Place, message: &str) -> Option<usize> {
+        self.touched.set(self.touched.get() + 1);
         let here = self.seen.get(&(code, place.file, place.range))?;
         let is_same = |i: &&usize| self.list.get(**i).is_some_and(|old| old.message == message);
         here.iter().find(is_same).copied()

@@ -144,6 +144,7 @@ impl Expander<'_> {
             info.value = Some(value.clone());
         }
         let info = self.add_binding(info);
+        self.scopes.note_change(scope);
         self.scopes.get_mut(scope).vars.insert(key, Binding { state, info });
     }
 

@@ -26,14 +26,29 @@ pub enum Read {
 pub struct Record {
     reads: Vec<Read>,
     seen: FastSet<Read>,
+    /// Reads since the log was started, repeated ones too.
+    log: Option<Vec<Read>>,
 }
 
 impl Record {
     /// Note a read.
     pub fn add(&mut self, read: Read) {
+        if let Some(log) = &mut self.log
+            && !log.contains(&read)
+        {
+            log.push(read.clone());
+        }
         if self.seen.insert(read.clone()) {
             self.reads.push(read);
         }
+    }
+
+    pub(super) fn start_log(&mut self) {
+        self.log = Some(Vec::new());
+    }
+
+    pub(super) fn take_log(&mut self) -> Vec<Read> {
+        self.log.take().unwrap_or_default()
     }
 
     /// The reads in order.

@@ -5,6 +5,7 @@ use ecow::EcoString;
 use super::late::{Missing, NameKind};
 use super::machine::Expander;
 use super::meant;
+use super::memo::Forced;
 use super::origin::Origin;
 use super::problem::{Outside, Step};
 use super::scope::{Block, Macros, Scopes, State};
@@ -116,6 +117,7 @@ impl Expander<'_> {
             return Value::Unknown;
         }
         scope.resolving.push(name.clone());
+        self.note_source(place.origin.src);
         self.lazy_uses.push(LazyUse { name: name.clone(), at });
         let mark = self.reads.len();
         let value = with_stack(|| self.eval_text(&text, place, holder));
@@ -125,6 +127,9 @@ impl Expander<'_> {
             value => value,
         };
         let reads = self.take_reads(mark);
+        if holder == Scopes::TOP {
+            self.note_forced(|| Forced { name: name.clone(), info, value: value.clone(), reads });
+        }
         if let Some(info) = self.result.bindings.get_mut(info as usize) {
             info.reads = reads;
             info.value = Some(value.clone());

@@ -1,6 +1,7 @@
 //! Symbol tables: chains of properties, and chains of macros.
 #![allow(clippy::indexing_slicing)] // ids are made by these tables only and never outlive them
 
+use std::cell::RefCell;
 use std::sync::Arc;
 
 use ecow::EcoString;
@@ -10,6 +11,7 @@ use rustc_hash::FxBuildHasher;
 use super::origin::{Origin, SrcId};
 use super::symbols::DefinitionId;
 use super::tree::XId;
+use super::watch::{MacroWatch, Watch};
 use base::{FastMap, TextRange};
 use expr::{ScopeId, Value};
 use xml::NodeId;
@@ -119,7 +121,7 @@ impl Vars {
     }
 
     /// In the order in which they were first defined.
-    fn iter(&self) -> impl Iterator<Item = (&EcoString, &Binding)> {
+    pub(super) fn iter(&self) -> impl Iterator<Item = (&EcoString, &Binding)> {
         self.few.iter().map(|(name, binding)| (name, binding)).chain(&self.many)
     }
 }
@@ -127,14 +129,20 @@ impl Vars {
 /// All property scopes of an expansion; none is ever dropped, since lambdas may keep one.
 #[derive(Debug)]
 pub(super) struct Scopes {
-    list: Vec<Scope>,
+    pub(super) list: Vec<Scope>,
+    pub(super) watch: Option<RefCell<Watch>>,
 }
 
 impl Scopes {
     pub const TOP: ScopeId = ScopeId(0);
 
     pub fn new() -> Self {
-        Self { list: vec![Scope::default()] }
+        Self { list: vec![Scope::default()], watch: None }
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.list.len()
     }
 
     pub fn push(&mut self, parent: ScopeId, is_namespace: bool) -> ScopeId {
@@ -163,6 +171,14 @@ impl Scopes {
 
     /// The scope in the chain from `id` that holds `name`.
     pub fn holder(&self, id: ScopeId, name: &str) -> Option<ScopeId> {
+        let found = self.holder_of(id, name);
+        if let Some(watch) = &self.watch {
+            self.note_lookup(watch, id, name, found);
+        }
+        found
+    }
+
+    fn holder_of(&self, id: ScopeId, name: &str) -> Option<ScopeId> {
         let mut at = Some(id);
         while let Some(id) = at {
             let scope = self.get(id);
@@ -182,6 +198,7 @@ impl Scopes {
 
     /// What a scope holds itself, as the dict that it is in the reference: properties without a value yet as text.
     pub fn entries(&self, id: ScopeId) -> Vec<(EcoString, Value)> {
+        self.note_unclear();
         let scope = self.get(id);
         let value = |binding: &Binding| match &binding.state {
             State::Lazy(text, _) => Value::Str(text.clone()),
@@ -198,12 +215,16 @@ impl Scopes {
 
     /// Note that an expression is evaluated in a scope.
     pub fn note_evaluation(&mut self, id: ScopeId) {
+        if let Some(watch) = &mut self.watch {
+            watch.get_mut().note_evaluation(id);
+        }
         let scope = self.get_mut(id);
         scope.evaluated.get_or_insert(scope.vars.len());
     }
 
     /// Delete `name` from `id` and everything around it.
     pub fn remove_everywhere(&mut self, id: ScopeId, name: &str) {
+        self.note_unclear();
         let mut at = Some(id);
         while let Some(id) = at {
             let scope = self.get_mut(id);
@@ -254,14 +275,14 @@ impl Scopes {
 pub(super) struct MacrosId(pub u32);
 
 #[derive(Debug)]
-enum MacroEntry {
+pub(super) enum MacroEntry {
     Macro(Arc<MacroDef>),
     Namespace(MacrosId),
 }
 
 #[derive(Debug, Default)]
-struct MacroTable {
-    parent: Option<MacrosId>,
+pub(super) struct MacroTable {
+    pub(super) parent: Option<MacrosId>,
     entries: FastMap<EcoString, MacroEntry>,
 }
 
@@ -379,14 +400,20 @@ impl<'p> Open<'p> {
 /// All macro tables of an expansion.
 #[derive(Debug)]
 pub(super) struct Macros {
-    list: Vec<MacroTable>,
+    pub(super) list: Vec<MacroTable>,
+    pub(super) watch: Option<RefCell<MacroWatch>>,
 }
 
 impl Macros {
     pub const TOP: MacrosId = MacrosId(0);
 
     pub fn new() -> Self {
-        Self { list: vec![MacroTable::default()] }
+        Self { list: vec![MacroTable::default()], watch: None }
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.list.len()
     }
 
     pub fn push(&mut self, parent: Option<MacrosId>) -> MacrosId {
@@ -396,21 +423,31 @@ impl Macros {
     }
 
     pub fn define(&mut self, at: MacrosId, def: MacroDef) -> Arc<MacroDef> {
+        self.note_change(at);
         let def = Arc::new(def);
         self.list[at.0 as usize].entries.insert(def.name.clone(), MacroEntry::Macro(def.clone()));
         def
     }
 
     pub fn define_namespace(&mut self, at: MacrosId, name: EcoString, table: MacrosId) {
+        self.note_change(at);
         self.list[at.0 as usize].entries.insert(name, MacroEntry::Namespace(table));
     }
 
     fn entry(&self, at: MacrosId, name: &str) -> Option<&MacroEntry> {
+        let found = self.entry_of(at, name);
+        if let Some(watch) = &self.watch {
+            self.note_lookup(watch, at, name, found);
+        }
+        found.map(|(_, entry)| entry)
+    }
+
+    fn entry_of(&self, at: MacrosId, name: &str) -> Option<(MacrosId, &MacroEntry)> {
         let mut at = Some(at);
         while let Some(id) = at {
             let table = &self.list[id.0 as usize];
             if let Some(entry) = table.entries.get(name) {
-                return Some(entry);
+                return Some((id, entry));
             }
             at = table.parent;
         }

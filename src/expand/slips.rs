@@ -93,7 +93,7 @@ impl Expander<'_> {
         let more = if names.len() > MOST_SHOWN { ", ..." } else { "" };
         let given = &argument.name;
         let list: Vec<String> = names.iter().take(MOST_SHOWN).map(|name| format!("`{name}`")).collect();
-        let message = format!("no folder `{name}` in `{}` for argument `{given}`", around.display());
+        let message = format!("no folder `{name}` in `{}` for argument `{given}`", vfs::slashed(around));
         let help = format!("pass {given}:=... with one of {}{more}", list.join(", "));
         let problem = self.problem("XAC025", at, message).depends_on(Outside::File);
         (!list.is_empty()).then(|| problem.help(help))

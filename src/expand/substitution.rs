@@ -11,10 +11,12 @@ use super::record::Read;
 use super::symbols::UseKind;
 use super::text::TextSite;
 use base::TextRange;
+use base::paths::HERE;
 use expr::{
     self, ErrorKind, EvalError, Host, HostFn, Lookup, Module, ScopeId, Subst, SubstArg, SubstError, Value,
     display, literal,
 };
+use vfs::slashed;
 use workspace::RosVariable;
 
 /// Why a substitution has no value.
@@ -73,9 +75,7 @@ impl Expander<'_> {
             }
             Subst::Cwd => {
                 let root = self.file_path("");
-                let text = root.to_string_lossy();
-                let text = if text.len() > 1 { text.trim_end_matches('/') } else { &text };
-                Ok(normalised(text).into())
+                Ok(HERE.normalized(&root.to_string_lossy()).into())
             }
             Subst::Eval { code } => self.eval_substitution(code.slice(here.inner), here),
             _ => Ok(format!("$({})", here.inner).into()),
@@ -83,6 +83,7 @@ impl Expander<'_> {
     }
 
     fn argument(&mut self, name: &SubstArg, here: Here<'_>) -> Result<EcoString, Failure> {
+        self.note_argument(&name.text);
         match self.args.get(&name.text) {
             Some((Some(value), info)) => {
                 let (value, info) = (value.clone(), *info);
@@ -110,18 +111,20 @@ impl Expander<'_> {
             .map_or_else(|| self.world.env.cwd.clone(), |f| f.source.path.to_path_buf());
         match self.world.packages.find(&name.text, &from) {
             Ok(found) => {
+                self.note_package(&name.text, &from, &found.path);
                 self.result.record.add(Read::Package(name.text.to_string(), Some(found.path.clone())));
-                Ok(found.path.to_string_lossy().as_ref().into())
+                Ok(slashed(&found.path).into())
             }
             Err(missing) => {
                 self.result.record.add(Read::Package(name.text.to_string(), None));
                 let places: Vec<String> =
-                    missing.tried.iter().map(|(_, p)| format!("'{}'", p.display())).collect();
+                    missing.tried.iter().map(|(_, p)| format!("'{}'", slashed(p))).collect();
                 let text =
                     format!("\"package '{}' not found, searching: [{}]\"", name.text, places.join(", "));
                 let reference =
                     format!("<class 'ament_index_python.packages.PackageNotFoundError'>: {text} {text}");
-                let message = format!("package `{}` not found (searched {} places)", name.text, places.len());
+                let message =
+                    format!("package `{}` not found (searched {} folders)", name.text, places.len());
                 let mut problem =
                     self.problem("PKG001", at, message).says(reference).depends_on(Outside::File);
                 problem = match missing.nearest {
@@ -157,6 +160,7 @@ impl Expander<'_> {
 
     /// What a shell in which ROS was sourced has in a variable that is not set here; `Some(None)`: one of several values.
     fn ros_variable(&mut self, name: &str) -> Option<Option<EcoString>> {
+        self.note_unclear();
         if !self.request.ros_shell {
             return None;
         }
@@ -254,19 +258,6 @@ fn class_of(error: &EvalError) -> &'static str {
     }
 }
 
-/// `os.path.abspath` without asking the disk.
-fn normalised(path: &str) -> String {
-    let mut parts: Vec<&str> = Vec::new();
-    for part in path.split('/').filter(|p| !p.is_empty() && *p != ".") {
-        if part == ".." {
-            parts.pop();
-        } else {
-            parts.push(part);
-        }
-    }
-    format!("/{}", parts.join("/"))
-}
-
 /// The names of `$(eval)`: its functions, `math`, and arguments, converted by their looks.
 struct ArgHost<'m, 'w, 't> {
     machine: &'m mut Expander<'w>,
@@ -332,6 +323,7 @@ impl Host for ArgHost<'_, '_, '_> {
         if let Some(value) = own {
             return Lookup::Found(value);
         }
+        self.machine.note_argument(&name.into());
         match self.machine.args.get(name) {
             Some((Some(value), info)) => {
                 let (value, info) = (value.clone(), *info);

@@ -96,6 +96,15 @@ pub struct Symbols {
     pub idle_uses: Vec<Use>,
     known: FastMap<(SourceRange, EcoString), DefinitionId>,
     seen: FastSet<Use>,
+    log: Option<SymbolLog>,
+}
+
+/// Definitions and uses of a part of an expansion, known ones too.
+#[derive(Clone, Debug, Default)]
+pub(super) struct SymbolLog {
+    pub definitions: Vec<(Definition, DefinitionId)>,
+    /// With whether they are uses by properties that nothing reads.
+    pub uses: Vec<(Use, bool)>,
 }
 
 impl Symbols {
@@ -126,9 +135,25 @@ impl Symbols {
         self.uses.shrink_to_fit();
     }
 
-    fn add(&mut self, definition: Definition) -> DefinitionId {
+    pub(super) fn start_log(&mut self) {
+        self.log = Some(SymbolLog::default());
+    }
+
+    pub(super) fn take_log(&mut self) -> SymbolLog {
+        self.log.take().unwrap_or_default()
+    }
+
+    /// The number of a definition that was met.
+    pub(super) fn number_of(&self, definition: &Definition) -> Option<DefinitionId> {
+        self.known.get(&(definition.place, definition.name.clone())).copied()
+    }
+
+    pub(super) fn add(&mut self, definition: Definition) -> DefinitionId {
         let next = DefinitionId(self.definitions.len() as u32);
         let id = *self.known.entry((definition.place, definition.name.clone())).or_insert(next);
+        if let Some(log) = &mut self.log {
+            log.definitions.push((definition.clone(), id));
+        }
         if id == next {
             self.definitions.push(definition);
         } else if let Some(known) = self.definitions.get_mut(id.0 as usize) {
@@ -137,7 +162,12 @@ impl Symbols {
         id
     }
 
-    fn add_use(&mut self, used: Use, idle: bool) {
+    pub(super) fn add_use(&mut self, used: Use, idle: bool) {
+        if let Some(log) = &mut self.log
+            && !log.uses.contains(&(used, idle))
+        {
+            log.uses.push((used, idle));
+        }
         if self.seen.insert(used) {
             let list = if idle { &mut self.idle_uses } else { &mut self.uses };
             list.push(used);

@@ -14,6 +14,7 @@ use super::problem::Outside;
 use super::scope::Place;
 use super::tree::Piece;
 use base::TextRange;
+use base::paths::HERE;
 use expr::ast::ExprKind;
 use expr::{
     self, Code, ErrorKind, EvalError, ExprErrorKind, Parsed, ScopeId, Template, Token, Value, display,
@@ -61,7 +62,10 @@ impl Expander<'_> {
                 let mut known = true;
                 for token in tokens {
                     match display::to_str(&self.eval_token(token, site, scope).0) {
-                        Some(text) if self.affords(text.len(), site) => out.push_str(&text),
+                        Some(text) if self.affords(text.len(), site) => {
+                            out.push_str(HERE.joint(&out, &text));
+                            out.push_str(&text);
+                        }
                         _ => known = false,
                     }
                 }
@@ -84,12 +88,14 @@ impl Expander<'_> {
             let mark = self.reads.len();
             let (value, reads) = self.eval_token(token, site, cx.scope);
             self.reads.truncate(mark);
-            let start = out.len() as u32;
             let value = self.without_function(value, token, site);
             let shown = display::to_str(&value).filter(|text| self.affords(text.len(), site));
             let unknown = shown.is_none();
             self.result.complete &= !unknown;
-            out.push_str(shown.as_deref().unwrap_or(UNKNOWN_TEXT));
+            let shown = shown.as_deref().unwrap_or(UNKNOWN_TEXT);
+            out.push_str(HERE.joint(&out, shown));
+            let start = out.len() as u32;
+            out.push_str(shown);
             if let Token::Expr { range, .. } | Token::Subst { range, .. } | Token::Invalid { range, .. } =
                 token
             {

@@ -182,6 +182,11 @@ impl XTree {
         self.nodes.shrink_to_fit();
     }
 
+    #[cfg(debug_assertions)]
+    pub(super) fn all(&self) -> &[XNode] {
+        &self.nodes
+    }
+
     /// How many nodes were ever made.
     #[inline]
     pub fn len(&self) -> usize {
@@ -309,6 +314,34 @@ impl XTree {
             None => self.get_mut(parent).first = id,
         }
         self.get_mut(parent).last = id;
+    }
+
+    /// Copy nodes of a compact tree, from the first of some siblings up to what lies behind the last one, to the end of
+    /// `parent`.
+    pub(super) fn graft(&mut self, from: &Self, (first, end): (XId, XId), parent: XId) {
+        let start = self.nodes.len() as u32;
+        let inside = |id: XId| (first.0..end.0).contains(&id.0);
+        let moved = |id: XId| if inside(id) { XId(id.0 - first.0 + start) } else { XId::NIL };
+        let range = first.index()..end.index();
+        self.nodes.extend(from.nodes[range.clone()].iter().map(|node| XNode {
+            parent: moved(node.parent),
+            first: moved(node.first),
+            last: moved(node.last),
+            prev: moved(node.prev),
+            next: moved(node.next),
+            ..node.clone()
+        }));
+        for (id, node) in (start..).map(XId).zip(&from.nodes[range]) {
+            if !inside(node.parent) {
+                self.append(parent, id);
+            }
+        }
+    }
+
+    /// What lies behind a node of a compact tree and all that is below it.
+    pub(super) fn behind(&self, id: XId) -> XId {
+        let last = std::iter::successors(Some(id), |&id| self.last_child(id)).last();
+        XId(last.map_or(id.0, |last| last.0) + 1)
     }
 
     /// Take a node out of its parent; its subtree stays with it.

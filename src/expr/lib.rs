@@ -9,6 +9,7 @@ mod call;
 pub mod display;
 #[cfg(test)]
 mod dump;
+mod elementary;
 mod escape;
 mod eval;
 mod float_repr;

@@ -19,6 +19,8 @@ pub struct BesideName {
     /// Whether the thing is given there: a group, or a virtual joint.
     pub is_definition: bool,
     pub(super) kind: NameKind,
+    /// What it holds, in one line: of a group where it is given.
+    pub(super) content: String,
     /// The parts of it that are written letter by letter.
     pub(super) parts: Vec<NamePart>,
 }
@@ -36,6 +38,10 @@ impl From<Kind> for NameKind {
 /// The names in an SRDF; `cx` is about its own expansion.
 pub fn names_in_srdf(cx: &Cx<'_>, srdf: &Srdf) -> Vec<BesideName> {
     let named = srdf.names().into_iter().filter(|(text, ..)| text.is_known());
+    let content = |kind: Kind, is_definition: bool, name: &str| {
+        let group = srdf.group(name).filter(|_| kind == Kind::Group && is_definition);
+        group.map(project::Group::in_short).unwrap_or_default()
+    };
     named
         .filter_map(|(text, kind, is_definition)| {
             Some(BesideName {
@@ -43,6 +49,7 @@ pub fn names_in_srdf(cx: &Cx<'_>, srdf: &Srdf) -> Vec<BesideName> {
                 place: place(cx, text.origin)?,
                 is_definition,
                 kind: kind.into(),
+                content: content(kind, is_definition, &text.value),
                 parts: parts(cx, text),
             })
         })
@@ -59,7 +66,14 @@ pub fn names_in_settings(file: FileId, text: &str, settings: &Settings) -> Vec<B
         let place = Span { file, range: TextRange::new(start, start + named.name.len() as u32) };
         let of = TextRange::new(0, named.name.len() as u32);
         let parts = vec![NamePart { of, written: place }];
-        Some(BesideName { value: named.name.clone(), place, is_definition: false, kind: kind.into(), parts })
+        Some(BesideName {
+            value: named.name.clone(),
+            place,
+            is_definition: false,
+            kind: kind.into(),
+            content: String::new(),
+            parts,
+        })
     };
     settings.names().into_iter().filter_map(name).collect()
 }

@@ -42,14 +42,15 @@ mod values;
 
 pub use actions::{
     Action, ActionKind, MacroFile, NewFile, Refused, before_use, ignored_in_config, include_macro, inlinable,
-    inline_macro, move_to_file, of_mesh, other_name, quick_fixes, refactorings, suggested,
+    inline_macro, missing_parameters, move_to_file, of_mesh, other_name, quick_fixes, refactorings,
+    suggested,
 };
 pub use beside::{BesideName, names_in_settings, names_in_srdf};
 pub use calls::{Caller, Calls, caller_target, calls_of, incoming, macro_at, macros_of, outgoing};
 pub use colours::{Colour, colour_text, colours};
 pub use completion::{
-    Completion, Completions, ItemKind, Scope, Signature, Sources, Topic, completions, documentation,
-    signature_help,
+    BesideSources, Completion, Completions, ItemKind, Scope, Signature, Sources, Topic, completions,
+    completions_in_settings, documentation, signature_help,
 };
 pub use context::Cx;
 pub use expand_at::{ExpandedAt, expand_at};

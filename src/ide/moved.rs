@@ -46,7 +46,7 @@ pub fn renamed_files(cx: &Cx<'_>, world: Surroundings<'_>, moves: &[Move]) -> Ve
         };
         let Some(base) = base.filter(|base| new != target || *base != folder) else { continue };
         let renamed = match (tail.starts_with('/') && head.is_empty(), new.strip_prefix(&base)) {
-            (true, _) => Some(new.to_string_lossy().into_owned()),
+            (true, _) => Some(slashed(&new)),
             (_, Ok(rest)) => Some(format!("{head}{}", slashed(rest))),
             _ if head.is_empty() => Some(slashed(&relative(&base, &new))),
             _ => in_package(world, head, &new),
@@ -89,12 +89,12 @@ fn stripped(target: &Path, tail: &str) -> Option<PathBuf> {
 /// The name of a path in the package that holds it, written as `head` is.
 fn in_package(world: Surroundings<'_>, head: &str, path: &Path) -> Option<String> {
     let package = world.packages.containing(path)?;
-    let rest = slashed(path.strip_prefix(&package.folder).ok()?);
     if head.starts_with("package://") {
-        return Some(format!("package://{}/{rest}", package.name));
+        return package.uri(path);
     }
     let is_find = head.starts_with("$(find ") && head.ends_with(")/") && head.matches('$').count() == 1;
-    is_find.then(|| format!("$(find {})/{rest}", package.name))
+    let inside = package.inside(path).filter(|_| is_find)?;
+    Some(format!("$(find {})/{inside}", package.name))
 }
 
 #[cfg(test)]

@@ -129,7 +129,7 @@ impl Loaded {
 
     /// Where the value of the last key is named.
     fn place(self, world: Surroundings<'_>) -> Option<FilePlace> {
-        let file = world.vfs.yaml(&self.path, &self.path.to_string_lossy()).ok()?;
+        let file = world.vfs.yaml(&self.path, &vfs::slashed(&self.path)).ok()?;
         let mut node = file.value.as_ref().ok()?;
         let mut range = TextRange::default();
         for key in &self.keys {

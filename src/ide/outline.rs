@@ -150,5 +150,10 @@ mod tests {
         let names: Vec<String> =
             outline(&Document::parse(text)).into_iter().map(|symbol| symbol.name).collect();
         assert_eq!(names, ["xacro:", "xacro:", "link", "link", "link", "joint", "if ", "m"]);
+        // while it is typed, too
+        for end in 0..text.len() {
+            let symbols = outline(&Document::parse(text.get(..end).unwrap()));
+            assert!(symbols.iter().all(|symbol| !symbol.name.trim().is_empty()), "{end}: {symbols:?}");
+        }
     }
 }

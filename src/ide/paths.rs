@@ -195,5 +195,5 @@ fn found_package(cx: &Cx<'_>, world: Surroundings<'_>, token: &str) -> Option<St
     let inner = token.strip_prefix("$(")?.strip_suffix(')')?;
     let Subst::Find(package) = parse_substitution(inner) else { return None };
     let found = world.packages.find(&package.text, &cx.source.path).ok()?;
-    Some(world.vfs.absolute(&found.path).to_string_lossy().into_owned())
+    Some(vfs::slashed(&world.vfs.absolute(&found.path)))
 }

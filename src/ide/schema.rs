@@ -5,13 +5,19 @@ use xml::Node;
 
 /// The entries of an element: several when the source does not say what stands around it.
 pub fn element(node: Node<'_>) -> Vec<&'static ElementSpec> {
+    element_below(robot(), node)
+}
+
+/// The same in a file with another root element.
+pub fn element_below(root: &'static ElementSpec, node: Node<'_>) -> Vec<&'static ElementSpec> {
     let name = node.name();
-    if name == robot().name {
-        return vec![robot()];
+    if name == root.name {
+        return vec![root];
     }
-    let parents = match around(node) {
-        Around::Element(parent) => element(parent),
-        Around::Robot => vec![robot()],
+    let parents = match around(root, node) {
+        Around::Element(parent) => element_below(root, parent),
+        Around::Robot => vec![root],
+        Around::Unknown if root.key != robot().key => return Vec::new(),
         Around::Unknown => return elements().filter(|spec| spec.name == name).collect(),
     };
     let mut found: Vec<&ElementSpec> = parents.iter().filter_map(|parent| parent.child(name)).collect();
@@ -45,20 +51,20 @@ enum Around<'a> {
 }
 
 /// What an element stands in once conditions and macros are gone.
-fn around(node: Node<'_>) -> Around<'_> {
+fn around<'a>(root: &ElementSpec, node: Node<'a>) -> Around<'a> {
     let mut next = node.parent();
     while let Some(parent) = next {
         match parent.name() {
             "xacro:if" | "xacro:unless" => next = parent.parent(),
             // a body may be called anywhere; what is no part of a robot by itself is a piece of something
-            "xacro:macro" => return top(node),
+            "xacro:macro" => return top(root, node),
             name if name.starts_with("xacro:") => return Around::Unknown,
             _ => return Around::Element(parent),
         }
     }
-    top(node)
+    top(root, node)
 }
 
-fn top(node: Node<'_>) -> Around<'_> {
-    if robot().child(node.name()).is_some() { Around::Robot } else { Around::Unknown }
+fn top<'a>(root: &ElementSpec, node: Node<'a>) -> Around<'a> {
+    if root.child(node.name()).is_some() { Around::Robot } else { Around::Unknown }
 }

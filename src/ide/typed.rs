@@ -35,6 +35,8 @@ pub struct Typed {
     pub open: Vec<Open>,
     /// What was typed of it so far.
     pub before: String,
+    /// All of the text in front of the offset that was read: from the start of its item.
+    pub text_before: String,
     /// Where the innermost element begins, and where its start tag ends, when that is the last tag in front.
     pub just_opened: Option<(u32, u32)>,
     /// The text behind the offset.
@@ -81,7 +83,8 @@ pub fn typed(document: &Document, offset: u32) -> Typed {
     let just_opened = inner.or(root.map(|tag| (tag.start, tag.end)));
     let end = document.len().min(offset.saturating_add(MOST_BEHIND));
     let after = document.slice(TextRange::new(offset, end));
-    Typed { what, open: reader.open, before, just_opened, after, offset }
+    let open = reader.open;
+    Typed { what, open, before, text_before: text, just_opened, after, offset }
 }
 
 /// Where to begin reading: with the item around `offset`, or in front of it when a tag was left open there.

@@ -96,7 +96,7 @@ pub struct Location {
 
 impl fmt::Display for Location {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}:{}", self.path.display(), self.line, self.column)
+        write!(f, "{}:{}:{}", vfs::slashed(&self.path), self.line, self.column)
     }
 }
 
@@ -117,7 +117,7 @@ pub fn expand(file: impl AsRef<Path>, options: &Options) -> Robot {
     let found = PackageOptions { explicit, environment_first: true, ..PackageOptions::default() };
     let packages = Packages::new(vfs.clone(), &env, found);
     let request = Request {
-        file: file.as_ref().to_string_lossy().into_owned(),
+        file: vfs::slashed(file.as_ref()),
         args: options.args.clone(),
         limits: Limits::configured(&Config::default().limits),
         ..Request::default()

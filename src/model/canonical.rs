@@ -64,6 +64,16 @@ pub fn same_robot(one: &str, other: &str) -> Option<bool> {
     Some(canonical(one)? == canonical(other)?)
 }
 
+/// The same, whatever the formats of collision meshes are: their file names may differ by what follows the last dot.
+pub fn same_but_for_mesh_formats(one: &str, other: &str) -> Option<bool> {
+    let of = |text: &str| {
+        let mut root = canonical(text)?;
+        drop_mesh_formats(&mut root, false);
+        Some(root)
+    };
+    Some(of(one)? == of(other)?)
+}
+
 /// The root element of a text; none when the text cannot be compared.
 pub(super) fn canonical(text: &str) -> Option<Element> {
     let options = ParsingOptions { allow_dtd: false, ..ParsingOptions::default() };
@@ -225,6 +235,20 @@ fn drop_identity(element: &mut Element) {
     element.children.retain(|child| child.name != "origin" || moves(child));
 }
 
+/// Leave out how the file names of collision meshes end.
+fn drop_mesh_formats(element: &mut Element, in_collision: bool) {
+    let inside = in_collision || element.name == "collision";
+    let files = element.attrs.iter_mut().filter(|(name, _)| name == "filename");
+    for (_, file) in files.filter(|_| inside && element.name == "mesh") {
+        let stem =
+            file.rsplit_once('.').filter(|(_, ending)| !ending.contains('/')).map(|(stem, _)| stem.len());
+        file.truncate(stem.unwrap_or(file.len()));
+    }
+    for child in &mut element.children {
+        drop_mesh_formats(child, inside);
+    }
+}
+
 impl Element {
     pub(super) fn attr(&self, name: &str) -> Option<&str> {
         self.attrs.iter().find(|(own, _)| own == name).map(|(_, value)| value.as_str())
@@ -237,7 +261,7 @@ impl Element {
 
 #[cfg(test)]
 mod tests {
-    use super::same_robot;
+    use super::{same_but_for_mesh_formats, same_robot};
 
     /// Whether two contents of a robot are the same to a reader.
     fn check_same(one: &str, other: &str, expected: bool) {
@@ -301,6 +325,20 @@ mod tests {
             ("<xacro:if value='${a == 1}'/>", "<xacro:if value='${a}'/>"),
         ] {
             check_same(one, other, false);
+        }
+    }
+
+    #[test]
+    fn formats_of_collision_meshes() {
+        for (one, other, expected) in [
+            ("<collision><geometry><mesh filename='a/b.dae'/></geometry></collision>", "b.stl", true),
+            ("<collision><geometry><mesh filename='a/b.dae'/></geometry></collision>", "c.stl", false),
+            ("<visual><geometry><mesh filename='a/b.dae'/></geometry></visual>", "b.stl", false),
+        ] {
+            let robot = |content: &str| format!("<robot name='r'><link name='l'>{content}</link></robot>");
+            let (one, other) = (robot(one), robot(&one.replace("b.dae", other)));
+            assert_eq!(same_but_for_mesh_formats(&one, &other), Some(expected), "{one}\n{other}");
+            assert_eq!(same_robot(&one, &other), Some(false));
         }
     }
 

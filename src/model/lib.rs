@@ -17,7 +17,7 @@ mod text;
 mod version;
 
 pub use blocks::{ControlJoint, Gazebo, Interface, Param, Ros2Control, Transmission};
-pub use canonical::same_robot;
+pub use canonical::{same_but_for_mesh_formats, same_robot};
 pub use difference::{Comparison, Difference, What, compare};
 pub use joint::{Axis, Dynamics, Joint, JointType, Limit, Mimic, Safety};
 pub use kinematics::Kinematics;

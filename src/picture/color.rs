@@ -29,7 +29,7 @@ pub(super) fn collision(link: usize) -> Rgba {
     COLLISIONS.get(link % COLLISIONS.len()).copied().unwrap_or(PLAIN)
 }
 
-/// What is behind the robot.
+/// Background color of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Background {
     /// Nothing.

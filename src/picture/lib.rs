@@ -28,7 +28,7 @@ pub struct Shot {
     pub view: View,
     /// Width and height, pixels.
     pub size: [u32; 2],
-    /// What is behind the robot.
+    /// Background color of the picture.
     pub background: Background,
 }
 

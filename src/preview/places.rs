@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
+use base::paths::HERE;
 use base::{Encoding, LineCol, TextRange};
 use expand::{Expansion, FrameKind, Origin, Place};
 
@@ -97,14 +98,5 @@ impl Places<'_> {
 
 /// The URI of an absolute path, for hosts that have no names of their own.
 pub fn file_uri(path: &Path) -> String {
-    let mut uri = String::from("file://");
-    for byte in path.to_string_lossy().bytes() {
-        match byte {
-            b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'/' | b'-' | b'_' | b'.' | b'~' | b'+' => {
-                uri.push(char::from(byte));
-            }
-            other => uri.push_str(&format!("%{other:02X}")),
-        }
-    }
-    uri
+    HERE.file_uri(&path.to_string_lossy())
 }

@@ -166,8 +166,8 @@ impl<'a> Shapes<'a> {
         let uri = name.name().ok_or("its name is unknown")?;
         match self.session.packages.resolve_uri(uri, from).outcome {
             UriOutcome::Found(path) if self.session.vfs.is_file(&path) => Ok(path),
-            UriOutcome::Found(path) => Err(format!("{} is not a file", path.display())),
-            UriOutcome::Missing(path) => Err(format!("{} not found", path.display())),
+            UriOutcome::Found(path) => Err(format!("{} is not a file", vfs::slashed(&path))),
+            UriOutcome::Missing(path) => Err(format!("{} not found", vfs::slashed(&path))),
             UriOutcome::UnknownPackage(_) => Err("its package was not found".to_owned()),
             UriOutcome::Malformed(why) => Err(why.to_owned()),
             UriOutcome::Elsewhere => Err("it is not on this computer".to_owned()),

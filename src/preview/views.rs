@@ -233,7 +233,7 @@ impl Shown {
             self.good = last.map(|last| (Arc::new(drawn(world, names, files, &last)), None));
         }
         let good = self.good.clone().filter(|_| !ok);
-        let arguments = expansion.arguments.iter();
+        let arguments = analyzed.declared_arguments().into_iter();
         let message = ModelMessage {
             id: 0,
             side: Side::Main,
@@ -244,7 +244,9 @@ impl Shown {
             good_revision: good.as_ref().and_then(|(_, revision)| *revision),
             last_good: good.map(|(model, _)| model),
             root: RootName::of(&self.root, (names.uri)(&self.root.file)?),
-            args: arguments.map(|(n, v)| Argument { name: n.to_string(), value: v.to_string() }).collect(),
+            args: arguments
+                .map(|(name, value)| Argument { name: name.to_owned(), value: value.to_owned() })
+                .collect(),
             choices: self.choices(world, names),
         };
         self.sent = Some(analyzed);

@@ -67,7 +67,7 @@ pub fn joint_keys() -> &'static [&'static str] {
 /// The ends of parameters that hold names of joints in controllers of any class.
 const JOINT_ENDS: [&str; 4] = ["joints", "joint_name", "joint_names", "joints_names"];
 
-fn may_hold_joints(key: &str) -> bool {
+pub(super) fn may_hold_joints(key: &str) -> bool {
     JOINT_KEYS.contains(&key) || JOINT_ENDS.iter().any(|end| key.ends_with(end))
 }
 

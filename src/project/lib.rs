@@ -2,15 +2,20 @@
 //! controllers and MoveIt. Each reader gives the names with the text that says them; what names mean is for rules.
 
 mod controllers;
+mod cursor;
+mod members;
 mod moveit;
 mod settings;
 mod srdf;
+mod steps;
 #[cfg(test)]
 mod tests;
 mod value;
 
 pub use controllers::{Controller, Listed, joint_keys};
-pub use moveit::{Assistant, JointLimit, MoveitController};
+pub use cursor::{Wanted, Word, word_at};
+pub use members::joints_of_group;
+pub use moveit::{Assistant, JointLimit, MoveitController, planner_names};
 pub use settings::{Settings, may_be_settings};
 pub use srdf::{Chain, EndEffector, Group, GroupState, Pair, Srdf, VirtualJoint};
 pub use value::Named;

@@ -1,5 +1,6 @@
 //! Settings of MoveIt: controllers, limits of joints, kinematics, planners, and what the setup assistant wrote down.
 
+use super::cursor::GROUP_KEYS;
 use super::value::{Named, entries, get, number, text};
 use base::TextRange;
 use yaml::Node;
@@ -145,6 +146,27 @@ pub(super) fn kinematics(root: &Node) -> Vec<Named> {
         .filter(|(_, value)| get(value, "kinematics_solver").is_some())
         .map(|(name, _)| name)
         .collect()
+}
+
+/// The names of the configurations of planners.
+pub fn planner_names(root: &Node) -> Vec<Named> {
+    let top = inside(root, &[NODE[0], NODE[1], "ompl"]);
+    get(top, "planner_configs").into_iter().flat_map(entries).map(|(name, _)| name).collect()
+}
+
+/// The groups that parameters of MoveIt Servo name.
+pub(super) fn servo(root: &Node) -> Vec<Named> {
+    let mut open = vec![(root, 4u32)];
+    let mut found = Vec::new();
+    while let Some((node, depth)) = open.pop() {
+        // other nodes have a parameter of this name, too; only Servo has frames for the commands
+        if ["robot_link_command_frame", "command_in_type"].iter().any(|key| get(node, key).is_some()) {
+            found.extend(GROUP_KEYS.iter().filter_map(|key| text(node, key)));
+        }
+        open.extend(entries(node).filter(|_| depth > 0).map(|(_, value)| (value, depth - 1)));
+    }
+    found.retain(|name| !name.name.is_empty());
+    found
 }
 
 /// The groups that have planners.

@@ -21,17 +21,20 @@ pub struct Settings {
     pub kinematics: Vec<Named>,
     /// The groups with planners.
     pub planners: Vec<Named>,
+    /// The groups that parameters of MoveIt Servo name.
+    pub servo: Vec<Named>,
     /// What MoveIt's setup assistant wrote down.
     pub assistant: Option<Assistant>,
 }
 
 /// Whether a text may hold settings of a robot: most YAML files do not.
 pub fn may_be_settings(text: &str) -> bool {
-    const WORDS: [&str; 7] = [
+    const WORDS: [&str; 8] = [
         "controller",
         "joint_limits",
         "kinematics_solver",
         "planner_configs",
+        "move_group_name",
         "moveit_setup_assistant_config",
         "joints:",
         "joint:",
@@ -47,6 +50,7 @@ impl Settings {
             limits: moveit::limits(root),
             kinematics: moveit::kinematics(root),
             planners: moveit::planners(root),
+            servo: moveit::servo(root),
             assistant: Assistant::of(root),
             ..Self::default()
         };
@@ -66,6 +70,7 @@ impl Settings {
             && settings.limits.is_empty()
             && settings.kinematics.is_empty()
             && settings.planners.is_empty()
+            && settings.servo.is_empty()
             && settings.assistant.is_none();
         (!is_empty).then_some(settings)
     }
@@ -77,7 +82,7 @@ impl Settings {
         let joints = joints.chain(self.moveit.iter().flat_map(|one| &one.joints));
         let joints = joints.chain(self.limits.iter().map(|limit| &limit.joint));
         found.extend(joints.map(|joint| (joint, Kind::Joint)));
-        let groups = self.kinematics.iter().chain(&self.planners);
+        let groups = self.kinematics.iter().chain(&self.planners).chain(&self.servo);
         found.extend(groups.map(|group| (group, Kind::Group)));
         found.retain(|(name, _)| !is_computed(&name.name));
         found

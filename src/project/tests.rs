@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used)] // a test may fail loudly
 
-use super::{Kind, Settings};
+use super::{Kind, Settings, Wanted, word_at};
 
 /// The names in a text, each with its kind and the text it stands at.
 fn check_names(text: &str, expected: &[(&str, Kind)]) {
@@ -61,4 +61,76 @@ fn what_the_setup_assistant_wrote_down() {
         [("side", "left"), ("sim", "true")].map(|(a, b)| (a.to_owned(), b.to_owned()))
     );
     assert_eq!(assistant.srdf.unwrap().name, "config/arm.srdf");
+}
+
+/// What is wanted at `|`, with what was typed and the other names beside it.
+fn check_word(name: &str, text: &str, expected: Option<(Wanted, &str, &[&str])>) {
+    let offset = text.find('|').unwrap();
+    let text = text.replace('|', "");
+    let found = word_at(name, &text, offset as u32);
+    let found = found.as_ref().map(|word| {
+        let taken: Vec<&str> = word.taken.iter().map(String::as_str).collect();
+        (word.wanted, word.range.slice(&text), taken)
+    });
+    assert_eq!(found, expected.map(|(wanted, typed, taken)| (wanted, typed, taken.to_vec())), "{text}");
+}
+
+#[test]
+fn words_that_are_typed() {
+    use Wanted::{
+        CommandInterface, Controller, Group, Joint, JointInterface, Limit, Planner, StateInterface,
+    };
+    let arm = "arm:\n  ros__parameters:\n";
+    for (text, expected) in [
+        ("    joints:\n      - a\n      - b|\n      - c\n", Some((Joint, "b", &["a", "c"][..]))),
+        ("    joints:\n    - a\n    - |\n    gains: 1\n", Some((Joint, "", &["a"][..]))),
+        ("    joints: [a, 'b|', c]\n", Some((Joint, "b", &["a", "c"][..]))),
+        ("    joints: [a,\n      b, # [\n      |", Some((Joint, "", &["a", "b"][..]))),
+        ("    joint: |\n", Some((Joint, "", &[][..]))),
+        ("    front_joint_names: |\n", Some((Joint, "", &[][..]))),
+        (
+            "    command_interfaces: [position]\n    state_interfaces: [po|]\n",
+            Some((StateInterface, "po", &[][..])),
+        ),
+        ("    command_interfaces:\n      - p|", Some((CommandInterface, "p", &[][..]))),
+        ("    interface_names: [|", Some((JointInterface, "", &[][..]))),
+        ("    gains:\n      a: {p: 1.0}\n      b|\n", Some((Joint, "b", &["a"][..]))),
+        ("    joints: [] # |\n", None),
+        ("    update_rate: |\n", None),
+        ("    joi|\n", None),
+    ] {
+        check_word("a.yaml", &format!("{arm}{text}"), expected);
+    }
+    for (name, text, expected) in [
+        ("a.yaml", "joint_limits:\n  a:\n    max_velocity: 1.0\n  |\n", Some((Joint, "", &["a"][..]))),
+        ("a.yaml", "joint_limits:\n  a:\n    has|\n", Some((Limit, "has", &[][..]))),
+        ("a.yaml", "controller_list:\n  - name: c\n    joints: [|]\n", Some((Joint, "", &[][..]))),
+        ("a.yaml", "controller_names:\n  - |\n", Some((Controller, "", &[][..]))),
+        (
+            "a.yaml",
+            "moveit_simple_controller_manager:\n  controller_names: [a]\n  |",
+            Some((Controller, "", &["controller_names"][..])),
+        ),
+        ("kinematics.yaml", "|", Some((Group, "", &[][..]))),
+        ("a.yaml", "arm:\n  kinematics_solver: kdl\nha|", Some((Group, "ha", &["arm"][..]))),
+        (
+            "a.yaml",
+            "planner_configs:\n  RRT: {}\narm:\n  planner_configs:\n    - |",
+            Some((Planner, "", &[][..])),
+        ),
+        ("a.yaml", "move_group_name: |", Some((Group, "", &[][..]))),
+        ("a.yaml", "{joint_limits: {a: {max_velocity: 1}, |", Some((Joint, "", &["a"][..]))),
+        ("a.yaml", "fov: |", None),
+        ("a.yaml", "|", None),
+    ] {
+        check_word(name, text, expected);
+    }
+}
+
+#[test]
+fn broken_text_is_read_as_well() {
+    let text = "joints: [{a: 'b, \"c\n - - x:\n\t[}]: é# {\n---\n- [\n";
+    for offset in 0..=text.len() {
+        let _ = word_at("a.yaml", text, offset as u32);
+    }
 }

@@ -30,6 +30,8 @@ pub struct BesideCx<'a> {
     pub all: &'a [Content<'a>],
     /// Whether the package of the file is for ROS 2.
     pub(super) is_ros2: bool,
+    /// Whether hardware of ROS 1 in the workspace registers joints by itself.
+    pub(super) registers_joints: bool,
     /// Whether an SRDF of the robots depends on arguments.
     pub(super) has_variants: bool,
     /// Whether everything of the SRDFs is there.
@@ -135,6 +137,7 @@ impl<'a> BesideCx<'a> {
             known: OnceCell::new(),
             names,
             is_ros2: false,
+            registers_joints: false,
             has_variants: false,
             has_all_groups: true,
         }
@@ -158,6 +161,13 @@ impl<'a> BesideCx<'a> {
     #[must_use]
     pub fn in_ros2(mut self, is_ros2: bool) -> Self {
         self.is_ros2 = is_ros2;
+        self
+    }
+
+    /// The same, in a workspace whose hardware of ROS 1 registers joints by itself or not.
+    #[must_use]
+    pub fn with_own_joints(mut self, registers_joints: bool) -> Self {
+        self.registers_joints = registers_joints;
         self
     }
 

@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 use std::path::Path;
 
+use super::consumers::Met;
 use super::geometry::Resources;
 use super::package::{Manifests, Mention};
 use super::xacro::Mentions;
@@ -97,9 +98,11 @@ pub struct DocumentCx<'a> {
     pub(super) seen: OnceCell<Vec<Seen>>,
     /// The attributes that hold numbers, once a rule has asked.
     pub(super) numeric: OnceCell<Vec<Numeric>>,
+    /// What consumers may reject or change, once a rule has asked.
+    pub(super) constructs: OnceCell<Vec<Met>>,
     /// The macros that the files define, once a rule has asked.
     pub(super) macros: OnceCell<FastSet<&'a str>>,
-    /// The joints by their child link, and the links by name, once a rule has asked.
+    /// The joints by their links, and the links by name, once a rule has asked.
     by_name: OnceCell<ByName<'a>>,
 }
 
@@ -107,6 +110,7 @@ pub struct DocumentCx<'a> {
 #[derive(Default)]
 struct ByName<'a> {
     above: FastMap<&'a str, Vec<&'a Joint>>,
+    below: FastMap<&'a str, Vec<&'a Joint>>,
     links: FastMap<&'a str, Vec<&'a Link>>,
 }
 
@@ -132,6 +136,7 @@ impl<'a> DocumentCx<'a> {
             mentions: OnceCell::new(),
             seen: OnceCell::new(),
             numeric: OnceCell::new(),
+            constructs: OnceCell::new(),
             macros: OnceCell::new(),
             by_name: OnceCell::new(),
         }
@@ -140,6 +145,11 @@ impl<'a> DocumentCx<'a> {
     /// The joints whose child is a link of this name, in document order.
     pub(super) fn joints_above(&self, link: &str) -> &[&'a Joint] {
         self.by_name().above.get(link).map_or(&[], Vec::as_slice)
+    }
+
+    /// The joints whose parent is a link of this name, in document order.
+    pub(super) fn joints_below(&self, link: &str) -> &[&'a Joint] {
+        self.by_name().below.get(link).map_or(&[], Vec::as_slice)
     }
 
     /// The links of a name, in document order.
@@ -154,6 +164,9 @@ impl<'a> DocumentCx<'a> {
             for joint in &robot.joints {
                 if let Some(child) = &joint.child {
                     found.above.entry(child.value.as_str()).or_default().push(joint);
+                }
+                if let Some(parent) = &joint.parent {
+                    found.below.entry(parent.value.as_str()).or_default().push(joint);
                 }
             }
             for link in &robot.links {

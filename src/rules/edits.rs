@@ -69,7 +69,7 @@ pub(super) fn rename<'s, 'a>(
 }
 
 /// What to remove of a file so that nothing is left of an origin: its line, when it stands there alone.
-fn removal(expansion: &Expansion, origin: Origin) -> Option<(FileIdx, TextRange)> {
+pub(super) fn removal(expansion: &Expansion, origin: Origin) -> Option<(FileIdx, TextRange)> {
     let (file, range, _) = source_text(expansion, origin)?;
     let document = &expansion.files.get(file.0 as usize)?.source.document;
     let wide = with_blanks(expansion, file, range);
@@ -91,7 +91,7 @@ pub(super) fn indent(expansion: &Expansion, file: FileIdx, range: TextRange) -> 
 }
 
 /// A range with the blanks in front of it.
-fn with_blanks(expansion: &Expansion, file: FileIdx, range: TextRange) -> TextRange {
+pub(super) fn with_blanks(expansion: &Expansion, file: FileIdx, range: TextRange) -> TextRange {
     let Some(used) = expansion.files.get(file.0 as usize) else { return range };
     let before = used.source.document.slice(TextRange::new(range.start.saturating_sub(200), range.start));
     let blanks = before.len() - before.trim_end().len();

@@ -46,6 +46,9 @@ pub use grouping::Group;
 pub use linter::{
     Directive, Malformed, Selector, Suppression, Suppressions, invalid_config, unused_suppression,
 };
+pub use moveit::{
+    setup_assistant_file_not_found, setup_assistant_robot_fails, setup_assistant_unknown_argument,
+};
 pub use package::{
     Manifests, argument_never_set, generated_urdf_out_of_date, launched_file_not_found,
     missing_launch_argument, missing_packages, unknown_launch_argument, value_never_compared,
@@ -55,9 +58,11 @@ pub use registry::{
     Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector,
     unknown_selector,
 };
-pub use run::{Chosen, check_expansion, check_files, check_recovered, is_whole, rejections};
+pub use run::{
+    Chosen, check_expansion, check_files, check_recovered, is_whole, losses, needs_whole, rejections,
+};
 pub use selection::{Selection, SelectionOptions};
-pub use semantic::{holds_for_semantic, is_semantic, is_semantic_name};
+pub use semantic::{holds_for_semantic, is_semantic, is_semantic_file, is_semantic_name};
 pub use sink::{Sink, calls, span_of};
 pub use thresholds::{THRESHOLDS, Threshold};
 pub use xacro::include_tags;

@@ -93,9 +93,17 @@ fn declare_namespace(document: &Document, span: Span) -> Option<Fix> {
     })
 }
 
-/// The detail of the problem is the attributes to add.
+/// Missing parameters, where an empty text is a value that makes sense: only a person knows the values of others. The
+/// detail of the problem is the attributes to add.
 fn add_parameters(problem: &Problem, span: Span) -> Option<Fix> {
     let attributes = problem.detail.as_deref()?.replace("\"...\"", "\"\"");
+    let may_be_empty = |attribute: &str| {
+        let name = attribute.split('=').next().unwrap_or_default();
+        name == "ns" || ["prefix", "suffix", "namespace"].iter().any(|word| name.contains(word))
+    };
+    if !attributes.split_whitespace().all(may_be_empty) {
+        return None;
+    }
     let range = TextRange::empty(span.range.end);
     Some(Fix {
         safety: Safety::Unsafe,

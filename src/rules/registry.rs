@@ -113,6 +113,8 @@ pub enum Check {
     File(fn(&FileCx<'_>, &mut Sink<'_>)),
     /// The expanded document of a root, robot or library.
     Document(fn(&DocumentCx<'_>, &mut Sink<'_>)),
+    /// The expanded document of a root of which everything is there: the rule says that something is missing or unused.
+    WholeDocument(fn(&DocumentCx<'_>, &mut Sink<'_>)),
     /// An expanded robot.
     Robot(fn(&RobotCx<'_>, &mut Sink<'_>)),
     /// An expanded robot of which everything is there: the rule says that something is missing. Nothing is missing from

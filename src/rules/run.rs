@@ -5,6 +5,7 @@ use std::cell::OnceCell;
 
 use ecow::EcoString;
 
+use super::consumers::{Tally, tally};
 use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings, elements, is_plain_urdf};
 use super::finding::{Edit, Finding, Fix, Related};
 use super::mend;
@@ -32,6 +33,19 @@ pub fn is_whole(expansion: &Expansion) -> bool {
     expansion.whole && !expansion.problems.iter().any(loses)
 }
 
+/// Whether a rule does not run on a robot that errors left out a part of.
+pub fn needs_whole(rule: &Rule) -> bool {
+    matches!(rule.check, Check::Whole(_) | Check::WholeDocument(_))
+}
+
+/// The places of what left out a part of the robot, in the order of the expansion.
+pub fn losses(expansion: &Expansion) -> Vec<Span> {
+    let loses = |problem: &&Problem| {
+        !problem.probed && (LOSES_CONTENT.contains(&problem.code) || problem.code == "PKG001")
+    };
+    expansion.problems.iter().filter(loses).filter_map(|problem| span(expansion, problem.place)).collect()
+}
+
 /// Which rules run, and until when.
 #[derive(Clone, Copy)]
 pub struct Chosen<'a> {
@@ -39,6 +53,8 @@ pub struct Chosen<'a> {
     pub rules: &'a [&'static Rule],
     /// Set to stop early; findings are missing then.
     pub cancel: &'a CancelFlag,
+    /// Where to put what programs reject or change that nobody named, when somebody wants to know.
+    pub tally: Option<&'a OnceCell<Tally>>,
 }
 
 /// What expansion of a file (what it is taken for, whether the user named it) reported, and what rules say about
@@ -74,15 +90,21 @@ pub fn check_expansion(
         .iter()
         .map(|probe| (probe.content, Cow::Owned(Robot::below(&expansion.tree, probe.content))))
         .map(|(content, robot)| (content, RootKind::Library, Some(robot)));
-    for (element, kind, robot) in whole.into_iter().chain(probes) {
+    let places = whole.into_iter().map(|whole| (whole, false)).chain(probes.map(|probe| (probe, true)));
+    for ((element, kind, robot), is_probe) in places {
+        sink.set_probed(is_probe);
         let document =
             DocumentCx::new(expansion, element, (kind, explicit), robot.as_deref(), world, complete);
-        chosen.run(&mut sink, |rule, sink| {
-            if let Check::Document(check) = rule.check {
-                check(&document, sink);
-            }
+        chosen.run(&mut sink, |rule, sink| match rule.check {
+            Check::Document(check) => check(&document, sink),
+            Check::WholeDocument(check) if complete => check(&document, sink),
+            _ => {}
         });
+        if let Some(place) = chosen.tally.filter(|_| kind == RootKind::Robot) {
+            place.get_or_init(|| tally(&document));
+        }
     }
+    sink.set_probed(false);
     if let Some(robot) = robot.filter(|_| kind == RootKind::Robot) {
         let kinematics = Kinematics::of(robot);
         let whole = complete && !unprefixed.structure && robot.names_are_known();

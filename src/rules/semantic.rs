@@ -23,12 +23,16 @@ const ELEMENTS: [&str; 10] = [
 /// Whether the root file of an expansion is SRDF: its name ends so, it is in a folder `srdf`, or it holds elements of
 /// SRDF. With a link at the top it is URDF, whatever the folder or the other elements.
 pub fn is_semantic(expansion: &Expansion) -> bool {
-    let Some(file) = expansion.files.first() else { return false };
-    if is_semantic_name(&file.source.path) {
+    expansion.files.first().is_some_and(|file| is_semantic_file(&file.source.path, &file.source.document))
+}
+
+/// The same of a file that nobody expands by itself.
+pub fn is_semantic_file(path: &Path, document: &Document) -> bool {
+    if is_semantic_name(path) {
         return true;
     }
-    let Holds { link, srdf } = Holds::of(&file.source.document);
-    let folder = file.source.path.parent().and_then(Path::file_name);
+    let Holds { link, srdf } = Holds::of(document);
+    let folder = path.parent().and_then(Path::file_name);
     !link && (srdf || folder.is_some_and(|name| name.eq_ignore_ascii_case("srdf")))
 }
 

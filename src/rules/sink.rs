@@ -14,6 +14,8 @@ use expand::{Expansion, FileIdx, Frame, FrameKind, Origin, Place, argument, is_p
 pub struct Sink<'a> {
     expansion: &'a Expansion,
     rule: &'static Rule,
+    /// Whether what is reported is in a macro that nothing calls.
+    probed: bool,
     drafts: Vec<Draft>,
     by_place: FastMap<(&'static str, Span), usize>,
     /// How many there are of each rule.
@@ -36,7 +38,19 @@ pub struct Reported<'s, 'a> {
 
 impl<'a> Sink<'a> {
     pub(super) fn new(expansion: &'a Expansion, rule: &'static Rule) -> Self {
-        Self { expansion, rule, drafts: Vec::new(), by_place: FastMap::default(), counts: FastMap::default() }
+        Self {
+            expansion,
+            rule,
+            probed: false,
+            drafts: Vec::new(),
+            by_place: FastMap::default(),
+            counts: FastMap::default(),
+        }
+    }
+
+    /// From now on, findings are in macros that nothing calls, or in the document.
+    pub(super) fn set_probed(&mut self, probed: bool) {
+        self.probed = probed;
     }
 
     /// From now on, findings are of this rule.
@@ -86,7 +100,7 @@ impl<'a> Sink<'a> {
     }
 
     fn draft(&mut self, span: Span, calls: Vec<Related>, message: String) -> Reported<'_, 'a> {
-        let finding = Finding::new(self.rule, span, message);
+        let finding = Finding { probed: self.probed, ..Finding::new(self.rule, span, message) };
         let mut draft = Draft { finding, calls: Calls::default(), instances: Vec::new() };
         draft.calls.add(calls);
         Reported { draft, sink: self }

@@ -20,6 +20,13 @@ pub(super) fn is_surroundings(link: &str) -> bool {
     matches!(link, "world" | "map" | "odom" | "earth")
 }
 
+/// Whether a hardware plugin of ros2_control is that of a simulator, by its name.
+pub(super) fn is_simulator_plugin(plugin: &str) -> bool {
+    const SIMULATORS: [&str; 5] = ["gazebo", "gz_", "ign_", "isaac", "webots"];
+    let name = plugin.to_lowercase();
+    SIMULATORS.iter().any(|word| name.contains(word))
+}
+
 /// Passes over the content of free zones, in a row of elements as they follow each other in a document; the elements that
 /// make the zones stay. Each is given with the offset of its item.
 pub(super) fn outside_free_zones<'a>(

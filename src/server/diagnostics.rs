@@ -65,6 +65,7 @@ fn found(
     let open: Vec<PathBuf> = state.documents.keys().cloned().chain(further).collect();
     let mut report = checked(state, &open, cause, cancel)?;
     report.mark_groups();
+    report.mark_cuts();
     let mut found = spread(state, &report);
     for path in open {
         found.entry(path).or_default();

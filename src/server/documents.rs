@@ -33,7 +33,7 @@ fn offer_source(state: &State, path: &Path) {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let message = format!(
         "`{name}` is an installed copy, which the next build replaces; its source is `{}`",
-        source.display()
+        vfs::slashed(&source)
     );
     if state.client.shows_documents {
         state.outbox.ask(Question::Offer { message, action: "Open Source", uri });

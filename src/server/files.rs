@@ -116,7 +116,7 @@ fn may_name(state: &State, file: &Path, moves: &[Move]) -> bool {
 /// Write a mesh of the workspace as binary STL whose header is not taken for text.
 pub fn rewrite_mesh(state: &mut State, mesh: &TextDocumentIdentifier) -> Result<(), Failure> {
     let path = state.path(&mesh.uri);
-    let refuse = |message: String| Failure::Refused(format!("`{}` {message}", path.display()));
+    let refuse = |message: String| Failure::Refused(format!("`{}` {message}", vfs::slashed(&path)));
     let is_stl = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("stl"));
     if !is_stl || !is_ours(state, &path) {
         return Err(refuse("is not an STL file in the workspace".to_owned()));

@@ -243,21 +243,21 @@ impl LanguageServer for Handlers {
     }
 
     async fn goto_declaration(&self, params: GotoDefinitionParams) -> Result<Option<GotoDefinitionResponse>> {
-        self.queue.request(params, declaration).await
+        self.about_xml(params, declaration).await
     }
 
     async fn goto_type_definition(
         &self,
         params: GotoDefinitionParams,
     ) -> Result<Option<GotoDefinitionResponse>> {
-        self.queue.request(params, type_definition).await
+        self.about_xml(params, type_definition).await
     }
 
     async fn goto_implementation(
         &self,
         params: GotoDefinitionParams,
     ) -> Result<Option<GotoDefinitionResponse>> {
-        self.queue.request(params, implementation).await
+        self.about_xml(params, implementation).await
     }
 
     async fn will_rename_files(&self, params: RenameFilesParams) -> Result<Option<WorkspaceEdit>> {
@@ -351,7 +351,7 @@ impl LanguageServer for Handlers {
         &self,
         params: CallHierarchyPrepareParams,
     ) -> Result<Option<Vec<CallHierarchyItem>>> {
-        self.queue.request(params, prepare_calls).await
+        self.about_xml(params, prepare_calls).await
     }
 
     async fn incoming_calls(

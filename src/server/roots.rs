@@ -7,7 +7,7 @@ use crate::requests::expand_at::pinned_label;
 use crate::requests::expansion::{chosen, errors};
 use std::collections::BTreeMap;
 
-use lsp_types::{Location, TextDocumentIdentifier};
+use lsp_types::{Location, TextDocumentIdentifier, Url};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
@@ -79,7 +79,17 @@ pub(super) struct TreeParams {
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Tree {
     pub nodes: Vec<TreeNode>,
+    /// The files that name its links and joints.
+    pub beside: Vec<FileBeside>,
     pub problems: Vec<ExpandError>,
+}
+
+/// A file beside a robot.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct FileBeside {
+    pub uri: Url,
+    /// A word for what it is for: `srdf`, `controllers`, `joint-limits` and so on.
+    pub kind: &'static str,
 }
 
 /// A link, and the joint that holds it.
@@ -102,7 +112,7 @@ pub fn roots(state: &mut State, params: RootsParams, cancel: &CancelFlag) -> Res
     let mut args = Vec::new();
     if let Some(root) = &context.root {
         let analyzed = state.world.analyzed(root, cancel).ok_or(Failure::Cancelled)?;
-        let known = analyzed.expansion.arguments.iter();
+        let known = analyzed.declared_arguments().into_iter();
         args.extend(known.map(|(name, value)| {
             let declared = ide::declared_argument(&analyzed.expansion, name);
             let (default, doc) = declared.unwrap_or_default();
@@ -214,7 +224,10 @@ pub fn tree(state: &mut State, params: TreeParams, cancel: &CancelFlag) -> Resul
         return Err(Failure::Invalid("missing parameter: pass `root` or `textDocument`".to_owned()));
     };
     let (_, analyzed) = shown_under(state, &document, params.root, cancel)?;
-    Ok(Tree { nodes: nodes(state, &analyzed), problems: errors(state, &analyzed.expansion) })
+    let beside = state.world.session().files_beside(&analyzed.root.file).into_iter();
+    let beside =
+        beside.filter_map(|(path, kind)| Some(FileBeside { uri: state.uri(&path)?, kind })).collect();
+    Ok(Tree { nodes: nodes(state, &analyzed), beside, problems: errors(state, &analyzed.expansion) })
 }
 
 /// The links of a robot, each with its joint, roots first.

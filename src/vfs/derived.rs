@@ -6,7 +6,6 @@ use std::sync::Arc;
 use super::cache::Cache;
 use super::decode;
 use super::error::LoadError;
-use super::read;
 use super::{DirEntry, Vfs};
 
 /// What was made of files on disk, kept until they change.
@@ -34,7 +33,7 @@ impl Vfs {
         let id = self.file_id(path);
         let path = self.path(id);
         let stat = self.stat(id, &path)?;
-        cache.0.get(id, stat.stamp, || Ok(Arc::new(make(read::bytes(&path, &stat, limit)?))))
+        cache.0.get(id, stat.stamp, || Ok(Arc::new(make(self.shared.disk.bytes(&path, &stat, limit)?))))
     }
 
     /// The bytes of a file on disk, at most `limit` of them.
@@ -43,7 +42,7 @@ impl Vfs {
     /// Whatever keeps the file from being read; also more than `limit` bytes.
     pub fn bytes(&self, path: &Path, limit: u64) -> Result<Vec<u8>, LoadError> {
         let path = self.absolute(path);
-        read::bytes(&path, &read::stat(&path)?, limit)
+        self.shared.disk.bytes(&path, &self.shared.disk.stat(&path)?, limit)
     }
 
     /// The names in a folder as [`list_dir`](Self::list_dir) gives them; not read again while it stays as it is.

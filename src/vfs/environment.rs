@@ -3,6 +3,9 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+use super::relative::spelled;
+use base::paths::{HERE, System};
+
 /// Variables and working directory, captured once by a program and passed down from there.
 #[derive(Clone, Debug, Default)]
 pub struct Environment {
@@ -18,17 +21,29 @@ impl Environment {
         let vars = std::env::vars_os()
             .map(|(name, value)| (name.to_string_lossy().into_owned(), value.to_string_lossy().into_owned()))
             .collect();
-        Self { vars, cwd: std::env::current_dir().unwrap_or_default() }
+        Self { vars, cwd: spelled(std::env::current_dir().unwrap_or_default()) }
     }
 
     /// The value of a variable that is set.
     pub fn var(&self, name: &str) -> Option<&str> {
-        self.vars.get(name).map(String::as_str)
+        let named = || {
+            self.vars.iter().find(|(own, _)| HERE.folded(own) == HERE.folded(name)).map(|(_, value)| value)
+        };
+        let found = self.vars.get(name).or_else(|| if HERE == System::Posix { None } else { named() });
+        found.map(String::as_str)
+    }
+
+    /// The folder of the user.
+    pub fn home(&self) -> Option<&str> {
+        let profile = || self.var("USERPROFILE").filter(|_| HERE == System::Windows);
+        self.var("HOME").or_else(profile).filter(|home| !home.is_empty())
     }
 
     /// The non-empty entries of a list of folders, as they are spelled in the variable.
     pub fn paths(&self, name: &str) -> Vec<PathBuf> {
-        let value = self.var(name).unwrap_or_default();
-        std::env::split_paths(value).filter(|path| !path.as_os_str().is_empty()).collect()
+        // where there is no environment, as in a browser, lists cannot be split either
+        let Some(value) = self.var(name) else { return Vec::new() };
+        let paths = std::env::split_paths(value).filter(|path| !path.as_os_str().is_empty());
+        paths.map(spelled).collect()
     }
 }

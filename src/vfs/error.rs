@@ -4,6 +4,8 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::relative::slashed;
+
 /// Classes of load errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LoadErrorKind {
@@ -51,6 +53,11 @@ impl LoadError {
         Self { kind, errno, strerror: strerror.to_owned(), path: path.to_owned() }
     }
 
+    /// A path that is no name of a file here, and why.
+    pub(super) fn refused(reason: &str, path: &Path) -> Self {
+        Self { kind: LoadErrorKind::Other, errno: 22, strerror: reason.to_owned(), path: path.to_owned() }
+    }
+
     /// The reason in words: for a file that is too large with the limit.
     pub fn reason(&self) -> String {
         match self.kind {
@@ -81,7 +88,7 @@ impl LoadError {
 impl fmt::Display for LoadError {
     /// As Python prints an `OSError`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "[Errno {}] {}: '{}'", self.errno, self.strerror, self.path.display())
+        write!(f, "[Errno {}] {}: '{}'", self.errno, self.strerror, slashed(&self.path))
     }
 }
 

@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{Vfs, entries};
+use super::Vfs;
 use base::limits::GLOB_FILES;
+use base::paths::HERE;
 
 /// Why nobody knows all files of a pattern.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,7 +63,7 @@ struct Stage<'a> {
 impl Stage<'_> {
     fn run(&self, folders: &[String], left: &mut usize) -> Result<Vec<String>, TooMany> {
         let mut found = Vec::new();
-        let wildcard = has_magic(self.name).then(|| Wildcard::new(self.name));
+        let wildcard = has_magic(self.name).then(|| Wildcard::new(&HERE.folded(self.name)));
         for folder in folders {
             let path = self.base.join(folder);
             match &wildcard {
@@ -87,15 +88,19 @@ impl Stage<'_> {
 
     /// Whether a folder has this very name.
     fn is_there(&self, folder: &Path) -> bool {
-        if self.name.is_empty() { self.vfs.is_dir(folder) } else { exists(&folder.join(self.name)) }
+        if self.name.is_empty() {
+            return self.vfs.is_dir(folder);
+        }
+        // also true for a link that leads nowhere
+        self.vfs.shared.disk.is_present(&self.vfs.absolute(&folder.join(self.name)))
     }
 
     fn matching(&self, folder: &Path, wildcard: &Wildcard, left: &mut usize) -> Result<Vec<String>, TooMany> {
         let mut names = Vec::new();
-        for entry in entries(&self.vfs.absolute(folder)) {
+        for entry in self.vfs.shared.disk.entries(&self.vfs.absolute(folder)) {
             *left = left.checked_sub(1).ok_or(TooMany::Entries)?;
             let is_hidden = entry.name.starts_with('.') && !self.name.starts_with('.');
-            if !is_hidden && (entry.is_dir || self.is_last) && wildcard.matches(&entry.name) {
+            if !is_hidden && (entry.is_dir || self.is_last) && wildcard.matches(&HERE.folded(&entry.name)) {
                 names.push(entry.name);
             }
         }
@@ -108,7 +113,8 @@ fn split(path: &str) -> (&str, &str) {
     let cut = path.rfind('/').map_or(0, |slash| slash + 1);
     let (folder, name) = path.split_at(cut);
     let trimmed = folder.trim_end_matches('/');
-    (if trimmed.is_empty() { folder } else { trimmed }, name)
+    // what a path begins with keeps its slash
+    (if trimmed.len() < HERE.root(folder).len() { folder } else { trimmed }, name)
 }
 
 fn join(folder: &str, name: &str) -> String {
@@ -117,11 +123,6 @@ fn join(folder: &str, name: &str) -> String {
     } else {
         format!("{folder}/{name}")
     }
-}
-
-/// Also true for a link that leads nowhere.
-fn exists(path: &Path) -> bool {
-    path.symlink_metadata().is_ok()
 }
 
 /// A pattern for one name: `*`, `?`, `[abc]`, `[!abc]`, as Python's `fnmatch` reads them.

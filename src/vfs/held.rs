@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::error::LoadError;
-use super::read::{self, Stat};
+use super::read::Stat;
 use super::{DirEntry, Vfs};
 use base::{FastMap, FileId};
 
@@ -56,7 +56,7 @@ impl Vfs {
     pub(super) fn stat(&self, id: FileId, path: &Path) -> Result<Stat, LoadError> {
         let known = self.shared.asked.with(|answers| answers.known.get(&id).cloned());
         known.unwrap_or_else(|| {
-            let found = read::stat(path);
+            let found = self.shared.disk.stat(path);
             self.shared.asked.with(|answers| {
                 if answers.holders > 0 {
                     answers.known.insert(id, found.clone());
@@ -71,7 +71,7 @@ impl Vfs {
     pub(super) fn look(&self, path: &Path) -> Option<Stat> {
         let path = self.absolute(path);
         if !self.shared.asked.are_held() {
-            return read::stat(&path).ok();
+            return self.shared.disk.stat(&path).ok();
         }
         let id = self.shared.ids.id(path);
         let known = self

@@ -10,6 +10,7 @@ mod buffer;
 mod cache;
 mod decode;
 mod derived;
+mod disk;
 mod environment;
 mod error;
 mod glob;
@@ -35,11 +36,12 @@ pub use glob::{TooMany, Wildcard, covers, has_magic};
 pub use held::Held;
 pub use output::write_atomically;
 pub use process::{first_stack, is_process_alive, unbuffered_stdout};
-pub use relative::{relative, slashed, without_parents};
+pub use relative::{relative, shown_path, slashed, spelled, without_parents};
 
 use base::{FastMap, FileId, TextRange};
 use buffer::Buffer;
 use cache::Cache;
+use disk::Disk;
 use held::Asked;
 use ids::Ids;
 use read::{Identity, Kind, Stamp, Stat};
@@ -145,6 +147,7 @@ pub struct Vfs {
 struct Shared {
     ids: Ids,
     revision: AtomicU64,
+    disk: Disk,
     texts: Cache<TextFile>,
     sources: Cache<SourceFile>,
     yaml: Cache<YamlFile>,
@@ -156,7 +159,7 @@ impl Vfs {
     /// A file system whose relative paths start at the working directory of the process. Files larger
     /// than `max_file_bytes` are not read.
     pub fn new(max_file_bytes: u64) -> Self {
-        Self::with_cwd(max_file_bytes, std::env::current_dir().unwrap_or_default())
+        Self::with_cwd(max_file_bytes, spelled(std::env::current_dir().unwrap_or_default()))
     }
 
     /// The same with relative paths starting at `cwd`.
@@ -167,6 +170,23 @@ impl Vfs {
             buffers: RwLock::default(),
             shared: Arc::default(),
         }
+    }
+
+    /// Files in memory, at first none: see [`Vfs::put`]. Nothing of the machine is seen.
+    pub fn in_memory(max_file_bytes: u64, cwd: PathBuf) -> Self {
+        let shared = Arc::new(Shared { disk: Disk::memory(), ..Shared::default() });
+        Self { shared, ..Self::with_cwd(max_file_bytes, cwd) }
+    }
+
+    /// Put a file among those in memory, or take it away (`None`); false where files are on a disk, which stay as they
+    /// are.
+    pub fn put(&self, path: &Path, bytes: Option<Vec<u8>>) -> bool {
+        self.shared.disk.put(self.absolute(path), bytes, self.next_revision())
+    }
+
+    /// The files in memory below a folder, in the order of their paths; none where files are on a disk.
+    pub fn files_in_memory(&self, folder: &Path) -> Option<Vec<PathBuf>> {
+        self.shared.disk.below(&self.absolute(folder))
     }
 
     /// These files as they would be with other texts. The original is not touched, whatever becomes of the overlay; file
@@ -208,13 +228,14 @@ impl Vfs {
             return path.to_owned();
         }
         let path: PathBuf = self.cwd.join(path).components().collect();
-        if path.components().any(|part| part == Component::ParentDir) { tidy(&path) } else { path }
+        let leads_back = path.components().any(|part| part == Component::ParentDir);
+        spelled(if leads_back { tidy(&path, &self.shared.disk) } else { path })
     }
 
     /// `path` with links and `..` resolved; as given when it does not exist.
     pub fn canonical(&self, path: &Path) -> PathBuf {
         let path = self.absolute(path);
-        std::fs::canonicalize(&path).unwrap_or(path)
+        self.shared.disk.canonical(&path).map_or(path, spelled)
     }
 
     /// Write `after` into a file that holds `before`, whatever is laid over it; a byte order mark stays.
@@ -286,7 +307,7 @@ impl Vfs {
 
     fn read(&self, id: FileId, path: &Arc<Path>, known: &Stat) -> Result<TextFile, LoadError> {
         let limit = self.max_file_bytes.load(Ordering::Relaxed);
-        let decode::Decoded { text, error } = decode::decode(read::bytes(path, known, limit)?);
+        let decode::Decoded { text, error } = decode::decode(self.shared.disk.bytes(path, known, limit)?);
         let hash = read::hash(&text);
         Ok(TextFile { id, path: path.clone(), text, hash, encoding_error: error })
     }
@@ -343,7 +364,7 @@ impl Vfs {
 
     /// A number that changes when the content of a file on disk does, or when it comes or goes.
     pub fn state_on_disk(&self, path: &Path) -> u64 {
-        read::stat(&self.absolute(path)).map_or(0, |stat| read::hash(&stat.stamp))
+        self.shared.disk.stat(&self.absolute(path)).map_or(0, |stat| read::hash(&stat.stamp))
     }
 
     /// Whether there is a file, folder or buffer at `path`.
@@ -353,7 +374,7 @@ impl Vfs {
 
     /// Whether there is anything at `path`, be it a link that leads nowhere.
     pub fn is_present(&self, path: &Path) -> bool {
-        self.exists(path) || std::fs::symlink_metadata(self.absolute(path)).is_ok()
+        self.exists(path) || self.shared.disk.is_present(&self.absolute(path))
     }
 
     /// Whether there is a file (of any kind but a folder) or a buffer at `path`.
@@ -384,7 +405,7 @@ impl Vfs {
     pub fn list_dir(&self, path: &Path) -> Arc<Vec<DirEntry>> {
         let path = self.absolute(path);
         self.listed(path, |path| {
-            let mut names: Vec<DirEntry> = entries(path).collect();
+            let mut names: Vec<DirEntry> = self.shared.disk.entries(path).collect();
             names.sort();
             names
         })
@@ -424,31 +445,20 @@ impl Vfs {
     }
 }
 
-/// The names in the folder at an absolute path, in the order of the disk, each looked at when it is asked for.
-fn entries(path: &Path) -> impl Iterator<Item = DirEntry> + use<> {
-    let entries = std::fs::read_dir(path).into_iter().flatten().flatten();
-    entries.filter_map(|entry| {
-        let kind = entry.file_type().ok()?;
-        let is_dir = kind.is_dir() || kind.is_symlink() && entry.path().is_dir();
-        Some(DirEntry { name: entry.file_name().into_string().ok()?, is_dir })
-    })
-}
-
 /// Whether a look at the letters alone tells that a path is absolute and has nothing in it to be tidied up.
 fn is_tidy(path: &Path) -> bool {
     let text = path.as_os_str().as_encoded_bytes();
     let is_odd = |pair: &[u8]| matches!(pair, b"//" | b"/.");
-    cfg!(unix) && text.starts_with(b"/") && !text.ends_with(b"/") && !text.windows(2).any(is_odd)
+    !cfg!(windows) && text.starts_with(b"/") && !text.ends_with(b"/") && !text.windows(2).any(is_odd)
 }
 
 /// A path without `folder/..`, where the system sees it so too: a link leads elsewhere, and nothing leads back from a
 /// folder that is not there.
-fn tidy(path: &Path) -> PathBuf {
+fn tidy(path: &Path, disk: &Disk) -> PathBuf {
     let mut tidy = PathBuf::new();
     for part in path.components() {
-        let leads_back = part == Component::ParentDir
-            && tidy.file_name().is_some()
-            && tidy.symlink_metadata().is_ok_and(|found| found.is_dir());
+        let leads_back =
+            part == Component::ParentDir && tidy.file_name().is_some() && disk.is_own_folder(&tidy);
         if leads_back {
             tidy.pop();
         } else {

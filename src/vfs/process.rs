@@ -40,6 +40,8 @@ pub fn unbuffered_stdout() -> io::Result<File> {
     let stdout = std::os::fd::AsFd::as_fd(&io::stdout()).try_clone_to_owned();
     #[cfg(windows)]
     let stdout = std::os::windows::io::AsHandle::as_handle(&io::stdout()).try_clone_to_owned();
+    #[cfg(not(any(unix, windows)))]
+    let stdout: io::Result<File> = Err(io::ErrorKind::Unsupported.into());
     stdout.map(File::from)
 }
 

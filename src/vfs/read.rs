@@ -6,7 +6,9 @@ use std::io::Read;
 use std::path::Path;
 use std::time::{Duration, SystemTime};
 
+use super::DirEntry;
 use super::error::{LoadError, LoadErrorKind};
+use base::paths::HERE;
 
 /// A file written less than this before it was read may change again without a new time stamp.
 const CLOCK_GRAIN: Duration = Duration::from_millis(100);
@@ -19,6 +21,11 @@ pub(super) struct Identity {
 }
 
 impl Identity {
+    /// That of a folder in memory, by a hash of its path.
+    pub(super) fn of_name(hash: u64) -> Self {
+        Self { device: 0, inode: hash }
+    }
+
     /// Both in one.
     pub(super) fn number(self) -> u128 {
         u128::from(self.device) << 64 | u128::from(self.inode)
@@ -82,8 +89,11 @@ pub(super) struct Stat {
 /// # Errors
 /// When there is none, or none that may be looked at.
 pub(super) fn stat(path: &Path) -> Result<Stat, LoadError> {
+    if let Some(reason) = path.to_str().and_then(|text| HERE.refusal(text)) {
+        return Err(LoadError::refused(reason, path));
+    }
     let found = std::fs::metadata(path).map_err(|error| LoadError::from_io(&error, path))?;
-    let (identity, changed) = node(&found);
+    let (identity, changed) = node(path, &found);
     let number = identity.map_or(0, Identity::number);
     let size = found.len();
     let stamp = Stamp::Disk { modified: found.modified().ok(), size, node: (number, changed.0, changed.1) };
@@ -99,15 +109,35 @@ fn kind(found: &Metadata) -> Kind {
 }
 
 #[cfg(unix)]
-fn node(found: &Metadata) -> (Option<Identity>, (i64, i64)) {
+fn node(_: &Path, found: &Metadata) -> (Option<Identity>, (i64, i64)) {
     use std::os::unix::fs::MetadataExt;
     let identity = Identity { device: found.dev(), inode: found.ino() };
     (Some(identity), (found.ctime(), found.ctime_nsec()))
 }
 
-#[cfg(not(unix))]
-fn node(_: &Metadata) -> (Option<Identity>, (i64, i64)) {
+/// Volume and number of the file: names in other letters, links and junctions lead to the same ones.
+#[cfg(windows)]
+fn node(path: &Path, _: &Metadata) -> (Option<Identity>, (i64, i64)) {
+    let handle = winapi_util::Handle::from_path_any(path);
+    let found = handle.and_then(|handle| winapi_util::file::information(&handle)).ok();
+    let identity =
+        found.map(|found| Identity { device: found.volume_serial_number(), inode: found.file_index() });
+    (identity, (0, 0))
+}
+
+#[cfg(not(any(unix, windows)))]
+fn node(_: &Path, _: &Metadata) -> (Option<Identity>, (i64, i64)) {
     (None, (0, 0))
+}
+
+/// The names in the folder at an absolute path, in the order of the disk, each looked at when it is asked for.
+pub(super) fn entries(path: &Path) -> impl Iterator<Item = DirEntry> + use<> {
+    let entries = std::fs::read_dir(path).into_iter().flatten().flatten();
+    entries.filter_map(|entry| {
+        let kind = entry.file_type().ok()?;
+        let is_dir = kind.is_dir() || kind.is_symlink() && entry.path().is_dir();
+        Some(DirEntry { name: entry.file_name().into_string().ok()?, is_dir })
+    })
 }
 
 /// The bytes of a regular file of at most `limit` bytes, `known` to be one since a moment ago.
@@ -132,7 +162,7 @@ pub(super) fn bytes(path: &Path, known: &Stat, limit: u64) -> Result<Vec<u8>, Lo
 }
 
 /// Only regular files of at most `limit` bytes are read.
-fn may_be_read(kind: Kind, size: u64, path: &Path, limit: u64) -> Result<(), LoadError> {
+pub(super) fn may_be_read(kind: Kind, size: u64, path: &Path, limit: u64) -> Result<(), LoadError> {
     let kind = match kind {
         Kind::Regular if size <= limit => return Ok(()),
         Kind::Regular => LoadErrorKind::TooLarge { limit },

@@ -1,6 +1,9 @@
 //! Paths as descriptions write them.
 
+use std::borrow::Cow;
 use std::path::{Component, Path, PathBuf};
+
+use base::paths::HERE;
 
 /// The way from a folder to a path; both absolute.
 pub fn relative(folder: &Path, path: &Path) -> PathBuf {
@@ -25,14 +28,25 @@ pub fn without_parents(path: &Path) -> PathBuf {
     clean
 }
 
-/// A path with slashes, on every system.
+/// A path as it is shown and written: see [`base::paths::System::slashed`].
 pub fn slashed(path: &Path) -> String {
-    let text = path.to_string_lossy();
-    if std::path::MAIN_SEPARATOR == '/' {
-        text.into_owned()
-    } else {
-        text.replace(std::path::MAIN_SEPARATOR, "/")
+    HERE.slashed(&path.to_string_lossy()).into_owned()
+}
+
+/// A path spelled as it is shown; as it is where it is no text.
+pub fn spelled(path: PathBuf) -> PathBuf {
+    match path.to_str().map(|text| HERE.slashed(text)) {
+        Some(Cow::Owned(slashed)) => slashed.into(),
+        Some(Cow::Borrowed(slashed)) if slashed.len() < path.as_os_str().len() => slashed.into(),
+        _ => path,
     }
+}
+
+/// A path relative to `cwd` when it lies below, with `/` between its parts.
+pub fn shown_path(path: &Path, cwd: &Path) -> String {
+    let path = path.strip_prefix(cwd).unwrap_or(path);
+    // a name must not begin a line of its own
+    slashed(path).replace('\n', "␊")
 }
 
 #[cfg(test)]

@@ -20,7 +20,7 @@ impl Packages {
     /// above), or below the working directory. The home folder and what is above it are near to nothing, unless a root
     /// file itself lies there.
     pub fn around<'r>(&self, roots: impl IntoIterator<Item = &'r Path>) -> Vicinity<'_> {
-        let home = self.env.var("HOME").map(|home| self.vfs.canonical(Path::new(home)));
+        let home = self.env.home().map(|home| self.vfs.canonical(Path::new(home)));
         let has_all = |folder: &Path| folder.parent().is_none();
         let is_wide =
             |folder: &Path| has_all(folder) || home.as_ref().is_some_and(|home| home.starts_with(folder));

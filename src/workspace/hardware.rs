@@ -1,4 +1,4 @@
-//! What hardware plugins of the workspace export by themselves, as their sources in C++ say.
+//! What hardware of the workspace does by itself, whatever the description says: read off its sources in C++.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -11,24 +11,44 @@ use vfs::Vfs;
 
 /// The functions by which a plugin exports interfaces.
 const EXPORTS: [&str; 2] = ["::export_state_interfaces(", "::export_command_interfaces("];
+/// By what hardware of ROS 1 registers joints under names of its own.
+const REGISTERS: &str = "JointStateHandle";
 /// What a plugin reads when it exports what the description lists.
 const LISTED: [&str; 2] = [".state_interfaces", ".command_interfaces"];
+
+/// What the sources below a folder say about hardware.
+#[derive(Default)]
+pub(super) struct Hardware {
+    /// The classes that export interfaces of their own.
+    exporting: FastSet<String>,
+    /// Whether one of them registers joints, as hardware of ROS 1 does.
+    registers: bool,
+}
 
 impl Packages {
     /// Whether the sources around `from` have a hardware plugin of that name (`package/Class`, `package::Class`) that exports
     /// interfaces without reading which ones the description lists.
     pub fn exports_interfaces(&self, plugin: &str, from: &Path) -> bool {
         let class = plugin.rsplit(['/', ':']).next().unwrap_or(plugin);
-        let Some(top) = self.sources_around(from) else { return false };
-        self.exporting.get(top.clone(), || Arc::new(search(&self.vfs, &top))).contains(class)
+        self.hardware_around(from).is_some_and(|hardware| hardware.exporting.contains(class))
+    }
+
+    /// Whether the sources around `from` have hardware of ROS 1 that registers joints: under names that it computes, as
+    /// far as anybody knows.
+    pub fn registers_joints(&self, from: &Path) -> bool {
+        self.hardware_around(from).is_some_and(|hardware| hardware.registers)
+    }
+
+    fn hardware_around(&self, from: &Path) -> Option<Arc<Hardware>> {
+        let top = self.sources_around(from)?;
+        Some(self.hardware.get(top.clone(), || Arc::new(search(&self.vfs, &top))))
     }
 }
 
-/// The classes below a folder that export interfaces of their own.
-fn search(vfs: &Vfs, top: &Path) -> FastSet<String> {
+fn search(vfs: &Vfs, top: &Path) -> Hardware {
     let mut seen: FastSet<u128> = FastSet::default();
     let mut open = vec![(top.to_owned(), 0)];
-    let (mut files, mut found) = (0, FastSet::default());
+    let (mut files, mut found) = (0, Hardware::default());
     while let Some((folder, depth)) = open.pop() {
         let is_new = vfs.identity(&folder).is_some_and(|identity| seen.insert(identity));
         if !is_new || seen.len() > CALLER_FOLDERS {
@@ -43,7 +63,10 @@ fn search(vfs: &Vfs, top: &Path) -> FastSet<String> {
                     files += 1;
                     let is_small = vfs.size(&path).is_some_and(|size| size <= CALLER_BYTES);
                     let text = is_small.then(|| vfs.text(&path).ok()).flatten();
-                    found.extend(text.into_iter().flat_map(|file| exporting(&file.text)));
+                    if let Some(file) = text {
+                        found.exporting.extend(exporting(&file.text));
+                        found.registers |= file.text.contains(REGISTERS);
+                    }
                 }
                 false => {}
             }
@@ -53,7 +76,7 @@ fn search(vfs: &Vfs, top: &Path) -> FastSet<String> {
 }
 
 fn is_source(name: &str) -> bool {
-    [".cpp", ".cc", ".cxx"].iter().any(|ending| name.ends_with(ending))
+    [".cpp", ".cc", ".cxx", ".h", ".hpp"].iter().any(|ending| name.ends_with(ending))
 }
 
 /// The classes that a source file defines the exports of.

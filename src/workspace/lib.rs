@@ -5,8 +5,10 @@ mod callers;
 pub mod config;
 mod distribution;
 mod hardware;
+mod include_pattern;
 mod install;
 pub mod launch;
+mod left_out;
 mod manifest;
 mod memo;
 mod namesakes;
@@ -23,6 +25,7 @@ mod tests;
 
 pub use belonging::{UNQUOTED, Vicinity};
 pub use callers::{Caller, Callers, Era, Excluded, GivenArg, RobotCall, has_name};
+pub use include_pattern::{include_pattern, included_files};
 pub use install::{BUILD_FILES, Build, Built};
 pub use packages::{Entry, Found, NotFound, Package, PackageOptions, Packages, Target};
 pub use root::is_built;

@@ -4,7 +4,9 @@ use std::borrow::Cow;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
+use super::hardware::Hardware;
 use super::install::Build;
+use super::left_out::GitRules;
 use super::manifest::{MANIFEST, is_package_name, package_name};
 use super::memo::Memo;
 use super::namesakes::Index;
@@ -89,6 +91,19 @@ pub struct Package {
     pub folder: PathBuf,
 }
 
+impl Package {
+    /// The path of a file in the package, with slashes; none for a file outside and for a name that is not text.
+    pub fn inside(&self, file: &Path) -> Option<String> {
+        let inside = file.strip_prefix(&self.folder).ok()?;
+        inside.to_str().map(|_| vfs::slashed(inside))
+    }
+
+    /// The `package://` URI of a file in the package.
+    pub fn uri(&self, file: &Path) -> Option<String> {
+        Some(format!("package://{}/{}", self.name, self.inside(file)?))
+    }
+}
+
 /// A line of the table of all packages.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
@@ -114,8 +129,10 @@ pub struct Packages {
     installed: Memo<Prefix, Arc<Vec<String>>>,
     pub(super) indexes: Memo<PathBuf, Arc<Index>>,
     pub(super) builds: Memo<PathBuf, Arc<Build>>,
-    /// Classes of C++ that export interfaces of their own, by folder.
-    pub(super) exporting: Memo<PathBuf, Arc<FastSet<String>>>,
+    /// What the sources in C++ say about hardware, by folder.
+    pub(super) hardware: Memo<PathBuf, Arc<Hardware>>,
+    /// What Git says about files, by folder.
+    pub(super) git_rules: Memo<PathBuf, Arc<GitRules>>,
     /// Names of packages without a manifest, by folder.
     pub(super) unlisted: Memo<PathBuf, Option<String>>,
 }
@@ -133,7 +150,8 @@ impl Packages {
             installed: Memo::default(),
             indexes: Memo::default(),
             builds: Memo::default(),
-            exporting: Memo::default(),
+            hardware: Memo::default(),
+            git_rules: Memo::default(),
             unlisted: Memo::default(),
         }
     }
@@ -198,6 +216,20 @@ impl Packages {
         manifest.is_ok_and(|manifest| manifest.text.contains("<metapackage"))
     }
 
+    /// The packages that the manifest of the package around `from_file` says it needs when it runs, found or not.
+    pub fn declared(&self, from_file: &Path) -> Vec<String> {
+        let owner = self.containing(from_file);
+        let manifest = owner.and_then(|owner| self.vfs.text(&owner.folder.join(MANIFEST)).ok());
+        let Some(manifest) = manifest else { return Vec::new() };
+        let elements = manifest.text.split('<').filter_map(|part| part.split_once('>'));
+        let needs = |tag: &str| {
+            let name = tag.split_whitespace().next().unwrap_or("");
+            matches!(name, "depend" | "exec_depend" | "run_depend")
+        };
+        let names = elements.filter(|(tag, _)| needs(tag)).map(|(_, text)| text.trim());
+        names.filter(|name| is_package_name(name)).map(str::to_owned).collect()
+    }
+
     /// Every package that can be named from `from_file`, in the order of the look-up.
     pub fn all(&self, from_file: &Path) -> Vec<Entry> {
         let mut entries: Vec<Entry> = Vec::new();
@@ -250,7 +282,8 @@ impl Packages {
         self.installed.clear();
         self.indexes.clear();
         self.builds.clear();
-        self.exporting.clear();
+        self.hardware.clear();
+        self.git_rules.clear();
         self.unlisted.clear();
     }
 
@@ -370,7 +403,7 @@ impl Packages {
 
     /// The workspace that a folder lies in.
     pub fn workspace(&self, start: &Path) -> Option<PathBuf> {
-        let home = self.env.var("HOME").map(Path::new);
+        let home = self.env.home().map(Path::new);
         self.roots.get(start.to_owned(), || workspace_root(&self.vfs, start, home))
     }
 

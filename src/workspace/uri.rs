@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::packages::{NotFound, Packages};
 use super::steps::Step;
+use base::paths::HERE;
 
 /// Variables that list the folders `model://` is looked for in.
 const MODEL_PATHS: [&str; 3] = ["GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH"];
@@ -63,7 +64,7 @@ impl Packages {
     /// Resolve the URI or path of a resource named in `from_file`, as RViz and Gazebo do.
     pub fn resolve_uri(&self, uri: &str, from_file: &Path) -> UriResult {
         let Some((scheme, rest)) = split_scheme(uri) else {
-            let kind = if uri.starts_with('/') { UriKind::Absolute } else { UriKind::Relative };
+            let kind = if HERE.is_absolute(uri) { UriKind::Absolute } else { UriKind::Relative };
             let folder = from_file.parent().unwrap_or(Path::new(""));
             return if uri.is_empty() {
                 UriResult::new(kind, UriOutcome::Malformed("an empty path"))
@@ -115,16 +116,12 @@ impl Packages {
 
     /// `rest` is what follows `file:`.
     fn file_uri(&self, rest: &str) -> UriResult {
-        let path = match rest.strip_prefix("//") {
-            Some(authority) => authority.strip_prefix("localhost").unwrap_or(authority),
-            None => rest,
-        };
-        if !path.starts_with('/') {
+        let Some(path) = HERE.of_file_uri(rest) else {
             let why = "`file:` must be followed by `///` and an absolute path";
             return UriResult::new(UriKind::File, UriOutcome::Malformed(why));
-        }
-        let mut places = vec![PathBuf::from(path)];
-        places.extend(percent_decoded(path).map(PathBuf::from));
+        };
+        let decoded = percent_decoded(&path).map(PathBuf::from);
+        let places = std::iter::once(PathBuf::from(path)).chain(decoded).collect();
         self.first_existing(UriKind::File, places)
     }
 

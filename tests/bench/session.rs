@@ -99,6 +99,7 @@ fn completion(bencher: Bencher<'_, '_>, calls: usize) {
             vfs: &session.world.session().vfs,
             packages: &session.world.session().packages,
             folders: &[],
+            described: &[],
             roots: &[],
         });
         ide::completions(&scope, black_box(offset), None).items.len()
@@ -123,6 +124,7 @@ fn hover(bencher: Bencher<'_, '_>, calls: usize) {
             pinned: None,
         };
         let around = session.world.session().surroundings(&settings.config);
-        ide::hover(&cx, around, black_box(offset)).is_some()
+        let names = || ide::TextNames::of(&analyzed.expansion, around);
+        ide::hover(&cx, around, names, black_box(offset)).is_some()
     });
 }

@@ -5,6 +5,7 @@
 #   install.sh helix FOLDER          Helix of Debian trixie, unpacked likewise
 #   install.sh emacs                 Emacs with eglot (29 or newer), from bookworm-backports when the system's is older
 #   install.sh packages FOLDER NAME...   Debian packages of scripts, unpacked into FOLDER
+#   install.sh scripts SUITE FOLDER NAME...   the same of a Debian suite
 #   install.sh tmux | vim | luacheck | stylua FOLDER
 #
 # Unpacked programs bring their own C library along, so that the system stays as it is.
@@ -27,24 +28,31 @@ Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
 SOURCES
 }
 
-# Unpack PACKAGE of SUITE with everything it needs into FOLDER/root.
-unpack() { # SUITE PACKAGE FOLDER
-    local state=$3/apt
-    rm -rf "$3" && mkdir -p "$state/sources" "$state/lists/partial" "$state/cache/archives/partial"
+# Lists of a Debian suite in a folder of their own, and the options with which apt-get reads them.
+options=()
+lists() { # SUITE FOLDER
+    local state=$2/apt
+    rm -rf "$state" && mkdir -p "$state/sources" "$state/lists/partial" "$state/cache/archives/partial"
     touch "$state/status"
     sources "$state/sources/suite.sources" "$1"
-    local options=(
+    options=(
         -q -y -o Dir::Etc::SourceList=/dev/null -o "Dir::Etc::SourceParts=$state/sources"
         -o Dir::Etc::PreferencesParts=/dev/null -o "Dir::State::Lists=$state/lists"
         -o "Dir::State::status=$state/status" -o "Dir::Cache=$state/cache"
         -o Acquire::Languages=none -o APT::Sandbox::User=root -o Acquire::Retries=3
     )
-    apt-get "${options[@]}" update > "$3/log" 2>&1 &&
+    apt-get "${options[@]}" update > "$2/log" 2>&1 || { tail -5 "$2/log"; return 1; }
+}
+
+# Unpack PACKAGE of SUITE with everything it needs into FOLDER/root.
+unpack() { # SUITE PACKAGE FOLDER
+    rm -rf "$3" && mkdir -p "$3"
+    lists "$1" "$3" &&
         apt-get "${options[@]}" install --download-only --no-install-recommends "$2" >> "$3/log" 2>&1 ||
         { tail -5 "$3/log"; return 1; }
     local package
-    for package in "$state"/cache/archives/*.deb; do dpkg-deb -x "$package" "$3/root"; done
-    rm -rf "$state"
+    for package in "$3"/apt/cache/archives/*.deb; do dpkg-deb -x "$package" "$3/root"; done
+    rm -rf "$3/apt"
 }
 
 # A starter that runs a program of FOLDER/root with the libraries there.
@@ -104,6 +112,17 @@ case ${1:-} in
                 -t bookworm-backports emacs-nox > /dev/null
         fi
         emacs --version | head -1
+        ;;
+    scripts)
+        folder=$(whole "$3")
+        [ -e "$folder/ready" ] && exit
+        cd "$folder"
+        lists "$2" "$folder"
+        shift 3
+        apt-get "${options[@]}" download "$@" >> log 2>&1 || { tail -5 log; exit 1; }
+        for package in *.deb; do dpkg-deb -x "$package" root; done
+        rm -rf apt ./*.deb
+        touch ready
         ;;
     packages)
         folder=$(whole "$2")

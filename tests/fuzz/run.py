@@ -23,7 +23,8 @@ WORK = os.path.join(REPOSITORY, 'target', 'fuzz')
 sys.path.insert(0, os.path.join(REPOSITORY, 'tests', 'differential'))
 import reference  # noqa: E402
 
-TARGETS = ('xml edits formatter expression yaml expander fixes mesh configuration launch messages').split()
+TARGETS = ('xml edits formatter expression yaml expander fixes mesh configuration launch '
+           'launch_requests messages').split()
 DESCRIPTIONS = {'xml': b'', 'edits': b'', 'formatter': b'\0', 'expander': b'\1', 'fixes': b'\1'}
 
 

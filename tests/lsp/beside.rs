@@ -176,3 +176,162 @@ fn a_joint_with_another_name_is_one_finding_at_each_place() {
     // the controller names what `<ros2_control>` has as well, where it is reported
     assert_eq!((count("ros2-control-unknown-joint"), count("controller-unknown-joint")), (1, 0), "{found}");
 }
+
+/// The labels that completion offers at `|` in a text that is put where `old` is, the best first.
+fn offered(client: &mut Client, file: &str, old: &str, typed: &str) -> Vec<String> {
+    client.edit(file, old, &typed.replace('|', ""));
+    let answer = client.request("textDocument/completion", client.at(file, typed));
+    client.edit(file, &typed.replace('|', ""), old);
+    let mut items: Vec<(String, String)> = answer["items"]
+        .as_array()
+        .into_iter()
+        .flatten()
+        .map(|item| {
+            let text = |key: &str| item[key].as_str().unwrap_or_default().to_owned();
+            (text("sortText"), text("label"))
+        })
+        .collect();
+    items.sort();
+    items.into_iter().map(|(_, label)| label).collect()
+}
+
+#[test]
+fn names_are_completed_in_yaml() {
+    let (moveit, kinematics, ompl) = (
+        "src/pick_arm_moveit_config/config/moveit_controllers.yaml",
+        "src/pick_arm_moveit_config/config/kinematics.yaml",
+        "src/pick_arm_moveit_config/config/ompl_planning.yaml",
+    );
+    let (mut client, _) = started(&[CONTROLLERS, LIMITS, moveit, kinematics, ompl]);
+    let driven = ["left_elbow", "left_finger", "left_shoulder"];
+    for (file, old, typed, expected) in [
+        (
+            CONTROLLERS,
+            "      - left_wrist\n",
+            "      - |\n",
+            &["left_wrist", "left_finger", "left_thumb", "left_mount", "left_tool_mount"][..],
+        ),
+        (
+            CONTROLLERS,
+            "joint: left_finger",
+            "joint: left_fi|",
+            &[
+                "left_finger",
+                "left_shoulder",
+                "left_elbow",
+                "left_wrist",
+                "left_thumb",
+                "left_mount",
+                "left_tool_mount",
+            ],
+        ),
+        (CONTROLLERS, "[position]", "[po|]", &["position"]),
+        (CONTROLLERS, "[position, velocity]", "[position, |]", &["velocity"]),
+        (LIMITS, "  left_wrist:\n", "  left_|:\n", &["left_wrist", "left_finger", "left_thumb"]),
+        (
+            LIMITS,
+            "    max_velocity: 1.5\n",
+            "    max|\n",
+            &[
+                "max_velocity",
+                "max_acceleration",
+                "max_position",
+                "max_jerk",
+                "has_position_limits",
+                "has_jerk_limits",
+                "min_position",
+            ],
+        ),
+        (moveit, "      - left_finger\n", "      - |\n", &driven),
+        (moveit, "    - gripper_controller\n", "    - g|\n", &["gripper_controller"]),
+        (kinematics, "arm:\n", "g|:\n", &["gripper", "arm", "all"]),
+        (ompl, "gripper:\n", "g|:\n", &["gripper", "all"]),
+        (ompl, "default_planner_config: RRTConnect", "default_planner_config: |", &["RRTConnect"]),
+        (kinematics, "kinematics_solver_timeout: 0.05", "kinematics_solver_timeout: |", &[]),
+    ] {
+        let mut found = offered(&mut client, file, old, typed);
+        let wanted: Vec<&str> = expected.to_vec();
+        if file == moveit && expected.len() > 1 {
+            found.sort();
+            assert!(wanted.iter().all(|name| found.iter().any(|label| label == name)), "{typed}: {found:?}");
+            continue;
+        }
+        assert_eq!(found, wanted, "{file}: {typed}");
+    }
+}
+
+#[test]
+fn names_and_elements_are_completed_in_srdf() {
+    let (mut client, _) = started(&[SRDF]);
+    let mut check = |old: &str, typed: &str, first: &[&str], never: &[&str]| {
+        let found = offered(&mut client, SRDF, old, typed);
+        assert_eq!(found.iter().take(first.len()).collect::<Vec<_>>(), first, "{typed}: {found:?}");
+        assert!(!never.iter().any(|name| found.iter().any(|label| label == name)), "{typed}: {found:?}");
+    };
+    check("tip_link=\"left_tool\"", "tip_link=\"left_to|\"", &["left_tool"], &["left_wrist"]);
+    check(
+        "<joint name=\"left_wrist\" value=\"0.6\"/>",
+        "<joint name=\"|\"/>",
+        &["left_wrist"],
+        &["left_elbow"],
+    );
+    check(
+        "name=\"left_wrist\" value=\"0.6\"",
+        "name=\"left_wrist\" value=\"|\"",
+        &["0", "-1.9198621771937625"],
+        &[],
+    );
+    check("parent_group=\"arm\"", "parent_group=\"|\"", &["arm", "gripper", "all"], &[]);
+    check("<passive_joint name=\"left_thumb\"/>", "<pas|", &["passive_joint"], &["link", "ros2_control"]);
+    check(
+        "<group name=\"all\">\n    <group name=\"arm\"/>",
+        "<group name=\"all\">\n    <|",
+        &["link", "joint", "chain", "group"],
+        &["visual", "group_state"],
+    );
+    check("reason=\"User\"", "reason=\"|\"", &["Adjacent", "Never", "Default", "Always", "User"], &[]);
+    check("link2=\"left_hand\" reason", "link2=\"left_ha|\" reason", &["left_hand"], &["left_wrist"]);
+}
+
+#[test]
+fn hover_says_what_names_mean() {
+    let kinematics = "src/pick_arm_moveit_config/config/kinematics.yaml";
+    let (mut client, _) = started(&[SRDF, CONTROLLERS, LIMITS, kinematics]);
+    for (file, at, expected) in [
+        (
+            CONTROLLERS,
+            "- left_el|bow",
+            &["**joint** `left_elbow` (revolute)", "2.0 rad/s", "left_upper_arm"][..],
+        ),
+        (LIMITS, "left_sh|oulder:", &["**joint** `left_shoulder` (revolute)"]),
+        (SRDF, "joint name=\"left_th|umb\"", &["**joint** `left_thumb` (prismatic)", "mimics `left_finger`"]),
+        (SRDF, "tip_link=\"left_|tool\"", &["**link** `left_tool`"]),
+        (SRDF, "group name=\"a|rm\">", &["**group** `arm`", "chain left_base → left_tool"]),
+        (kinematics, "a|rm:", &["**group** `arm`", "chain left_base → left_tool"]),
+        (SRDF, "passive_jo|int", &["A joint that nothing drives"]),
+    ] {
+        let params = client.at(file, at);
+        let answer = client.request("textDocument/hover", params);
+        let text = answer["contents"]["value"].as_str().unwrap_or_default();
+        assert!(expected.iter().all(|part| text.contains(part)), "{file} {at}: {answer}");
+    }
+}
+
+#[test]
+fn the_tree_lists_the_files_beside_the_robot() {
+    let (mut client, _) = started(&[ROBOT]);
+    let tree = client.request("xacro/tree", client.of(ROBOT));
+    let mut kinds: Vec<&str> =
+        tree["beside"].as_array().unwrap().iter().map(|file| file["kind"].as_str().unwrap()).collect();
+    kinds.sort_unstable();
+    let expected = [
+        "controllers",
+        "joint-limits",
+        "kinematics",
+        "moveit-controllers",
+        "planners",
+        "setup-assistant",
+        "srdf",
+    ];
+    assert_eq!(kinds, expected);
+}

@@ -407,3 +407,42 @@ fn long_lists_are_cut_and_say_so() {
     let items = answer["items"].as_array().unwrap();
     assert!(items.len() <= 200 && items.iter().any(|item| item["label"] == "value_299"), "{}", items.len());
 }
+
+#[test]
+fn whole_elements_are_offered_as_children_of_a_robot() {
+    let (joint, optical) = ("joint revolute with limit", "link and joint of an optical frame");
+    check("<jo", &["joint", joint], &[]);
+    check("li", &["link", optical], &[]);
+    check("<ro", &["ros2_control with a joint"], &[]);
+    check("<link name=\"x\"><", &["visual"], &[joint, optical]);
+    let mut client = both();
+    client.edit(ROBOT, "</robot>", "  <jo\n</robot>");
+    let found = item(&mut client, ROBOT, "<jo|", joint);
+    let text = found["textEdit"]["newText"].as_str().unwrap();
+    assert!(text.starts_with("joint name=\"${1:joint}\" type=\"revolute\">\n\t<parent"), "{text}");
+    // an editor without snippets gets the text alone
+    let mut plain = Client::start();
+    plain.open(ROBOT);
+    plain.edit(ROBOT, "</robot>", "  <jo\n</robot>");
+    let found = item(&mut plain, ROBOT, "<jo|", joint);
+    let text = found["textEdit"]["newText"].as_str().unwrap();
+    assert!(text.contains("<limit lower=\"-1.57\" upper=\"1.57\"") && !text.contains('$'), "{text}");
+}
+
+#[test]
+fn a_robot_can_be_begun_in_an_empty_file() {
+    let folder = pan_tilt();
+    let file = "src/pan_tilt/urdf/new.urdf.xacro";
+    write(&folder, file, "");
+    let item = json!({ "snippetSupport": true });
+    let capabilities = json!({ "textDocument": { "completion": { "completionItem": item } } });
+    let mut client = Client::with(folder, Options { capabilities, ..Options::default() });
+    for typed in ["rob", "<rob", "<?xml version=\"1.0\"?>\nrob"] {
+        client.open_with(file, typed);
+        let mut params = client.of(file);
+        params["position"] = position(typed, typed.len());
+        let found = client.request("textDocument/completion", params)["items"].clone();
+        assert!(sorted(&found).first().is_some_and(|first| first == "robot"), "{typed}: {found:?}");
+        client.notify("textDocument/didClose", client.of(file));
+    }
+}

@@ -429,3 +429,47 @@ fn all_contexts_are_pulled_too() {
     };
     assert!(client.eventually(told));
 }
+
+#[test]
+fn an_error_that_cuts_a_robot_short_says_which_rules_did_not_run() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    client.open(UNIT);
+    // two links that nothing connects: with the missing macro nobody can say so
+    client.edit(
+        ROBOT,
+        "<link name=\"$(arg mount)\"/>",
+        "<link name=\"$(arg mount)\"/><link name=\"loose\"/>",
+    );
+    assert!(client.findings(ROBOT).iter().any(|found| found.ends_with("orphan-link")));
+    client.edit(UNIT, "name=\"unit\"", "name=\"unitt\"");
+    client.edit(ROBOT, "value=\"0.15\"", "value=\"0.16\"");
+    let found = client.diagnostics(ROBOT);
+    let messages: Vec<&str> = found.iter().filter_map(|found| found["message"].as_str()).collect();
+    let cut: Vec<&&str> = messages.iter().filter(|text| text.contains("not checked in full")).collect();
+    assert_eq!(cut.len(), 1, "{messages:?}");
+    assert!(cut[0].starts_with("macro `unit` is not defined"), "{messages:?}");
+    assert!(cut[0].contains("`pan_tilt.urdf.xacro` is not checked in full"), "{messages:?}");
+    assert!(
+        cut[0].contains("(`collision-left-out`, `gazebo-unknown-reference`, `mimic-unknown-joint` and "),
+        "{messages:?}"
+    );
+    assert!(!found.iter().any(|found| found["code"] == "orphan-link"), "{messages:?}");
+}
+
+#[test]
+fn a_package_that_is_not_found_says_what_is_not_checked() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    client.edit(
+        ROBOT,
+        "<xacro:include filename=\"unit.xacro\"/>",
+        "<xacro:include filename=\"unit.xacro\"/><xacro:include filename=\"$(find arm_description)/arm.xacro\"/>",
+    );
+    let found = client.diagnostics(ROBOT);
+    let missing: Vec<&Value> = found.iter().filter(|found| found["code"] == "package-not-found").collect();
+    assert_eq!(missing.len(), 1, "{found:?}");
+    let message = missing[0]["message"].as_str().unwrap();
+    assert!(message.contains("`pan_tilt.urdf.xacro` is not checked in full"), "{message}");
+    assert!(missing[0]["severity"].as_i64() <= Some(2), "{missing:?}");
+}

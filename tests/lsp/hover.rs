@@ -1,6 +1,6 @@
 //! F4: hover.
 
-use super::client::Client;
+use super::client::{Client, Options};
 use super::workspace::{self, ROBOT, UNIT};
 
 fn both() -> Client {
@@ -298,4 +298,31 @@ fn an_argument_lists_the_values_of_launch_files() {
     client.open_with(FILE, robot);
     let expected = ["in launch files:", "* `right`: one.launch.py", "* `left`: two.launch.py"];
     check(&mut client, FILE, "$(arg si|de)", "side", &expected);
+}
+
+#[test]
+fn a_table_says_what_programs_make_of_an_element() {
+    let arm = "<robot name=\"arm\"><link name=\"base_link\"/><link name=\"link_1\"><inertial><mass value=\"1\"/>\
+               <inertia ixx=\"0.1\" ixy=\"0\" ixz=\"0\" iyy=\"0.1\" iyz=\"0\" izz=\"0.1\"/></inertial></link>\
+               <joint name=\"joint_1\" type=\"revolute\"><parent link=\"base_link\"/><child link=\"link_1\"/>\
+               <axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\" velocity=\"1\"/></joint></robot>";
+    for (config, is_named) in [("consumers = [\"pinocchio\", \"gazebo\"]\n", true), ("", false)] {
+        let folder = workspace::fresh_folder();
+        workspace::write(&folder, "xacro-lint.toml", config);
+        workspace::write(&folder, "arm.urdf", arm);
+        let mut client = Client::with(folder, Options::default());
+        client.open("arm.urdf");
+        let (limit, range) = hover(&mut client, "arm.urdf", "<li|mit");
+        assert_eq!(range, "limit");
+        let table = "| `<limit>` without `effort` | by |\n|---|---|\n| rejected | urdfdom, urdfdom 3, KDL, MoveIt, Gazebo, ";
+        assert_eq!(limit.contains(table), is_named, "{limit}");
+        assert_eq!(limit.contains("| accepted | MuJoCo, Drake, PyBullet, "), is_named, "{limit}");
+        let (name, range) = hover(&mut client, "arm.urdf", "\"base_|link\"/><link");
+        assert_eq!(range, "base_link");
+        let row = "| no `<inertial>` on the root link | by |\n|---|---|\n| rejected | Gazebo |\n| changed or ignored | PyBullet, urchin |";
+        assert!(name.contains("**link**") && name.contains(row) == is_named, "{name}");
+        // the named programs accept the axis
+        let (axis, _) = hover(&mut client, "arm.urdf", "<a|xis");
+        assert!(!axis.contains("rejected"), "{axis}");
+    }
 }

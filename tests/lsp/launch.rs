@@ -127,6 +127,23 @@ fn references_and_rename_go_through_launch_files() {
 }
 
 #[test]
+fn an_argument_is_renamed_again() {
+    let mut client = started();
+    client.edit(LAUNCH, " mount:=', Launch", " holder:=', Launch");
+    client.edit(LAUNCH, " mount:=ceiling", " holder:=ceiling");
+    client.edit(OLD, "mount:=pole", "holder:=pole");
+    client.edit(ROBOT, "name=\"mount\"", "name=\"holder\"");
+    client.edit(ROBOT, "<link name=\"$(arg mount)\"", "<link name=\"$(arg holder)\"");
+    client.edit(ROBOT, "parent=\"$(arg mount)\"", "parent=\"$(arg holder)\"");
+    let mut params = client.at(LAUNCH, "' hol|der:=ceiling'");
+    let prepared = client.request("textDocument/prepareRename", params.clone());
+    assert_eq!(prepared["placeholder"], "holder", "{prepared}");
+    params["newName"] = json!("place");
+    let edit = client.request("textDocument/rename", params);
+    assert_eq!(client.after(OLD, &edit), XML.replace("mount:=", "place:="));
+}
+
+#[test]
 fn a_launch_file_that_gives_the_name_to_another_robot_forbids_a_rename() {
     let folder = pan_tilt();
     let other = "<robot name=\"o\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><xacro:arg name=\"mount\" default=\"\"/>\

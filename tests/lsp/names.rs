@@ -209,6 +209,41 @@ fn links_are_renamed_in_branches_that_are_not_taken() {
 }
 
 #[test]
+fn a_macro_that_the_body_around_defines_is_meant() {
+    let folder = fresh_folder();
+    // as controllers of one arm and of two: each has a macro of its own by the same name
+    let part = r#"<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="KIND" params="prefix">
+    <xacro:macro name="wheel" params="start"><link name="${prefix}KIND_${start}"/></xacro:macro>
+    <xacro:wheel start="1"/>
+  </xacro:macro>
+</robot>
+"#;
+    let robot = r#"<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="control" default="false"/>
+  <xacro:include filename="one.xacro"/>
+  <xacro:include filename="two.xacro"/>
+  <link name="base"/>
+  <xacro:if value="$(arg control)"><xacro:two prefix="b"/><xacro:one prefix="a"/></xacro:if>
+</robot>
+"#;
+    write(&folder, "src/arm.urdf.xacro", robot);
+    let mut client = {
+        for name in ["one", "two"] {
+            write(&folder, &format!("src/{name}.xacro"), part.replace("KIND", name));
+        }
+        Client::with(folder, Options::default())
+    };
+    client.open("src/arm.urdf.xacro");
+    for name in ["one", "two"] {
+        let file = format!("src/{name}.xacro");
+        client.open(&file);
+        leads(&mut client, &file, "<xacro:whe|el start=\"1", &[&format!("{name}.xacro:3 wheel")]);
+        leads(&mut client, &file, "wheel sta|rt=\"1", &[&format!("{name}.xacro:3 start")]);
+    }
+}
+
+#[test]
 fn renaming_waits_for_the_workspace() {
     let folder = fresh_folder();
     let far = MAIN_TEXT.replace("filename=\"part.xacro\"", "filename=\"../../src/part.xacro\"");
@@ -221,4 +256,77 @@ fn renaming_waits_for_the_workspace() {
     let edit = client.request("textDocument/rename", params);
     let changed = edit["changes"].as_object().unwrap();
     assert!(changed.keys().any(|uri| uri.ends_with("far.urdf.xacro")), "{edit}");
+}
+
+#[test]
+fn a_file_that_other_arguments_include_belongs_to_the_robot() {
+    let folder = fresh_folder();
+    let robot = r#"<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="hand" default="left"/>
+  <xacro:arg name="soft" default="false"/>
+  <xacro:include filename="hand_$(arg hand).xacro"/>
+  <link name="base"/>
+</robot>
+"#;
+    write(&folder, "src/arm.urdf.xacro", robot);
+    for side in ["left", "right"] {
+        let text = r#"<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <link name="SIDE_$(arg soft)"/>
+</robot>
+"#;
+        write(&folder, &format!("src/hand_{side}.xacro"), text.replace("SIDE", side));
+    }
+    let mut client = Client::with(folder, Options::default());
+    client.open("src/arm.urdf.xacro");
+    client.open("src/hand_right.xacro");
+    leads(&mut client, "src/hand_right.xacro", "$(arg so|ft", &["arm.urdf.xacro:3 soft"]);
+    let uses = references(&mut client, "src/arm.urdf.xacro", "name=\"so|ft");
+    assert!(uses.iter().any(|place| place.contains("hand_right")), "{uses:?}");
+    let hover = client.request("textDocument/hover", client.at("src/hand_right.xacro", "$(arg so|ft"));
+    let text = hover["contents"]["value"].as_str().unwrap();
+    assert!(
+        text.contains("not evaluated with these arguments") && text.contains("arm.urdf.xacro:3"),
+        "{text}"
+    );
+}
+
+#[test]
+fn what_a_file_defines_itself_counts_however_often_it_is_included() {
+    let folder = fresh_folder();
+    let robot = r#"<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="kind" default="none"/>
+  <xacro:property name="side" value="left"/>
+  <xacro:macro name="arm">
+    <xacro:include filename="pad.xacro"/>
+    <xacro:if value="${'$(arg kind)' == 'finger'}">
+      <xacro:include filename="tips.xacro"/>
+      <xacro:pad width="1"/>
+    </xacro:if>
+    <xacro:if value="${'$(arg kind)' == 'cup'}">
+      <xacro:include filename="tips.xacro"/>
+      <xacro:pad width="2"/>
+    </xacro:if>
+  </xacro:macro>
+  <xacro:arm/>
+  <link name="base"/>
+</robot>
+"#;
+    let pad = r#"<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="pad" params="width"><link name="KIND_${width}"/></xacro:macro>
+</robot>
+"#;
+    let tips =
+        pad.replace("KIND", "tip\"/><xacro:property name=\"side\" value=\"${width}\"/><link name=\"${side}");
+    write(&folder, "src/arm.urdf.xacro", robot);
+    write(&folder, "src/pad.xacro", pad.replace("KIND", "pad"));
+    write(&folder, "src/tips.xacro", tips);
+    let mut client = Client::with(folder, Options::default());
+    let (arm, pad, tips) = ("src/arm.urdf.xacro", "src/pad.xacro", "src/tips.xacro");
+    for file in [arm, pad, tips] {
+        client.open(file);
+    }
+    leads(&mut client, tips, "${si|de}", &["tips.xacro:2 side"]);
+    leads(&mut client, arm, "pa|d width=\"2", &["tips.xacro:2 pad"]);
+    let uses = references(&mut client, pad, "wid|th}");
+    assert!(!uses.iter().any(|place| place.starts_with("arm.urdf.xacro")), "{uses:?}");
 }

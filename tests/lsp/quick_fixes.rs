@@ -67,7 +67,7 @@ fn fixes_of_syntax_and_of_xacro() {
         ),
         (robot("<link name=\"🤖 & b\"/>"), "xml-syntax-error", "Replace with `&amp;`", "🤖 &amp; b"),
         (robot("<link name=\"🤖 < b\"/>"), "xml-syntax-error", "Replace with `&lt;`", "🤖 &lt; b"),
-        (call("<xacro:m/>"), "missing-macro-param", "Add the missing parameters", "<xacro:m tool=\"\"/>"),
+        (call("<xacro:m/>"), "missing-macro-param", "Add `tool=", "<xacro:m tool=\"\"/>"),
         (
             call("<xacro:m tool=\"🤖\" sise=\"2\"/>"),
             "unknown-macro-param",
@@ -233,4 +233,25 @@ fn a_package_that_is_used_is_declared() {
         !client.findings(FILE).iter().any(|found| found.ends_with("missing-package-dependency"))
     };
     assert!(client.eventually(is_clean));
+}
+
+#[test]
+fn an_error_of_an_argument_begins_with_the_question_for_its_value() {
+    let mut client = Client::start();
+    show(&mut client, &robot("<link name=\"🤖$(arg side)\"/>"));
+    let found = fixes(&mut client, FILE, "undefined-arg");
+    assert_eq!(found[0]["title"], "Set argument `side`…", "{found:?}");
+    let command = &found[0]["command"];
+    assert_eq!(command["command"], "xacro.setArgs");
+    assert_eq!(command["arguments"][0]["name"], "side");
+    assert!(command["arguments"][0]["values"].is_array(), "{command}");
+}
+
+#[test]
+fn the_page_of_a_rule_is_a_command() {
+    let mut client = Client::start();
+    let params =
+        serde_json::json!({ "command": "xacro.explain", "arguments": [{ "rule": "undefined-arg" }] });
+    let page = client.request("workspace/executeCommand", params);
+    assert!(page.as_str().is_some_and(|page| page.contains("undefined-arg")), "{page}");
 }

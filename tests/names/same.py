@@ -5,7 +5,11 @@ import xml.etree.ElementTree as ET
 LINK, JOINT, MATERIAL = 'link', 'joint', 'material'
 # what names the robot's things, by element and attribute; a reference may mean links and joints
 SLOTS = {('link', 'name'): LINK, ('joint', 'name'): JOINT, ('parent', 'link'): LINK, ('child', 'link'): LINK,
-         ('mimic', 'joint'): JOINT, ('material', 'name'): MATERIAL, ('gazebo', 'reference'): (LINK, JOINT)}
+         ('mimic', 'joint'): JOINT, ('material', 'name'): MATERIAL, ('gazebo', 'reference'): (LINK, JOINT),
+         # what an SRDF says of the robot
+         ('disable_collisions', 'link1'): LINK, ('disable_collisions', 'link2'): LINK, ('chain', 'base_link'): LINK,
+         ('chain', 'tip_link'): LINK, ('end_effector', 'parent_link'): LINK, ('virtual_joint', 'child_link'): LINK,
+         ('passive_joint', 'name'): JOINT}
 BANNER = re.compile(r'^<!-- (=+|\|.*\|) -->\n', re.M)
 
 

@@ -283,6 +283,54 @@ return function(test, skip)
     child:wait(line_in('pan_tilt.urdf.xacro') .. [[:find('mount', 1, true)]])
   end)
 
+  test('arguments hold for all files of the robot, and for the next session', function(child)
+    local mount = [[(function()
+      local params = { textDocument = { uri = vim.uri_from_bufnr(0) } }
+      for _, answer in pairs(vim.lsp.buf_request_sync(0, 'xacro/roots', params, 10000) or {}) do
+        return vim.tbl_get(answer, 'result', 'active', 'args', 'mount')
+      end
+    end)() == 'wall']]
+    child:edit(fixture.robot)
+    child:wait([[require('xacro').status():find('pan_tilt', 1, true)]])
+    child:type(':XacroArgs mount:=wall<CR>')
+    child:wait(mount)
+    child:edit(fixture.unit)
+    child:wait(mount)
+    -- a server that is started anew knows nothing of it
+    child:lua([[
+      for _, client in ipairs(vim.lsp.get_clients()) do
+        vim.lsp.stop_client(client.id, true)
+      end
+    ]])
+    child:wait([[#vim.lsp.get_clients() == 0]])
+    child:type(':%bwipeout!<CR>')
+    child:edit(fixture.robot)
+    child:wait(mount)
+    child:type(':XacroRoot!<CR>')
+    child:wait('not (' .. mount .. ')')
+  end)
+
+  test('XacroArgs asks for one argument, with values that are known', function(child)
+    child:edit(fixture.robot)
+    child:wait([[require('xacro').status():find('pan_tilt', 1, true)]])
+    answer_select(child, 'shelf')
+    child:lua(
+      [[require('xacro.handlers').of_lenses()['xacro.setArgs'](
+      { arguments = { { name = 'mount', values = { 'wall', 'shelf' } } } }, { bufnr = vim.api.nvim_get_current_buf() })]]
+    )
+    child:wait([[require('xacro').status() == 'pan_tilt.urdf.xacro mount:=shelf']])
+  end)
+
+  test('XacroExplain shows the page of a rule', function(child)
+    child:edit(fixture.robot)
+    child:wait([[require('xacro').status():find('pan_tilt', 1, true)]])
+    child:type(':XacroExplain unused-property<CR>')
+    child:wait([[vim.iter(vim.api.nvim_list_wins()):any(function(win)
+      local lines = vim.api.nvim_buf_get_lines(vim.api.nvim_win_get_buf(win), 0, -1, false)
+      return vim.api.nvim_win_get_config(win).relative ~= '' and table.concat(lines):find('unused', 1, true) ~= nil
+    end)]])
+  end)
+
   test('XacroInstance picks a call', function(child)
     child:edit(fixture.unit)
     child:wait([[require('xacro').status():find('urdf.xacro', 1, true)]])

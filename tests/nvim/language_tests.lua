@@ -110,12 +110,25 @@ return function(test)
     assert(robot:find('turns_about="0 1 0"', 1, true), robot)
   end)
 
+  local not_taken =
+    '<xacro:if value="false"><xacro:unit name="${m0}" parent="top"><origin/></xacro:unit></xacro:if></robot>'
+
+  test('definition and references know branches that are not taken', function(child)
+    child:edit(fixture.robot)
+    child:change('</robot>', not_taken)
+    child:at('name="${m|0}"')
+    child:lua('vim.lsp.buf.references()')
+    child:wait('#vim.fn.getqflist() == 4')
+    child:lua('vim.cmd.cclose()')
+    child:at('<xacro:un|it name="${m0}"')
+    child:lua('vim.lsp.buf.definition()')
+    child:wait([[vim.api.nvim_buf_get_name(0):find('unit%.xacro$')]])
+    assert(child:value('vim.api.nvim_get_current_line()'):find('xacro:macro name="unit"'))
+  end)
+
   test('a rename reaches branches that are not taken', function(child)
     child:edit(fixture.robot)
-    child:change(
-      '</robot>',
-      '<xacro:if value="false"><xacro:unit name="${m0}" parent="top"><origin/></xacro:unit></xacro:if></robot>'
-    )
+    child:change('</robot>', not_taken)
     child:at('<xacro:un|it name="${m0}"')
     child:lua([[vim.lsp.buf.rename('motor')]])
     child:wait([[vim.api.nvim_get_current_line():find('<xacro:motor name="${m0}"', 1, true)]])

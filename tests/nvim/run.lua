@@ -77,6 +77,7 @@ for _, group in ipairs({
   'beside_tests',
   'language_tests',
   'command_tests',
+  'launch_tests',
   'typing_tests',
   'disk_tests',
   'install_tests',

@@ -9,7 +9,7 @@ import sys
 import tarfile
 import zipfile
 
-from common import EXAMPLES, ROOT, TARGET, WORK, Failed, demand, fresh, run, tool
+from common import EXAMPLES, ROOT, TARGET, WORK, Failed, demand, fresh, run, snippet, tool
 from hooks import STATIC, quick
 
 # What crates.io takes, in bytes.
@@ -46,6 +46,53 @@ def wheel():
     command = [tool("uvx"), "--offline", "--no-config", "--from", file, "xacro-lint", "--version"]
     demand(version in run(command, UV_CACHE_DIR=fresh("uv-cache")), "uvx runs the program")
     print(f"   {file.name}, {file.stat().st_size / 1e6:.1f} MB")
+
+
+# errors, warnings of xacro, and names that look like options
+MISUSE = """
+import pathlib, warnings
+import xacro_lint
+
+for call, text in [
+    (lambda: xacro_lint.expand("broken_cell/src/broken_cell/urdf/broken_cell.xacro"), "reference_bals"),
+    (lambda: xacro_lint.expand("nowhere.xacro"), "No such file or directory"),
+    (lambda: xacro_lint.expand("--help"), "No such file or directory"),
+    (lambda: xacro_lint.check(select=["no-such-rule"]), "unknown rule `no-such-rule`"),
+]:
+    try:
+        print(call())
+    except xacro_lint.XacroError as problem:
+        assert text in str(problem), problem
+    else:
+        raise AssertionError(text)
+finding = xacro_lint.check("broken_cell", select="undefined-macro")[0]
+assert (finding.severity, finding.row, finding.column) == ("error", 19, 3), finding
+assert all(isinstance(path, pathlib.Path) for path in xacro_lint.files_read("defects/urdf/" + FILE))
+"""
+
+
+def python():
+    """The typed package of the wheel: the page's example, wrong uses, types; as a module; from `pip install --target`."""
+    environment = WORK / "wheel-environment"
+    program = environment / "bin/python"
+    demand(program.is_file(), "the step `wheel` comes first")
+    plain = {"PATH": "/usr/bin:/bin", "PYTHONDONTWRITEBYTECODE": "1"}
+    file = sorted((EXAMPLES / "defects/urdf").iterdir())[0].name
+    run([program, "-c", snippet("python.md", "python-api")], cwd=EXAMPLES, **plain)
+    run([program, "-c", f"FILE = {file!r}\n{MISUSE}"], cwd=EXAMPLES, **plain)
+    version = run([environment / "bin/xacro-lint", "--version"])
+    demand(run([program, "-m", "xacro_lint", "--version"], **plain) == version, "it runs as a module")
+    (file,) = (WORK / "wheel").glob("xacro_lint-*.whl")
+    target = fresh("wheel-target")
+    run([environment / "bin/pip", "install", "--quiet", "--no-index", "--target", target, file])
+    command = [sys.executable, "-c", "import xacro_lint; print(xacro_lint.find_program())"]
+    demand(run(command, PYTHONPATH=target, **plain).strip() == str(target / "bin/xacro-lint"), "its own program")
+    with zipfile.ZipFile(file) as archive:
+        demand("xacro_lint/py.typed" in archive.namelist(), "py.typed")
+    uses = fresh("wheel-types") / "uses.py"
+    uses.write_text(snippet("python.md", "python-api"))
+    run([tool("mypy"), "--strict", "--python-executable", program, "--cache-dir", uses.parent / "cache", uses])
+    run([tool("mypy"), "--strict", "--cache-dir", uses.parent / "cache", ROOT / "editors/python/xacro_lint"])
 
 
 def crate():

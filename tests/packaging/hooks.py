@@ -1,6 +1,9 @@
 """pre-commit itself: hooks built from source (`language: rust`) and hooks from the wheel."""
 
+import re
 import shutil
+import sys
+import time
 
 from common import ROOT, TARGET, WORK, blocks, demand, fresh, run, tool, with_tools
 from fixture import BROKEN_MAST, CROOKED, FIXABLE, LIFTER, MAST, Repository
@@ -67,6 +70,51 @@ def wheel():
     scenario(repository, variables)
 
 
+def mirror():
+    """The same by the mirror, whose hooks install the wheel."""
+    wheels = list((WORK / "wheel").glob("*.whl"))
+    demand(len(wheels) == 1, "the step `wheel` comes first")
+    filled = fresh("filled")
+    sums = filled / "SHA256SUMS"
+    version = re.search(r"xacro_lint-([^-]+)-", wheels[0].name)[1]
+    names = set(re.findall(r"@SHA256:([^@]+(?:@VERSION@[^@]*)?)@", templates()))
+    sums.write_text("".join(f"{'0' * 64}  {name.replace('@VERSION@', version)}\n" for name in names))
+    run([sys.executable, ROOT / "docs/packaging/fill.py", "owner/name", version, sums, filled])
+    hooks = filled / "pre-commit-mirror"
+    run([tool("pre-commit"), "validate-manifest", hooks / ".pre-commit-hooks.yaml"])
+    same = (ROOT / ".pre-commit-hooks.yaml").read_text().replace("language: rust", "language: python")
+    demand(same.split("\n-")[1:] == (hooks / ".pre-commit-hooks.yaml").read_text().split("\n-")[1:], "the hooks are the same")
+    commit_all(hooks)
+
+    index = fresh("mirror-index")
+    run([tool("pip"), "download", "--quiet", "--no-deps", "--dest", index, "setuptools"])
+    links = {"PIP_FIND_LINKS": f"{WORK / 'wheel'} {index}", "PIP_NO_INDEX": "1"}
+    variables = {"PATH": with_tools(), "PRE_COMMIT_HOME": fresh("pre-commit-mirror"), **links}
+    repository = Repository("hooks-mirror", {})
+    repository.write("urdf/mast.xacro", BROKEN_MAST)
+    rev = run(["git", "rev-parse", "HEAD"], cwd=hooks).strip()
+    listed = "".join(f"  - id: {name}\n" for name in ["xacro-lint", "xacro-lint-fix", "xacro-format"])
+    repository.write(".pre-commit-config.yaml", f"repos:\n- repo: {hooks}\n  rev: {rev}\n  hooks:\n{listed}")
+    start = time.monotonic()
+    run([tool("pre-commit"), "install-hooks"], cwd=repository.folder, **variables)
+    print(f"   installed in a fresh cache in {time.monotonic() - start:.1f} s")
+    scenario(repository, variables)
+
+
+def templates():
+    """The text of all templates."""
+    files = (file for file in (ROOT / "docs/packaging").rglob("*") if file.is_file() and file.suffix != ".pyc")
+    return "".join(file.read_text() for file in files)
+
+
+def commit_all(folder):
+    """A repository of what is in a folder."""
+    run(["git", "init", "--quiet"], cwd=folder)
+    run(["git", "add", "."], cwd=folder)
+    person = ["-c", "user.name=Nobody", "-c", "user.email=nobody@example.org"]
+    run(["git", *person, "commit", "--quiet", "--message", "Sources"], cwd=folder)
+
+
 def hook(configuration, name):
     """The hook of a configuration under another name."""
     own = configuration[configuration.index("      - id:") :]
@@ -85,10 +133,7 @@ def sources():
             if path.is_file():
                 (folder / name).parent.mkdir(parents=True, exist_ok=True)
                 shutil.copyfile(path, folder / name)
-    run(["git", "init", "--quiet"], cwd=folder)
-    run(["git", "add", "."], cwd=folder)
-    person = ["-c", "user.name=Nobody", "-c", "user.email=nobody@example.org"]
-    run(["git", *person, "commit", "--quiet", "--message", "Sources"], cwd=folder)
+    commit_all(folder)
     return folder
 
 

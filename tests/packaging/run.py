@@ -10,8 +10,10 @@ import time
 sys.dont_write_bytecode = True
 
 import builds
+import channels
 import hooks
 import recipes
+import ros
 import workflows
 from common import Failed, install_tools
 
@@ -20,13 +22,17 @@ STEPS = {
     "workflow-mistakes": workflows.mistakes,
     "action": workflows.action,
     "wheel": builds.wheel,
+    "python": builds.python,
     "crate": builds.crate,
     "static": builds.static,
     "manifest": hooks.manifest,
     "hooks-wheel": hooks.wheel,
+    "hooks-mirror": hooks.mirror,
     "hooks-source": hooks.source,
     "colcon": recipes.workspace,
     "pytest": recipes.pytest,
+    "ros": ros.packages,
+    "channels": channels.files,
 }
 
 

@@ -1,5 +1,6 @@
 // The viewer in a browser on `xacro-lint preview`: every control by click and by key, edits on the disk.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { camera, difference, drawn, endBrowser, newPage, pixels, preview, revision, rig, settled, shot, spot, value } from './setup.mjs';
 
@@ -58,6 +59,18 @@ test('the robot is there, with meshes of every format', async () => {
   await shot(page, 'first');
 });
 
+test('meshes are read by a worker, not by the page', async () => {
+  assert.ok(page.workers().length >= 1);
+  const script = await page.evaluate(() => [...window.xacroViewer.meshes.script]);
+  assert.deepEqual(script.map(([name]) => name).sort(), ['cube.dae', 'cube.glb', 'cube.obj', 'cube.stl']);
+  const boxes = await page.evaluate(() => {
+    const found = [];
+    window.xacroViewer.views.get('main').link('panel').traverse((part) => part.isMesh && found.push(part.geometry.boundingBox?.max.toArray()));
+    return found;
+  });
+  assert.deepEqual(boxes, [[0.5, 0.5, 0.5]], 'the box comes with the mesh');
+});
+
 test('a slider moves its joint and the picture', async () => {
   const slider = row('arm_joint').locator('input[type=range]');
   await changes(() => slider.fill('0.8'));
@@ -75,6 +88,7 @@ test('a value is typed in degrees, clipped at the limit, and shown in radians', 
   assert.ok(Math.abs((await value(page, 'arm_joint')) - Math.PI / 6) < 1e-6);
   await typed.fill('400');
   await typed.press('Enter');
+  assert.equal(await typed.inputValue(), '90', 'what was clipped is seen at once');
   assert.ok(Math.abs((await value(page, 'arm_joint')) - Math.PI / 2) < 1e-6);
   await action('unit').click();
   assert.equal(await row('arm_joint').locator('input[type=number]').inputValue(), '1.571');
@@ -247,6 +261,9 @@ test('two clicks measure a distance', async () => {
   await page.mouse.click(b.x, b.y);
   await page.locator('.labels .measure').waitFor();
   assert.match(await page.locator('.labels .measure').innerText(), /^0\.\d+ m \(/);
+  const c = await spot(page, 'panel');
+  await page.mouse.click(c.x, c.y);
+  assert.match(await page.locator('.labels .measure').innerText(), /^\d+(\.\d+)?° \(0\.\d+ m, 0\.\d+ m\)$/);
   await shot(page, 'measure');
   await page.keyboard.press('Escape');
   assert.equal(await page.locator('.labels .measure').count(), 0);
@@ -278,6 +295,85 @@ test('the tree: search, keys, eyes', async () => {
   await page.locator('[role=treeitem][data-link=rotor]').dblclick();
   assert.notDeepEqual(await camera(page), old);
   await page.keyboard.press('f');
+});
+
+test('the panel of a link: mass, poses, size, source, opacity', async () => {
+  await action('reset').click();
+  await page.locator('[role=treeitem][data-link=arm]').click();
+  const panel = page.locator('.details');
+  const field = (name) => panel.locator(`[data-field=${name}]`).innerText();
+  assert.equal(await field('mass'), '1 kg');
+  assert.equal(await field('com'), '0 0 0.2 m');
+  assert.match(await field('inertia'), /xx 0\.015\s+yy 0\.015\s+zz 0\.001/);
+  assert.match(await field('world'), /xyz 0 0 0\.1 m\s+rpy 0° 0° 0°/);
+  assert.match(await field('size'), /0\.08 × 0\.08 × 0\.4 m/);
+  await row('arm_joint').locator('input[type=number]').fill('30');
+  await row('arm_joint').locator('input[type=number]').press('Enter');
+  assert.match(await field('parent'), /rpy 0° 30° 0°/, 'the pose follows the joint');
+  assert.equal(await panel.locator('[data-action=source]').innerText(), 'part.xacro:5');
+  await changes(() => panel.locator('[data-action=opacity]').fill('0.3'));
+  await shot(page, 'details');
+  await panel.locator('[data-action=opacity]').fill('1');
+  await page.locator('canvas').first().focus();
+  await page.keyboard.press('r');
+});
+
+test('a view without perspective, and back', async () => {
+  await page.keyboard.press('4');
+  const old = await camera(page);
+  await changes(() => page.keyboard.press('p'));
+  assert.equal(await action('parallel').getAttribute('aria-pressed'), 'true');
+  const lines = await page.evaluate(() => {
+    const { camera, orbit } = window.xacroViewer.stage;
+    const wide = (depth) => {
+      const at = (side) => orbit.target.clone().addScaledVector(camera.position.clone().sub(orbit.target).normalize(), depth).add(camera.up.clone().multiplyScalar(side)).project(camera).y;
+      return at(0.1) - at(-0.1);
+    };
+    return wide(0.3) / wide(-0.3);
+  });
+  assert.ok(Math.abs(lines - 1) < 0.01, `what is near is ${lines} times as large as what is far`);
+  await page.keyboard.press('p');
+  const now = await camera(page);
+  assert.ok(old.every((one, i) => Math.abs(one - now[i]) < 1e-3));
+});
+
+test('the picture as a file', async () => {
+  const [download] = await Promise.all([page.waitForEvent('download'), action('picture').click()]);
+  assert.equal(download.suggestedFilename(), 'rig.png');
+  const bytes = readFileSync(await download.path());
+  assert.equal(bytes.subarray(1, 4).toString(), 'PNG');
+  assert.ok(bytes.readUInt32BE(16) > 400);
+});
+
+test('the tree is reached by Tab', async () => {
+  await page.locator('input[type=search]').focus();
+  await page.keyboard.press('Tab');
+  assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('role')), 'treeitem');
+  await page.keyboard.press('ArrowDown');
+  assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('role')), 'treeitem');
+});
+
+test('half a window: joints open, tree closed, the bar in its place', async () => {
+  const half = await newPage({ viewport: { width: 640, height: 800 }, colorScheme: 'dark' });
+  await half.goto(program.url);
+  await settled(half);
+  assert.ok(await half.locator('.panel.right').isVisible());
+  assert.ok(await half.locator('.panel.left').isHidden());
+  assert.equal(await half.locator('[data-action=joints]').innerText(), 'Joints');
+  const inside = () => half.evaluate(() => {
+    const { stage, views } = window.xacroViewer;
+    const box = views.get('main').box();
+    const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => box.min.clone().set(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z));
+    return corners.every((corner) => corner.project(stage.camera) && Math.abs(corner.x) <= 1 && Math.abs(corner.y) <= 1);
+  });
+  assert.ok(await inside());
+  await half.locator('[data-action=tree]').click();
+  await drawn(half);
+  await half.waitForFunction(() => document.querySelector('.view').clientWidth < 300);
+  await drawn(half);
+  assert.ok(await inside(), 'the robot is fitted again when a panel opens');
+  await shot(half, 'half');
+  await half.context().close();
 });
 
 test('the menu of a link', async () => {
@@ -342,6 +438,8 @@ test('broken text keeps the last good robot and says what is wrong', async () =>
   assert.match(await page.locator('.banner b').innerText(), new RegExp(`shows revision ${good} of .*, \\d+ error`));
   assert.equal(await page.locator('[role=treeitem]').count(), 8);
   assert.equal(await page.getAttribute('body', 'data-ok'), 'false');
+  const places = await page.evaluate(() => [document.querySelector('.banner').getBoundingClientRect().bottom, document.querySelector('canvas').getBoundingClientRect().top]);
+  assert.ok(places[0] <= places[1], 'the list does not cover the robot');
   const error = page.locator('[data-action=error]').first();
   assert.match(await error.innerText(), /rig\.urdf\.xacro:\d+/);
   await error.click();
@@ -357,7 +455,7 @@ test('a mesh that is not there is a magenta box with a name', async () => {
   robot.edit('urdf/rig.urdf.xacro', 'cube.dae', 'gone.dae');
   await settled(page, now + 1);
   await page.locator('.labels .missing', { hasText: 'gone.dae' }).waitFor();
-  assert.match(await page.locator('.banner').innerText(), /gone\.dae/);
+  assert.match(await page.locator('.banner').innerText(), /1 mesh is missing[\s\S]*gone\.dae/);
   const magenta = await page.evaluate(() => {
     let found;
     window.xacroViewer.views.get('main').link('panel').traverse((part) => (found ??= part.isMesh && part.material.color?.getHex() === 0xff00ff ? part : undefined));
@@ -368,6 +466,25 @@ test('a mesh that is not there is a magenta box with a name', async () => {
   robot.edit('urdf/rig.urdf.xacro', 'gone.dae', 'cube.dae');
   await settled(page, now + 2);
   assert.equal(await page.locator('.labels .missing').count(), 0);
+});
+
+test('a link without a visual is shown by its collision shape, with a mark', async () => {
+  const now = await revision(page);
+  const [visual, collision] = ['visual', 'collision'].map((tag) => `<link name="rotor"><${tag}><geometry><sphere radius="0.05"/></geometry></${tag}></link>`);
+  robot.edit('urdf/rig.urdf.xacro', visual, collision);
+  await settled(page, now + 1);
+  const look = await page.evaluate(() => {
+    let found;
+    window.xacroViewer.views.get('main').link('rotor').children[0].traverse((part) => (found ??= part.isMesh ? part.material : undefined));
+    return { color: found?.color.getHex(), opacity: found?.opacity };
+  });
+  assert.notEqual(look.color, 0xff00ff, 'magenta means a missing file only');
+  assert.ok(look.opacity < 0.5);
+  await page.locator('[role=treeitem][data-link=rotor]').click();
+  assert.match(await page.locator('.details [data-field=size]').innerText(), /of the collision: no visual/);
+  await shot(page, 'stand-in');
+  robot.edit('urdf/rig.urdf.xacro', collision, visual);
+  await settled(page, now + 2);
 });
 
 test('a mesh that changes on the disk is loaded again', async () => {

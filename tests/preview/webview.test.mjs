@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { bundle, endBrowser, newPage, revision, rig, server, settled, shot } from './setup.mjs';
 
-const POLICY = "default-src 'none'; script-src 'nonce-abc'; style-src 'unsafe-inline'; img-src blob: data:; connect-src blob: data:; font-src data:";
+const POLICY = "default-src 'none'; script-src 'nonce-abc'; style-src 'unsafe-inline'; img-src blob: data:; connect-src blob: data:; worker-src blob:; font-src data:";
 let robot, lsp, page, id;
 
 before(async () => {
@@ -102,6 +102,20 @@ test('a mesh above the limit is shown as a box', async () => {
   await lsp.ask('xacro/preview/setRoot', { id, root: { uri: `file://${robot.file}`, args: { reach: '0.5' } } });
   await settled(page, now + 1);
   await page.locator('.banner', { hasText: 'shown as a box' }).waitFor();
+});
+
+test('a robot that fails without a place for it is not said to have 0 errors', async () => {
+  const now = await revision(page);
+  const root = { uri: 'file:///x' };
+  const args = ['zone', 'arm_type', 'base'].map((name) => ({ name, value: `/a/long/path/of/${name}.yaml` }));
+  const model = { robot: 'x', links: [{ name: 'a', visuals: [], collisions: [] }], joints: [], meshes: {} };
+  await post({ type: 'model', id, side: 'main', revision: now + 500, ok: false, errors: [], root, args, choices: [root], lastGood: model, goodRevision: now });
+  await settled(page, now + 500);
+  const title = await page.locator('.banner b').innerText();
+  assert.match(title, /^shows revision/);
+  assert.doesNotMatch(title, /error/);
+  const names = await page.locator('[data-arg]').evaluateAll((fields) => fields.map((field) => field.dataset.arg));
+  assert.deepEqual(names, ['zone', 'arm_type', 'base'], 'arguments stand in the order in which they come');
 });
 
 test('names from the file are text, never markup', async () => {

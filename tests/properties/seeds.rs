@@ -23,6 +23,9 @@ pub fn of(target: &Target) -> Vec<Vec<u8>> {
             "launch" => {
                 found.extend(LAUNCH.iter().map(|(choice, text)| with_choice(*choice, text.as_bytes())))
             }
+            "launch-of-a-package" => {
+                found.extend(LAUNCH_OF_ARM.iter().map(|(choice, text)| with_choice(*choice, text.as_bytes())))
+            }
             "stl" => found.extend(files("stl").iter().take(4).map(|bytes| with_choice(0, bytes))),
             "toml" => found
                 .extend(files("toml").into_iter().chain(TOML.iter().map(|text| text.as_bytes().to_vec()))),
@@ -141,6 +144,37 @@ const MESHES: &[(u8, &str)] = &[
         r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"translation":[1,2,3]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":1,"type":"VEC3"},{"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}],"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":12},{"buffer":0,"byteOffset":8,"byteLength":6}],"buffers":[{"uri":"a.bin","byteLength":14}]}"#,
     ),
     (4, "glTF\u{2}\u{0}\u{0}\u{0}\u{1c}\u{0}\u{0}\u{0}\u{8}\u{0}\u{0}\u{0}JSON{}      "),
+];
+
+/// Launch files of the package `arm`, by the number of their kind.
+const LAUNCH_OF_ARM: [(u8, &str); 6] = [
+    (
+        0,
+        "side = LaunchConfiguration('side')\nc = [DeclareLaunchArgument('side', default_value='left', choices=['left', 'rigt'])]\n\
+         path = [FindPackageShare('arm'), '/arm.urdf.xacro']\nr = Command(['xacro ', *path, ' side:=', side, ' n:=2 sim:=', s])\n\
+         IncludeLaunchDescription('b.launch.py', launch_arguments={'side': 'right'}.items())\n",
+    ),
+    (
+        5,
+        "p = get_package_share_directory('arm') + '/arm.urdf.xacro'\nxacro.process_file(p, mappings={'side': 'right', 'nn': '3'})\n\
+         for s in ['a', 'b']:\n    Command(f'xacro {p} side:={s} n:=é')\n",
+    ),
+    (
+        1,
+        "<launch><arg name=\"side\" default=\"left\"/><param name=\"d\" command=\"$(find xacro)/xacro $(find arm)/arm.urdf.xacro \
+         side:=$(arg side) sim:=1\"/><include file=\"$(find arm)/launch/a.launch\"><arg name=\"side\" value=\"b\"/></include></launch>",
+    ),
+    (
+        2,
+        "<launch><let name=\"s\" value=\"right\"/><node><param name=\"d\" value=\"$(command 'xacro $(find-pkg-share arm)/arm.urdf.xacro \
+         side:=$(var s)')\"/></node></launch>",
+    ),
+    (3, "cd $(rospack find arm)\nxacro arm.urdf.xacro side:=left 'n:=1' sim:=\"$1\" > a.urdf # side:=\n"),
+    (
+        4,
+        "launch:\n- arg: {name: side, default: left}\n- node:\n    param:\n    - name: robot_description\n      value: \
+         \"$(command 'xacro $(find-pkg-share arm)/arm.urdf.xacro side:=$(var side)')\"\n",
+    ),
 ];
 
 /// Launch files, by the number of their kind.

@@ -17,3 +17,6 @@ said=$("$tools/bin/mdbook" build docs "$@" 2>&1) || { echo "$said"; exit 1; }
 echo "$said"
 # what mdBook warns of is missing from the page
 case "$said" in *" WARN "*) exit 1 ;; esac
+# mdBook empties the folder first
+tests/playground/site.sh
+cp -r target/playground/site target/site/playground

@@ -4,11 +4,12 @@ import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';
 import { dirname, extname, join, relative, sep } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-export const root = join(dirname(fileURLToPath(import.meta.url)), '../../target/site');
+const site = join(dirname(fileURLToPath(import.meta.url)), '../../target/site');
+export const root = site;
 
 const TYPES = {
   '.html': 'text/html; charset=utf-8', '.css': 'text/css', '.js': 'text/javascript', '.svg': 'image/svg+xml', '.png': 'image/png',
-  '.json': 'application/json', '.woff2': 'font/woff2',
+  '.json': 'application/json', '.woff2': 'font/woff2', '.wasm': 'application/wasm', '.zip': 'application/zip',
 };
 
 function* below(folder) {
@@ -22,14 +23,15 @@ function* below(folder) {
 /** Paths of all pages, as they stand in addresses. */
 export function pages() {
   const files = [...below(root)].map((path) => relative(root, path).split(sep).join('/'));
-  // the frame is for browsers without scripts
-  return files.filter((path) => path.endsWith('.html') && !['404.html', 'toc.html'].includes(path)).sort();
+  // the frame is for browsers without scripts; the playground has tests of its own
+  const others = (path) => ['404.html', 'toc.html'].includes(path) || path.startsWith('playground/');
+  return files.filter((path) => path.endsWith('.html') && !others(path)).sort();
 }
 
 export const text = (page) => readFileSync(join(root, page), 'utf8');
 
-/** The site on a free port of this machine. */
-export async function serve() {
+/** The site, or another folder, on a free port of this machine. */
+export async function serve(root = site) {
   const server = createServer((request, response) => {
     const path = join(root, decodeURIComponent(new URL(request.url, 'http://x').pathname));
     const file = existsSync(path) && statSync(path).isDirectory() ? join(path, 'index.html') : path;

@@ -60,6 +60,7 @@ const FURNITURE = "src/measuring_cell/urdf/furniture.xacro";
 const BROKEN = "src/broken_cell/urdf/broken_cell.xacro";
 const GRIPPER = "src/two_joint_gripper_description/urdf/two_joint_gripper.urdf.xacro";
 const ARM = "src/two_joint_gripper_description/urdf/arm.xacro";
+const NOT_TAKEN = '<xacro:if value="false"><link name="w${beam_width}"/></xacro:if>';
 
 test("problems", "broken_cell", async (window) => {
   const file = source(window, BROKEN);
@@ -133,8 +134,32 @@ test("definition", "measuring_cell", async (window) => {
   await window.at(line);
 }, { share: "reading" });
 
+test("not-taken", "two_joint_gripper", async (window) => {
+  const robot = source(window, GRIPPER);
+  robot.write((text) => text.replace("</robot>", `  ${NOT_TAKEN}\n</robot>`));
+  await window.file("two_joint_gripper.urdf.xacro");
+  await window.status("two_joint_gripper.urdf.xacro");
+  await window.go(...robot.find(NOT_TAKEN, NOT_TAKEN.indexOf("beam_width") + 3));
+  const uses = readFileSync(join(window.folder, ARM), "utf8").split("beam_width").length + robot.text().split("beam_width").length - 2;
+  const peek = window.page.locator(".peekview-widget").first();
+  await until("the references", async () => {
+    await window.press("Shift+F12");
+    return peek.waitFor({ timeout: 3000 }).then(() => true, () => false);
+  });
+  await peek.getByText(`References (${uses})`).first().waitFor();
+  await window.press("Escape");
+  await window.go(...robot.find(NOT_TAKEN, NOT_TAKEN.indexOf("beam_width") + 3));
+  await until("the definition in the included file", async () => {
+    await window.press("F12");
+    const tab = window.page.locator('.tab.active[data-resource-name="arm.xacro"]');
+    return tab.waitFor({ timeout: 3000 }).then(() => true, () => false);
+  });
+});
+
 test("rename", "two_joint_gripper", async (window) => {
   const [arm, robot] = [source(window, ARM), source(window, GRIPPER)];
+  // also where the name stands in a branch that is not taken
+  robot.write((text) => text.replace("</robot>", `  ${NOT_TAKEN}\n</robot>`));
   await window.file("arm.xacro");
   await window.status("two_joint_gripper.urdf.xacro");
   await window.go(...arm.find('name="beam_width"', 8));
@@ -145,11 +170,76 @@ test("rename", "two_joint_gripper", async (window) => {
   });
   await box.fill("beam_side");
   await window.press("Enter");
-  await window.page.locator('.tab[data-resource-name="arm.xacro"].dirty').waitFor();
+  // the workbench may save what it renamed at once, so the tab says little
+  await until("the new name", async () => (await window.drawn("arm.xacro")).some((text) => text.includes("beam_side")));
   await window.command("File: Save All");
   await arm.has('<xacro:property name="beam_side"');
   await robot.has("beam_side / 2");
   for (const file of [arm, robot]) assert.ok(!file.text().includes("beam_width"), file.file);
+});
+
+test("launch", "measuring_cell", async (window) => {
+  const robot = source(window, CELL);
+  const launch = source(window, "src/measuring_cell/launch/cell.launch.py");
+  writeFileSync(join(window.folder, "xacro-lint.toml"), `[[roots]]\nfile = "${CELL}"\nargs = {  }\n`);
+  const config = source(window, "xacro-lint.toml");
+  launch.write((text) => text.replace("LaunchConfiguration('stylus')]", "LaunchConfiguration('stylus'), ' ']").replace("'0.05'", "'0.08'"));
+  // what launch files give, in the robot
+  await window.file("measuring_cell.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.go(...robot.find('name="stylus"', 8));
+  assert.match(await window.hover("cell.launch.py"), /0\.08/);
+  await window.command("Xacro: Select Root");
+  await window.row("cell.launch.py").click();
+  await window.status("stylus:=0.08");
+  // from the launch file to the robot
+  await window.file("cell.launch.py");
+  const name = launch.find("' stylus:='", 4);
+  await window.go(...name);
+  await window.hover("stylus");
+  await until("the declaration in the robot", async () => {
+    await window.press("F12");
+    const tab = window.page.locator('.tab.active[data-resource-name="measuring_cell.xacro"]');
+    return tab.waitFor({ timeout: 3000 }).then(() => true, () => false);
+  });
+  await window.at(robot.find('name="stylus"')[0]);
+  // completion in the strings of the launch file, and in the configuration
+  const completes = async (row, done) => {
+    const shown = window.page.locator(".suggest-widget.visible .monaco-list-row", { hasText: row }).first();
+    await until(`${row} among the completions`, async () => {
+      await window.press("Control+Space");
+      return shown.waitFor({ timeout: 2000 }).then(() => true, () => false);
+    });
+    await until(`${row} completed`, async () => {
+      if (await shown.isVisible()) await shown.click({ timeout: 2000 }).catch(() => undefined);
+      await window.save();
+      return done();
+    });
+  };
+  await window.file("cell.launch.py");
+  await window.go(...launch.find("' ']", 2));
+  await completes("artefacts", () => launch.text().includes("' artefacts:=']"));
+  await window.file("xacro-lint.toml");
+  await window.go(...config.find("args = {  }", 9));
+  await completes("stylus", () => config.text().includes("{ stylus =  }"));
+  await window.go(...config.find("stylus =  }", 9));
+  await completes("0.08", () => config.text().includes('{ stylus = "0.08" }'));
+  // an argument gets another name in the robot, in the launch file and in the configuration
+  await window.file("cell.launch.py");
+  await window.go(...name);
+  const box = window.page.locator(".rename-box input, input.rename-input").first();
+  await until("the box for the new name", async () => {
+    await window.press("F2");
+    return box.waitFor({ timeout: 3000 }).then(() => true, () => false);
+  });
+  await box.fill("tip");
+  await window.press("Enter");
+  await window.page.locator('.tab[data-resource-name="cell.launch.py"].dirty').waitFor();
+  await window.command("File: Save All");
+  await robot.has('<xacro:arg name="tip"');
+  await launch.has("' tip:='");
+  await config.has("{ tip = ");
+  assert.ok(launch.text().includes("LaunchConfiguration('stylus')"), "the argument of the launch file is another one");
 });
 
 test("rename-beside", "pick_arm", async (window) => {
@@ -249,6 +339,9 @@ test("expanded", "measuring_cell", async (window) => {
   await window.command("Xacro: Compare Expanded URDF with Saved Version");
   await window.page.locator(".tab.active", { hasText: "saved ↔ now" }).waitFor();
   await window.page.locator(".modified .line-insert").first().waitFor();
+  // no source takes its place
+  await window.page.waitForTimeout(2500);
+  await window.page.locator(".tab.active", { hasText: "saved ↔ now" }).waitFor();
 });
 
 test("root", "measuring_cell", async (window) => {
@@ -303,6 +396,14 @@ test("views", "measuring_cell", async (window) => {
   await window.page.locator(".sidebar .monaco-list-row.selected", { hasText: "table_top" }).first().waitFor();
   await window.command("Xacro: Show Include Graph");
   await window.webview.locator(".node", { hasText: "joints" }).or(window.webview.locator(".node", { hasText: "fenn_macro.xacro" })).first().waitFor();
+  // all of it is seen first, and again with Fit
+  const width = () => window.webview.locator("svg").first().evaluate((svg) => [svg.clientWidth || svg.getBoundingClientRect().width, svg.parentElement.clientWidth]);
+  const [wide, room] = await width();
+  assert.ok(wide <= room + 1, `${wide} of ${room}`);
+  await window.webview.locator(".bar button", { hasText: "+" }).click();
+  assert.ok((await width())[0] > wide);
+  await window.webview.locator(".bar button", { hasText: "Fit" }).click();
+  assert.ok(Math.abs((await width())[0] - wide) < 2);
   await window.webview.locator(".node", { hasText: "fenn_macro.xacro" }).first().click();
   await window.page.locator('.tab.active[data-resource-name="fenn_macro.xacro"]').waitFor();
   await window.command("Xacro: Copy Diagnostic Report");

@@ -16,5 +16,7 @@ vim.filetype.add({
     -- templates that a build step fills in
     ['.*%.urdf%.xacro%.in'] = 'xacro',
     ['.*%.urdf%.in'] = 'urdf',
+    -- launch files of ROS 1, unless another plugin knows them
+    ['.*%.launch'] = { 'xml', { priority = -1 } },
   },
 })

@@ -1,13 +1,15 @@
 // Visuals and collisions: shapes, meshes, colours, and what stands in for a shape that cannot be drawn.
 
 import * as THREE from 'three';
-import type { Meshes } from './meshes';
+import type { Loaded, Meshes } from './meshes';
 import type { Body, Model, Pose, Side } from './messages';
 import type { Stage } from './stage';
 
 export interface Problem {
   link: string;
   text: string;
+  /** A file that is not there; otherwise something that cannot be drawn. */
+  missing: boolean;
 }
 
 export class Bodies {
@@ -50,7 +52,7 @@ export class Bodies {
       case 'mesh':
         return this.mesh(model, link, holder, body, wire);
       case 'unknown':
-        this.problem(link, holder, shape.problem, shape.problem);
+        this.problem(link, holder, shape.problem, shape.problem, UNDRAWN);
     }
     this.texture(holder, body, wire);
   }
@@ -62,25 +64,28 @@ export class Bodies {
     const file = model.meshes[shape.mesh];
     if (file && file.bytes > this.settings.meshMaxMB * 1e6) return this.huge(model, link, holder, body, wire);
     return this.meshes.get(model, shape.mesh).then(
-      ({ object, coloured }) => {
-        const own = object.clone(true);
-        own.traverse((part) => {
-          if (!(part instanceof THREE.Mesh)) return;
-          if (!coloured || wire) part.material = look(body, wire);
-          else part.material = copied(part.material as THREE.Material | THREE.Material[]);
-        });
-        // the factors of the tag are along the axes of the link
-        const scaled = new THREE.Group();
-        scaled.scale.set(...shape.scale);
-        scaled.add(own);
-        holder.add(scaled);
-        if (!coloured) this.texture(holder, body, wire);
-      },
+      (loaded) => this.meshes.measured(file?.name ?? shape.uri, () => this.put(loaded, shape.scale, holder, body, wire)),
       (error: unknown) => {
         const why = error instanceof Error ? error.message : String(error);
-        this.problem(link, holder, shape.uri, `${shape.uri}: ${why}`);
+        this.problem(link, holder, shape.uri, `${shape.uri}: ${why}`, UNDRAWN);
       },
     );
+  }
+
+  /** Draw a mesh that was read. */
+  private put({ object, coloured }: Loaded, scale: [number, number, number], holder: THREE.Group, body: Body, wire: boolean): void {
+    const own = object.clone(true);
+    own.traverse((part) => {
+      if (!(part instanceof THREE.Mesh)) return;
+      if (!coloured || wire) part.material = look(body, wire);
+      else part.material = copied(part.material as THREE.Material | THREE.Material[]);
+    });
+    // the factors of the tag are along the axes of the link
+    const scaled = new THREE.Group();
+    scaled.scale.set(...scale);
+    scaled.add(own);
+    holder.add(scaled);
+    if (!coloured) this.texture(holder, body, wire);
   }
 
   /** A mesh that is too large to draw: its box. */
@@ -89,7 +94,7 @@ export class Bodies {
     const file = shape.kind === 'mesh' && shape.mesh !== undefined ? model.meshes[shape.mesh] : undefined;
     if (shape.kind !== 'mesh' || !file) return;
     const text = `${file.name}: ${(file.bytes / 1e6).toFixed(0)} MB, shown as a box`;
-    if (!file.box) return this.problem(link, holder, file.name, text);
+    if (!file.box) return this.problem(link, holder, file.name, text, UNDRAWN);
     const box = new THREE.Box3(new THREE.Vector3(...file.box[0]), new THREE.Vector3(...file.box[1]));
     const size = box.getSize(new THREE.Vector3());
     const solid = new THREE.Mesh(new THREE.BoxGeometry(size.x, size.y, size.z), look(body, wire));
@@ -98,14 +103,14 @@ export class Bodies {
     scaled.scale.set(...shape.scale);
     scaled.add(solid);
     holder.add(scaled);
-    if (!wire) this.problems.set(`${link} ${text}`, { link: link, text });
+    if (!wire) this.problems.set(`${link} ${text}`, { link, text, missing: false });
   }
 
-  /** In place of what cannot be drawn: a magenta box of 10 cm, with a name. */
-  private problem(link: string, holder: THREE.Group, name: string, text: string): void {
-    const box = new THREE.Mesh(new THREE.BoxGeometry(0.1, 0.1, 0.1), new THREE.MeshStandardMaterial({ color: 0xff00ff }));
+  /** In place of what cannot be drawn: a box of 10 cm, with a name; magenta where a file is missing. */
+  private problem(link: string, holder: THREE.Group, name: string, text: string, color = MISSING): void {
+    const box = new THREE.Mesh(new THREE.BoxGeometry(0.1, 0.1, 0.1), new THREE.MeshStandardMaterial({ color }));
     holder.add(box);
-    this.problems.set(`${link} ${text}`, { link: link, text });
+    this.problems.set(`${link} ${text}`, { link, text, missing: color === MISSING });
     const remove = this.stage.label(box, name.split('/').pop() ?? name, 'missing', this.side);
     box.addEventListener('removed', remove);
     holder.addEventListener('removed', remove);
@@ -145,6 +150,34 @@ function look(body: Body, wire: boolean): THREE.Material {
   material.transparent = opacity < 1;
   material.depthWrite = opacity >= 1;
   return material;
+}
+
+const MISSING = 0xff00ff;
+const UNDRAWN = 0xd29922;
+const MOST_WITH_EDGES = 6000;
+
+/** The look of a collision shape that stands in for a visual that the link does not have. */
+export function standIn(part: THREE.Object3D): void {
+  if (!(part instanceof THREE.Mesh)) return;
+  const look = { color: 0x18a0a8, transparent: true, opacity: 0.4, roughness: 0.9, depthWrite: false, side: THREE.DoubleSide };
+  part.material = new THREE.MeshStandardMaterial(look);
+  const geometry = part.geometry as THREE.BufferGeometry;
+  // finding the edges of a large mesh takes as long as reading it
+  if ((geometry.index ?? geometry.getAttribute('position')).count > MOST_WITH_EDGES) return;
+  part.add(new THREE.LineSegments(new THREE.EdgesGeometry(geometry, 30), new THREE.LineDashedMaterial({ color: 0x0f6a70, dashSize: 0.01, gapSize: 0.008 })).computeLineDistances());
+}
+
+/** How much of a part can be seen through, over what it is by itself. */
+export function fade(part: THREE.Object3D, share: number): void {
+  if (!(part instanceof THREE.Mesh)) return;
+  const materials = (Array.isArray(part.material) ? part.material : [part.material]) as THREE.Material[];
+  for (const material of materials) {
+    const own = (material.userData['opacity'] ??= material.opacity) as number;
+    material.opacity = own * share;
+    material.transparent = material.opacity < 1;
+    material.depthWrite = material.opacity >= 1;
+    material.needsUpdate = true;
+  }
 }
 
 const CHOSEN = new THREE.Color(0x2f81f7);

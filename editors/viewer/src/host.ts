@@ -32,7 +32,7 @@ function webview(listener: Listener): Host {
   const answer = (message: MeshMessage): void => {
     for (const { done, failed } of waiting.get(message.mesh) ?? []) {
       if (message.data === undefined) failed(new Error(message.error ?? 'the file cannot be read'));
-      else done(bytesOf(message.data));
+      else void bytesOf(message.data).then(done, failed);
     }
     waiting.delete(message.mesh);
   };
@@ -105,11 +105,9 @@ function isMessage(value: unknown): value is FromHost {
   return typeof value.type === 'string' && types.includes(value.type);
 }
 
-function bytesOf(data: ArrayBuffer | Uint8Array | string): ArrayBuffer {
+async function bytesOf(data: ArrayBuffer | Uint8Array | string): Promise<ArrayBuffer> {
   if (data instanceof ArrayBuffer) return data;
   if (typeof data !== 'string') return data.slice().buffer as ArrayBuffer;
-  const text = atob(data);
-  const bytes = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
-  return bytes.buffer;
+  // the browser decodes it in the background
+  return (await fetch(`data:application/octet-stream;base64,${data}`)).arrayBuffer();
 }

@@ -109,6 +109,8 @@ export class JointPanel {
     typed.setAttribute('aria-label', `${joint.name} in ${unit === '°' ? 'degrees' : unit}`);
     typed.addEventListener('change', () => {
       this.values.set(joint.name, typed.valueAsNumber / factor);
+      // what was clipped is seen at once, also while the field has the focus
+      typed.value = short(this.values.get(joint.name) * factor, digits);
       show();
     });
     typed.disabled = min === max;

@@ -1,6 +1,8 @@
 // The viewer: takes models in, shows them, and says what was clicked.
 
 import * as THREE from 'three';
+import type { Problem } from './bodies';
+import { Details } from './details';
 import { button, el, short } from './dom';
 import { connect } from './host';
 import { JointPanel } from './joints';
@@ -34,11 +36,22 @@ let held: string | undefined;
 const values = new Values(() => {
   for (const view of views.values()) view.pose();
   joints.show();
+  details.update();
 });
 stage.orbit.addEventListener('start', () => (touched = true));
+// panels and the list of errors take room from the picture: a view that nobody turned still shows the whole robot
+stage.resized = () => {
+  if (fitted && !touched) fit();
+};
 stage.before.push((now) => values.step(now));
 
 const joints = new JointPanel(values, { select: (name) => selectJoint(name) });
+const details = new Details({
+  open: (link, location) => tell({ link }, location),
+  fade: (link, share) => {
+    for (const view of views.values()) view.fade(link, share);
+  },
+});
 const tree = new TreePanel({
   select: (link, shift) => selectLink(link, shift),
   focus: (link) => focus(link),
@@ -47,7 +60,7 @@ const tree = new TreePanel({
     tree.eyes();
   },
   hidden: () => views.get('main')?.hidden ?? new Set(),
-});
+}, details.element);
 const toolbar = new Toolbar(layers, {
   root: (root, compare) => {
     if (!compare) close('compare');
@@ -59,6 +72,8 @@ const toolbar = new Toolbar(layers, {
     for (const view of views.values()) view.applyLayers();
   },
   fit: () => fit(),
+  parallel: (on) => (stage.parallel = on),
+  picture: () => savePicture(),
   measure: (on) => pointer.measure(on),
   panel: (which, on) => {
     (which === 'left' ? tree : joints).element.hidden = !on;
@@ -73,11 +88,13 @@ const menu = el('div', { class: 'menu', role: 'menu' });
 const help = el('div', { class: 'help' });
 const empty = el('div', { class: 'empty', text: 'waiting for the robot …' });
 for (const box of [banner, tip, menu, help]) box.hidden = true;
-stage.element.append(banner, status, empty, help);
-const app = el('div', {}, toolbar.element, tree.element, stage.element, joints.element);
+stage.element.append(status, empty, help);
+const app = el('div', {}, toolbar.element, banner, tree.element, stage.element, joints.element);
 app.id = 'app';
 document.body.append(app, toolbar.menu, menu, tip);
-if (innerWidth < 620) app.querySelectorAll<HTMLElement>('[data-action=tree], [data-action=joints]').forEach((one) => one.click());
+// in half a window the joints stay: they are what a preview is opened for
+const closed = innerWidth < 460 ? '[data-action=tree], [data-action=joints]' : innerWidth < 900 ? '[data-action=tree]' : '';
+if (closed) app.querySelectorAll<HTMLElement>(closed).forEach((one) => one.click());
 stage.recolour();
 
 const pointer = new Pointer(stage, () => [...views.values()], values, {
@@ -149,6 +166,7 @@ function show(message: ModelMessage): void {
   }
   joints.update(together(models));
   if (!fitted && view.model.links.length > 0) fit(CORNER);
+  showDetails();
   sideLabels();
   showState();
 }
@@ -191,7 +209,7 @@ function showState(): void {
     fitted = true;
     if (!touched) fit(CORNER);
   }
-  const loading = meshes.pending > 0 ? ` · ${meshes.pending} files loading` : '';
+  const loading = meshes.pending > 0 ? ` · ${meshes.progress}` : '';
   status.textContent = main ? `revision ${main.revision} · ${times.get(main.revision) ?? ''} · Z is up${loading}${lost}` : lost;
   document.body.dataset['revision'] = String(main?.revision ?? 0);
   document.body.dataset['ok'] = String(main?.ok ?? '');
@@ -212,7 +230,7 @@ function showBanner(): void {
     const count = message.errors.length;
     const good = message.goodRevision !== undefined ? `revision ${message.goodRevision} of ${times.get(message.goodRevision) ?? 'before'}` : 'the last good revision';
     const shown = message.lastGood ? `shows ${good}` : 'shows what could be made';
-    title ||= `${shown}, ${count} error${count === 1 ? '' : 's'}`;
+    title ||= count === 0 ? shown : `${shown}, ${count} error${count === 1 ? '' : 's'}`;
     for (const error of message.errors) {
       const line = error.location.range.start.line + 1;
       const file = decodeURI(error.location.uri.split('/').pop() ?? '');
@@ -227,7 +245,7 @@ function showBanner(): void {
       entry.append(el('small', { text: `link ${problem.link}` }));
       rows.push(el('li', {}, entry));
     }
-    if (view.bodies.problems.size > 0) title ||= `${view.bodies.problems.size} shape${view.bodies.problems.size === 1 ? '' : 's'} cannot be drawn`;
+    if (view.bodies.problems.size > 0) title ||= problemsTitle([...view.bodies.problems.values()]);
   }
   banner.hidden = rows.length === 0 && !title;
   const text = JSON.stringify([title, rows.map((row) => row.textContent)]);
@@ -238,6 +256,13 @@ function showBanner(): void {
   list.open = unfolded ?? (broken || rows.length < 4);
   summary.addEventListener('click', () => (unfolded = !list.open));
   banner.replaceChildren(list);
+}
+
+/** `2 meshes are missing`, or how many shapes are not drawn as they are. */
+function problemsTitle(problems: Problem[]): string {
+  const many = problems.length !== 1;
+  if (problems.every(({ missing }) => missing)) return `${problems.length} mesh${many ? 'es are' : ' is'} missing`;
+  return `${problems.length} shape${many ? 's' : ''} cannot be drawn`;
 }
 
 function find(link: string): { model: Model; view: RobotView } | undefined {
@@ -262,6 +287,14 @@ function select(links: Iterable<string>, moved: Iterable<string>): void {
   for (const view of views.values()) view.select(names);
   tree.mark(names, true);
   joints.mark(selected.joints, true);
+  showDetails();
+}
+
+/** Write down the link that is selected, when it is one. */
+function showDetails(): void {
+  const [name] = selected.links.size > 0 ? selected.links : outlined();
+  const found = name === undefined ? undefined : find(name);
+  details.show(found?.view, name);
 }
 
 function selectLink(name: string, call: boolean): void {
@@ -299,6 +332,16 @@ function take(message: SelectMessage): void {
   select(links, names);
 }
 
+/** The picture as it is, as a file. */
+function savePicture(): void {
+  stage.draw();
+  const name = `${views.get('main')?.model.robot || 'robot'}.png`;
+  const link = el('a');
+  link.download = name;
+  link.href = stage.canvas.toDataURL('image/png');
+  link.click();
+}
+
 function fit(direction?: THREE.Vector3): void {
   const box = new THREE.Box3();
   for (const view of views.values()) box.union(view.box());
@@ -315,9 +358,10 @@ function showTip(view: RobotView | undefined, link: string | undefined, at: { x:
   if (!view || link === undefined) return;
   const own = view.model.links.find((one) => one.name === link);
   const mass = own?.inertial ? `${short(own.inertial.mass, 4)} kg` : 'no inertia';
+  const standsIn = own && view.standsIn(own) ? [el('small', { text: 'no visual: the collision shape is shown' })] : [];
   const chain = view.chain(link);
   const way = chain.length > 7 ? [...chain.slice(0, 5), '…', chain[chain.length - 1] ?? ''] : chain;
-  tip.replaceChildren(el('b', { text: link }), el('small', { text: mass }), el('small', { text: way.reverse().join(' → ') }));
+  tip.replaceChildren(el('b', { text: link }), el('small', { text: mass }), ...standsIn, el('small', { text: way.reverse().join(' → ') }));
   tip.style.left = `${Math.min(at.x + 14, innerWidth - 330)}px`;
   tip.style.top = `${Math.min(at.y + 14, innerHeight - 90)}px`;
 }
@@ -363,13 +407,14 @@ const keys: Record<string, [string, () => void]> = {
   n: ['names', () => toolbar.switch('names')],
   a: ['joint axes', () => toolbar.switch('axes')],
   i: ['inertia', () => toolbar.switch('inertia')],
-  o: ['centres of mass', () => toolbar.switch('com')],
+  o: ['centers of mass', () => toolbar.switch('com')],
   b: ['bounding box', () => toolbar.switch('bbox')],
   g: ['grid', () => toolbar.switch('grid')],
   '1': ['from the front', () => fit(new THREE.Vector3(1, 0, 0.001))],
   '2': ['from the left', () => fit(new THREE.Vector3(0, 1, 0.001))],
   '3': ['from above', () => fit(new THREE.Vector3(-0.001, 0, 1))],
   '4': ['from a corner', () => fit(CORNER)],
+  p: ['parallel projection', () => toolbar.parallel.click()],
   '/': ['search', () => tree.focusSearch()],
   '?': ['these keys', () => (help.hidden = !help.hidden)],
 };
@@ -399,4 +444,4 @@ matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => stag
 new MutationObserver(() => stage.recolour()).observe(document.body, { attributes: true, attributeFilter: ['class'] });
 
 // for tests, and for the curious in the console
-Object.assign(window, { xacroViewer: { stage, views, values, layers } });
+Object.assign(window, { xacroViewer: { stage, views, values, layers, meshes } });

@@ -189,7 +189,7 @@ export class Pointer {
   }
 
   private mark(point: THREE.Vector3): void {
-    if (this.points.length >= 2) this.points.length = 0;
+    if (this.points.length >= 3) this.points.length = 0;
     this.points.push(point.clone());
     this.drawMeasure();
   }
@@ -206,8 +206,9 @@ export class Pointer {
       dot.renderOrder = 9;
       this.marks.add(dot);
     }
-    const [a, b] = this.points;
-    if (a && b) {
+    const [a, b, c] = this.points;
+    if (a && b && c) this.drawAngle(a, b, c, colour);
+    else if (a && b) {
       const between = line([a, b], colour);
       (between.material as THREE.LineBasicMaterial).depthTest = false;
       between.renderOrder = 9;
@@ -220,6 +221,22 @@ export class Pointer {
     }
     this.stage.invalidate();
   }
+
+  private drawAngle(a: THREE.Vector3, b: THREE.Vector3, c: THREE.Vector3, colour: number): void {
+    const legs = line([a, b, c], colour);
+    (legs.material as THREE.LineBasicMaterial).depthTest = false;
+    legs.renderOrder = 9;
+    const corner = new THREE.Object3D();
+    corner.position.copy(b);
+    this.marks.add(legs, corner);
+    const lengths = [a.distanceTo(b), b.distanceTo(c)].map((length) => `${short(length, 4)} m`).join(', ');
+    this.unlabel = this.stage.label(corner, `${short(angleAt(a, b, c), 2)}° (${lengths})`, 'measure');
+  }
+}
+
+/** The angle at the middle one of three points, in degrees. */
+function angleAt(a: THREE.Vector3, b: THREE.Vector3, c: THREE.Vector3): number {
+  return THREE.MathUtils.radToDeg(a.clone().sub(b).angleTo(c.clone().sub(b)));
 }
 
 /** How far along a line from `origin` its point nearest to a ray lies. */

@@ -1,7 +1,7 @@
 // A robot in a scene. A new model changes what differs and leaves the rest alone: links and joints are known by name.
 
 import * as THREE from 'three';
-import { Bodies, glow, place } from './bodies';
+import { Bodies, fade, glow, place, standIn } from './bodies';
 import { boxLines, centreOfMass, frame, inertiaBox, jointAxis, needle } from './decor';
 import { free, type Meshes } from './meshes';
 import type { Body, Joint, Link, Model, Side } from './messages';
@@ -40,6 +40,8 @@ export class RobotView {
   model: Model = { robot: '', links: [], joints: [], meshes: {} };
   readonly bodies: Bodies;
   readonly hidden = new Set<string>();
+  /** How opaque links are drawn, where it is not fully. */
+  readonly opacity = new Map<string, number>();
   /** Links whose meshes are still to come. */
   loading = 0;
   private readonly links = new Map<string, LinkNode>();
@@ -167,6 +169,36 @@ export class RobotView {
     this.applyLayers();
   }
 
+  /** Draw a link more or less opaque, 0 to 1. */
+  fade(link: string, share: number): void {
+    this.opacity.set(link, share);
+    this.links.get(link)?.visual.traverse((part) => fade(part, share));
+    this.stage.invalidate();
+  }
+
+  /** Whether a link without a visual is shown by its collision shape. */
+  standsIn(link: Link): boolean {
+    return link.visuals.length === 0 && link.collisions.length > 0;
+  }
+
+  /** The pose of a link in the world, or in the link it hangs on. */
+  poseOf(name: string, inParent: boolean): THREE.Matrix4 | undefined {
+    const node = this.links.get(name);
+    if (!node) return undefined;
+    this.group.updateMatrixWorld(true);
+    const parent = inParent ? this.links.get(this.jointAbove(name)?.parent ?? '') : undefined;
+    if (inParent && !parent) return undefined;
+    const own = node.frame.matrixWorld.clone();
+    return parent ? parent.frame.matrixWorld.clone().invert().multiply(own) : own;
+  }
+
+  /** The size of a link's shapes along the axes of the link. */
+  extentOf(name: string): THREE.Vector3 | undefined {
+    const node = this.links.get(name);
+    const box = node && localBox(node);
+    return box && !box.isEmpty() ? box.getSize(new THREE.Vector3()) : undefined;
+  }
+
   /** Outline links. */
   select(names: Iterable<string>): void {
     this.selected = new Set(names);
@@ -221,7 +253,7 @@ export class RobotView {
     if (bodies !== node.bodies) {
       node.bodies = bodies;
       this.bodies.forget(link.name);
-      this.fill(node, node.visual, link.visuals, false);
+      this.fill(node, node.visual, this.standsIn(link) ? link.collisions : link.visuals, false);
       this.fill(node, node.collision, link.collisions, true);
     }
   }
@@ -239,6 +271,9 @@ export class RobotView {
     const swap = (): void => {
       if (loading) this.loading--;
       old.forEach((part) => part.removeFromParent());
+      if (!wire && this.standsIn(node.link)) group.traverse(standIn);
+      const share = this.opacity.get(node.link.name);
+      if (!wire && share !== undefined) group.traverse((part) => fade(part, share));
       this.select(this.selected);
       this.measureSize();
       this.applyLayers();
@@ -390,7 +425,7 @@ function localBox(node: LinkNode): THREE.Box3 {
   group.traverse((part) => {
     if (!(part instanceof THREE.Mesh)) return;
     const geometry = part.geometry as THREE.BufferGeometry;
-    geometry.computeBoundingBox();
+    if (!geometry.boundingBox) geometry.computeBoundingBox();
     if (!geometry.boundingBox) return;
     const turned = new THREE.Matrix4().multiplyMatrices(inverse, part.matrixWorld);
     box.union(geometry.boundingBox.clone().applyMatrix4(turned));

@@ -21,14 +21,20 @@ interface Label {
   side: Side;
 }
 
+/** The angle of view, in degrees. */
+const PERSPECTIVE = 40;
+const PARALLEL = 0.5;
+
 export class Stage {
   readonly element: HTMLElement;
   readonly canvas: HTMLCanvasElement;
-  readonly camera = new THREE.PerspectiveCamera(40, 1, 0.001, 1000);
+  readonly camera = new THREE.PerspectiveCamera(PERSPECTIVE, 1, 0.001, 1000);
   readonly orbit: OrbitControls;
   readonly panes: Pane[] = [];
   /** Called in front of each picture. */
   before: ((now: number) => boolean)[] = [];
+  /** Called when the picture has another size. */
+  resized: () => void = () => undefined;
   maxFps = 60;
   pictures = 0;
   private readonly renderer: THREE.WebGLRenderer;
@@ -51,6 +57,8 @@ export class Stage {
     this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.autoClear = false;
+    // bright colors keep their shades, and what is darker stays as the file says it
+    this.renderer.toneMapping = THREE.NeutralToneMapping;
     this.camera.position.set(1.8, -1.6, 1.3);
     this.orbit = new OrbitControls(this.camera, this.canvas);
     this.orbit.target.set(0, 0, 0.3);
@@ -58,8 +66,25 @@ export class Stage {
     this.orbit.addEventListener('change', () => this.invalidate());
     this.orbit.update();
     this.addPane('main');
-    new ResizeObserver(() => this.invalidate()).observe(this.element);
+    new ResizeObserver(() => {
+      this.resized();
+      this.invalidate();
+    }).observe(this.element);
     requestAnimationFrame((now) => this.tick(now));
+  }
+
+  get parallel(): boolean {
+    return this.camera.fov < PERSPECTIVE;
+  }
+
+  /** Look from very far away, which is as good as a parallel projection, and keep the size of things at the center. */
+  set parallel(on: boolean) {
+    const old = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
+    this.camera.fov = on ? PARALLEL : PERSPECTIVE;
+    const share = old / Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
+    this.camera.position.sub(this.orbit.target).multiplyScalar(share).add(this.orbit.target);
+    this.orbit.update();
+    this.invalidate();
   }
 
   /** Have the picture drawn again. */
@@ -190,8 +215,6 @@ export class Stage {
     }
     this.orbit.target.copy(centre);
     this.camera.position.copy(centre).addScaledVector(from, distance);
-    this.camera.near = distance / 200;
-    this.camera.far = distance * 60;
     this.orbit.update();
     this.invalidate();
   }
@@ -220,7 +243,15 @@ export class Stage {
     this.draw();
   }
 
-  private draw(): void {
+  /** Near and far planes: around what is looked at. */
+  private clip(): void {
+    const distance = this.camera.position.distanceTo(this.orbit.target);
+    this.camera.near = this.parallel ? distance * 0.5 : distance / 200;
+    this.camera.far = this.parallel ? distance * 2 : distance * 60;
+  }
+
+  draw(): void {
+    this.clip();
     const width = Math.max(1, this.element.clientWidth);
     const height = Math.max(1, this.element.clientHeight);
     const size = this.renderer.getSize(new THREE.Vector2());

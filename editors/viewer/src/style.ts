@@ -33,7 +33,7 @@ body.vscode-light { --grid: #c3c9d2; --grid-strong: #98a2b0; }
 * { box-sizing: border-box; }
 html, body { height: 100%; margin: 0; padding: 0 !important; overflow: hidden; background: var(--bg); color: var(--fg);
   font: 13px/1.4 var(--vscode-font-family, system-ui, -apple-system, "Segoe UI", sans-serif); }
-#app { display: grid; height: 100%; grid-template: auto minmax(0, 1fr) / auto minmax(0, 1fr) auto; }
+#app { display: grid; height: 100%; grid-template: auto auto minmax(0, 1fr) / auto minmax(0, 1fr) auto; }
 button, input, select { font: inherit; color: inherit; }
 button { background: transparent; border: 1px solid transparent; border-radius: 5px; padding: 2px 8px; min-height: 26px; cursor: pointer; white-space: nowrap; }
 button:hover { background: var(--hover); }
@@ -46,13 +46,16 @@ input[type=range] { accent-color: var(--accent); min-width: 0; }
 .bar { grid-column: 1 / 4; display: flex; flex-wrap: wrap; gap: 4px 6px; align-items: center; padding: 5px 8px;
   background: var(--panel); border-bottom: 1px solid var(--line); }
 .bar .name { font-weight: 600; margin: 0 6px 0 2px; max-width: 22em; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
-.bar .space { flex: 1; }
-.bar select { max-width: 15em; }
+.bar .tools { display: flex; gap: 2px; margin-left: auto; } .bar .tools button { padding: 2px 7px; }
+.bar select { max-width: 13em; }
 .bar label:not([hidden]) { display: flex; gap: 5px; align-items: center; color: var(--muted); }
 .bar .args { display: flex; flex-wrap: wrap; gap: 4px 8px; max-height: 62px; overflow: auto; }
-.bar .args.many { order: 1; flex-basis: 100%; max-height: 60px; }
+.bar .args.many { order: 1; flex-basis: 100%; max-height: 26vh; display: grid; grid-template-columns: repeat(auto-fill, minmax(195px, 1fr)); gap: 3px 12px; }
+.bar .args.many label { min-width: 0; } .bar .args.many label span { flex: 1; } .bar .args.many input { width: 7.5em; flex: none; }
+.bar .args label span { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
 .bar .args:empty { display: none; }
 .bar .args input { width: 8em; }
+#app > .panel, #app > .view { grid-row: 3; } #app > .panel.left { grid-column: 1; } #app > .panel.right { grid-column: 3; }
 .panel { background: var(--panel); overflow: hidden; display: flex; flex-direction: column; width: 260px; min-height: 0; }
 .panel.left { resize: horizontal; min-width: 150px; max-width: 50vw; border-right: 1px solid var(--line); } .panel.right { border-left: 1px solid var(--line); width: 300px; }
 .panel[hidden] { display: none; }
@@ -65,6 +68,13 @@ input[type=range] { accent-color: var(--accent); min-width: 0; }
 .labels span { position: absolute; left: 0; top: 0; white-space: nowrap; font-size: 11px; padding: 0 4px; border-radius: 3px;
   background: color-mix(in srgb, var(--panel) 82%, transparent); color: var(--fg); will-change: transform; }
 .labels .measure { font-weight: 600; background: var(--accent); color: #fff; } .labels .missing { background: #b0108f; color: #fff; }
+.details { border-top: 1px solid var(--line); padding: 2px 8px 8px; overflow: auto; max-height: 50%; flex: none; }
+.details[hidden] { display: none; } .details header { padding: 4px 0; } .details header b { overflow: hidden; text-overflow: ellipsis; }
+.details header button { color: var(--accent); text-decoration: underline; padding: 0 4px; min-height: 22px; }
+.details dl { display: grid; grid-template-columns: auto minmax(0, 1fr); gap: 1px 8px; margin: 0; font-size: 12px; }
+.details dt { color: var(--muted); max-width: 7.5em; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
+.details dd { margin: 0; white-space: pre-line; font-variant-numeric: tabular-nums; user-select: text; }
+.details label { display: flex; gap: 8px; align-items: center; color: var(--muted); margin-top: 4px; } .details label input { flex: 1; }
 .titles { position: absolute; inset: 0; pointer-events: none; }
 .titles .title { position: absolute; top: 0; bottom: 0; padding: 8px 12px; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
 .titles .title + .title { border-left: 1px solid var(--line); }
@@ -83,8 +93,8 @@ input[type=range] { accent-color: var(--accent); min-width: 0; }
 .joint .head button { min-height: 20px; padding: 0 6px; }
 .wheel { flex: 1; height: 20px; border: 1px solid var(--line); border-radius: 10px; cursor: ew-resize; touch-action: none;
   background-image: repeating-linear-gradient(90deg, var(--muted) 0 1px, transparent 1px 12px); background-position-x: 0; opacity: .85; }
-.banner { position: absolute; left: 8px; right: 8px; top: 8px; background: var(--error-bg); color: var(--fg); border: 1px solid var(--error);
-  border-radius: 6px; padding: 6px 10px; max-height: 34%; overflow: auto; }
+.banner { grid-column: 1 / 4; background: var(--error-bg); color: var(--fg); border-bottom: 1px solid var(--error);
+  padding: 5px 10px; max-height: 30vh; overflow: auto; }
 .banner summary { cursor: pointer; }
 .banner[hidden], .menu[hidden], .tip[hidden], .help[hidden] { display: none; }
 .banner b { color: var(--error); } .banner ul { margin: 4px 0 0; padding: 0; list-style: none; }
@@ -100,7 +110,8 @@ input[type=range] { accent-color: var(--accent); min-width: 0; }
 .help { right: 8px; bottom: 8px; padding: 10px 14px; display: grid; grid-template-columns: auto auto; gap: 2px 18px; }
 .empty { position: absolute; inset: 0; display: grid; place-content: center; color: var(--muted); text-align: center; pointer-events: none; }
 .empty[hidden] { display: none; }
-@media (max-width: 760px) { .panel { width: 200px; } .panel.right { width: 230px; } }
+@media (max-width: 760px) { .panel { width: 200px; } .panel.right { width: 230px; } .panel.right header b { display: none; }
+  .bar select { max-width: 10em; } .bar .tools { gap: 0; } .bar .tools button { padding: 2px 6px; } }
 `;
 
 export function applyStyle(): void {

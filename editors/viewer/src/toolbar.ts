@@ -9,6 +9,8 @@ export interface ToolbarActs {
   layer: (layer: Layer, on: boolean) => void;
   fit: () => void;
   measure: (on: boolean) => void;
+  parallel: (on: boolean) => void;
+  picture: () => void;
   panel: (which: 'left' | 'right', on: boolean) => void;
   help: () => void;
 }
@@ -20,7 +22,7 @@ const NAMES: Record<Layer, [string, string]> = {
   names: ['Names', 'N'],
   axes: ['Joint axes and limits', 'A'],
   inertia: ['Inertia', 'I'],
-  com: ['Centre of mass', 'O'],
+  com: ['Center of mass', 'O'],
   bbox: ['Bounding box', 'B'],
   grid: ['Grid', 'G'],
 };
@@ -29,6 +31,7 @@ export class Toolbar {
   readonly element: HTMLElement;
   readonly menu = el('div', { class: 'menu' });
   readonly measure: HTMLButtonElement;
+  readonly parallel: HTMLButtonElement;
   private readonly name = el('span', { class: 'name' });
   private readonly root = el('select', { title: 'robot and preset' });
   private readonly compare = el('select', { title: 'show another preset beside it' });
@@ -43,11 +46,12 @@ export class Toolbar {
     private readonly layers: Layers,
     private readonly act: ToolbarActs,
   ) {
-    const left = toggle('☰', 'tree of links', true, (on) => act.panel('left', on), 'tree');
-    const right = toggle('⚙', 'joints', true, (on) => act.panel('right', on), 'joints');
+    const left = toggle('Links', 'tree of links', true, (on) => act.panel('left', on), 'tree');
+    const right = toggle('Joints', 'positions of joints', true, (on) => act.panel('right', on), 'joints');
     const layerButton = button('Layers ▾', 'what is drawn', () => this.openMenu(layerButton), 'layers');
     layerButton.setAttribute('aria-haspopup', 'true');
-    this.measure = toggle('Measure', 'measure the distance of two points (M)', false, act.measure, 'measure');
+    this.measure = toggle('Measure', 'measure the distance of two points, with a third the angle (M)', false, act.measure, 'measure');
+    this.parallel = toggle('Parallel', 'orthographic view: no perspective (P)', false, act.parallel, 'parallel');
     this.root.setAttribute('aria-label', 'robot and preset');
     this.compare.setAttribute('aria-label', 'compare with');
     this.root.dataset['action'] = 'root';
@@ -64,12 +68,17 @@ export class Toolbar {
       this.root,
       this.beside,
       this.args,
-      el('span', { class: 'space' }),
-      layerButton,
-      this.measure,
-      button('Fit', 'show the whole robot (F)', act.fit, 'fit'),
-      button('?', 'keys', act.help, 'help'),
-      right,
+      el(
+        'span',
+        { class: 'tools' },
+        layerButton,
+        this.measure,
+        this.parallel,
+        button('Fit', 'show the whole robot (F)', act.fit, 'fit'),
+        button('PNG', 'save the picture as a PNG file', act.picture, 'picture'),
+        button('?', 'keys', act.help, 'help'),
+        right,
+      ),
     );
   }
 
@@ -136,6 +145,7 @@ export class Toolbar {
     const fields = message.args.map(({ name, value }) => {
       const field = el('input', { type: 'text' });
       field.value = value;
+      field.title = value;
       field.dataset['arg'] = name;
       field.setAttribute('aria-label', `argument ${name}`);
       field.addEventListener('change', () => {
@@ -148,8 +158,10 @@ export class Toolbar {
       });
       return el('label', { title: `argument ${name}` }, el('span', { text: name }), field);
     });
-    this.args.classList.toggle('many', fields.length > 3);
+    this.args.classList.toggle('many', fields.length > 2);
     this.args.replaceChildren(...fields);
+    // of a path, the end says which one it is
+    for (const field of this.args.querySelectorAll('input')) field.scrollLeft = field.scrollWidth;
   }
 
   private choose(): void {

@@ -24,6 +24,7 @@ export class TreePanel {
       show: (link: string, on: boolean) => void;
       hidden: () => Set<string>;
     },
+    below: HTMLElement,
   ) {
     this.search.placeholder = 'Search links and joints ( / )';
     this.search.setAttribute('aria-label', 'search links and joints');
@@ -38,7 +39,7 @@ export class TreePanel {
     });
     this.list.addEventListener('keydown', (event) => this.key(event));
     this.list.setAttribute('aria-label', 'links');
-    this.element = el('section', { class: 'panel left' }, el('header', {}, this.search), this.list);
+    this.element = el('section', { class: 'panel left' }, el('header', {}, this.search), this.list, below);
   }
 
   focusSearch(): void {
@@ -63,8 +64,16 @@ export class TreePanel {
     for (const row of this.list.querySelectorAll<HTMLElement>('.row')) {
       const on = this.selected.has(row.dataset['link'] ?? '');
       row.setAttribute('aria-selected', String(on));
+      row.tabIndex = -1;
       if (on && scroll) row.scrollIntoView({ block: 'nearest' });
     }
+    this.makeReachable();
+  }
+
+  /** One row can be reached by Tab: the one that is selected, or the first. */
+  private makeReachable(): void {
+    const row = this.list.querySelector<HTMLElement>('.row[aria-selected=true]') ?? this.list.querySelector<HTMLElement>('.row[role]');
+    if (row) row.tabIndex = 0;
   }
 
   /** Show which links are hidden. */
@@ -92,6 +101,8 @@ export class TreePanel {
     const text = el('span', { class: 'text' }, el('span', { text: entry.link }));
     if (entry.joint) text.append(el('small', { text: `${entry.joint.name} · ${entry.joint.type}` }));
     const eye = button('●', `show or hide ${entry.link}`, () => this.act.show(entry.link, this.act.hidden().has(entry.link)), 'eye');
+    // the space bar does the same on the row
+    eye.tabIndex = -1;
     const row = el('div', { class: 'row', role: 'treeitem', tabindex: -1 }, text, eye);
     row.dataset['link'] = entry.link;
     row.setAttribute('aria-level', String(entry.depth + 1));

@@ -1,6 +1,6 @@
 /**
- * Unsaved text of files that robots are made from besides xacro: YAML, package.xml, xacro-lint.toml. The server has to
- * know it, but formats none of these files, so they are no part of the client's document selector.
+ * Unsaved text of files that robots are made from besides xacro: YAML, package.xml, xacro-lint.toml, launch files. The
+ * server has to know it, but formats none of these files, so they are no part of the client's document selector.
  */
 import * as vscode from "vscode";
 import {

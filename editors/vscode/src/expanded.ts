@@ -118,6 +118,8 @@ export class ExpandedDocuments
       expandedUri(root, version),
       expandedUri(root),
       `${name} (${version} ↔ now)`,
+      // a preview editor would give way to the next file that is shown
+      { preview: false },
     );
   }
 

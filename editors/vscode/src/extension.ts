@@ -15,6 +15,7 @@ import { Preview } from "./preview";
 import { diagnosticReport } from "./report";
 import type { CommandHandler } from "./server";
 import { Server } from "./server";
+import { registerRulePages } from "./rulePages";
 import { registerSettingsFiles } from "./settingsFiles";
 import { serverCommands } from "./serverCommands";
 import { Status } from "./status";
@@ -38,6 +39,7 @@ export function activate(context: vscode.ExtensionContext): void {
     server,
     new Companions(server),
     registerSettingsFiles(server),
+    registerRulePages(),
     contexts,
     documents,
     graph,
@@ -60,7 +62,9 @@ export function activate(context: vscode.ExtensionContext): void {
   command("xacro.compareCommitted", () => documents.compare(contexts.document, "committed"));
   command("xacro.expandMacro", () => expandMacro(server, documents));
   command("xacro.pickRoot", () => pickers.pickRoot());
-  command("xacro.pickArguments", () => pickers.pickArguments());
+  command("xacro.pickArguments", (_uri?: unknown, name?: unknown, values?: unknown) =>
+    typeof name === "string" ? pickers.pickArgument(name, values) : pickers.pickArguments(),
+  );
   command("xacro.pickInstance", () => pickers.pickInstance());
   command("xacro.showIncludeGraph", () => graph.show());
   command("xacro.restartServer", () => server.restart());

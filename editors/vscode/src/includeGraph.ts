@@ -1,5 +1,6 @@
 /**
- * Which file includes which, below a root: found by following the links that the server knows.
+ * Which file includes which, below a root: found by following the links that the server knows. The files beside the robot,
+ * which name its links and joints, are shown as well.
  */
 import * as vscode from "vscode";
 import { RequestType } from "vscode-languageclient";
@@ -8,6 +9,7 @@ import { rootLabel } from "./contexts";
 import type { Contexts } from "./contexts";
 import { includesOf } from "./includes";
 import { baseName } from "./languages";
+import { tree } from "./protocol";
 import type { Server } from "./server";
 import { webviewPage } from "./webviewPage";
 
@@ -23,6 +25,8 @@ export interface GraphNode {
   label: string;
   detail: string;
   missing: boolean;
+  /** For a file beside the robot: what it is for. */
+  beside?: string;
 }
 
 export interface Graph {
@@ -103,6 +107,12 @@ export class IncludeGraph implements vscode.Disposable {
         }
         edges.push([from, target]);
       }
+    }
+    const robot = await this.server.ask(tree, { textDocument: { uri: start } });
+    for (const { uri, kind } of robot?.beside ?? []) {
+      if (nodes.has(uri)) continue;
+      nodes.set(uri, { ...node(uri), beside: kind });
+      edges.push([start, uri]);
     }
     return { title, nodes: [...nodes.values()], edges };
   }

@@ -14,7 +14,12 @@ export function isRobotDescription(document: vscode.TextDocument): boolean {
 /** Whether a document is another file that robots are made from. */
 export function isCompanion(document: vscode.TextDocument): boolean {
   if (document.uri.scheme !== "file") return false;
-  return document.languageId === "yaml" || isCompanionName(document.uri.path);
+  return document.languageId === "yaml" || isCompanionName(document.uri.path) || isLaunchName(document.uri.path);
+}
+
+/** Whether a file may call robots with arguments. */
+export function isLaunchName(path: string): boolean {
+  return /\.launch(\.(py|xml|ya?ml))?$|\/launch\/.*\.py$/i.test(path);
 }
 
 /** Whether a file may hold settings of a robot, such as its controllers: the server has findings for these. */

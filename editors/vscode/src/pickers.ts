@@ -85,6 +85,17 @@ export class Pickers {
     await choose(choices, `Arguments of ${rootLabel(active)}`, "Set Arguments");
   }
 
+  /** Ask for the value of one argument; `values` are known to be good ones. */
+  async pickArgument(name: string, values: unknown): Promise<void> {
+    if (!this.ready()) return;
+    await this.contexts.refresh();
+    const { roots, active } = this.contexts;
+    if (!active) return this.pickArguments();
+    const argument = roots?.args.find((known) => known.name === name) ?? { name };
+    const known = Array.isArray(values) ? values.filter((value) => typeof value === "string") : [];
+    await this.setArgument(active, argument, known);
+  }
+
   async pickInstance(): Promise<void> {
     const editor = vscode.window.activeTextEditor;
     if (!editor || !isRobotDescription(editor.document)) return;
@@ -135,8 +146,8 @@ export class Pickers {
     if (file) await this.contexts.pick({ uri: file.toString() });
   }
 
-  private async setArgument(root: Root, argument: Argument): Promise<void> {
-    const value = await askValue(argument);
+  private async setArgument(root: Root, argument: Argument, known: readonly string[] = []): Promise<void> {
+    const value = await askValue(argument, known);
     if (value === undefined) return;
     await this.contexts.pick({ uri: root.uri, args: { ...root.args, [argument.name]: value } });
   }
@@ -208,20 +219,21 @@ async function choose(choices: Choice[], placeHolder: string, title: string): Pr
   await picked?.run?.();
 }
 
-async function askValue(argument: Argument): Promise<string | undefined> {
+async function askValue(argument: Argument, known: readonly string[]): Promise<string | undefined> {
   const value = argument.value ?? "";
   const truths = [
     ["true", "false"],
     ["True", "False"],
-    ["1", "0"],
   ].find((pair) => pair.includes(value));
-  if (truths && truths[0] !== "1") {
-    const other = truths.filter((truth) => truth !== value);
-    const answer = await vscode.window.showQuickPick([...other, value, "$(edit) Another value…"], {
+  const values = [...new Set([...known, ...(truths ?? [])])].filter((one) => one !== value);
+  if (values.length > 0) {
+    const other = "$(edit) Another value…";
+    const now = value === "" ? [] : [value];
+    const answer = await vscode.window.showQuickPick([...values, ...now, other], {
       title: argument.name,
-      placeHolder: `now ${value}`,
+      placeHolder: value === "" ? "no value" : `now ${value}`,
     });
-    if (answer === undefined || truths.includes(answer)) return answer;
+    if (answer !== other) return answer;
   }
   return vscode.window.showInputBox({ title: argument.name, value, prompt: argument.doc ?? "New value" });
 }

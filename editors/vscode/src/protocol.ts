@@ -88,8 +88,16 @@ export interface TreeNode {
   mass?: number;
 }
 
+/** A file that names links and joints of the robot. */
+export interface FileBeside {
+  uri: string;
+  /** `srdf`, `controllers`, `joint-limits` and so on. */
+  kind: string;
+}
+
 export interface Tree {
   nodes: TreeNode[];
+  beside: FileBeside[];
   problems: ExpandError[];
 }
 

@@ -16,6 +16,7 @@ import type {
 import { LANGUAGES, isCompanionName, isSettingsName } from "./languages";
 import { locateServer } from "./locate";
 import type { Found } from "./locate";
+import { withPage } from "./rulePages";
 import { chosenSettings } from "./settings";
 
 /** A second end within this time is not followed by another start. */
@@ -271,7 +272,7 @@ export class Server implements vscode.Disposable {
       },
       // what the server knows for its text alone is not checked as a robot
       handleDiagnostics: (uri, diagnostics, next) => {
-        next(uri, isCompanionName(uri.path) && !isSettingsName(uri.path) ? [] : diagnostics);
+        next(uri, isCompanionName(uri.path) && !isSettingsName(uri.path) ? [] : diagnostics.map(withPage));
       },
       provideOnTypeFormattingEdits: async (document, position, character, options, token, next) => {
         const edits = await next(document, position, character, options, token);

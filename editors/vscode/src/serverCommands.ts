@@ -34,7 +34,15 @@ export function serverCommands(server: Server): [string, CommandHandler][] {
     ["xacro.expand", forFile("xacro.openExpanded")],
     ["xacro.expandAt", forFile("xacro.expandMacro")],
     ["xacro.preview", forFile("xacro.openPreview")],
-    ["xacro.setArgs", forFile("xacro.pickArguments")],
+    [
+      "xacro.setArgs",
+      async ([argument]) => {
+        const uri = uriOf(argument);
+        if (uri) await vscode.window.showTextDocument(uri, { preserveFocus: false });
+        const { name, values } = (argument ?? {}) as { name?: unknown; values?: unknown };
+        return vscode.commands.executeCommand("xacro.pickArguments", uri, name, values);
+      },
+    ],
     [
       "xacro.showReferences",
       async (args, next) => {

@@ -97,7 +97,7 @@ export class Status implements vscode.Disposable {
     this.problems.text = none ? "$(pass)" : `$(error) ${count.errors} $(warning) ${count.warnings}`;
     this.problems.tooltip = none
       ? "xacro: no errors, no warnings"
-      : `xacro: ${count.errors} errors, ${count.warnings} warnings`;
+      : `xacro: ${counted(count.errors, "error")}, ${counted(count.warnings, "warning")}`;
     this.problems.show();
   }
 
@@ -107,6 +107,11 @@ export class Status implements vscode.Disposable {
     if (!editor) return this.contexts.document !== undefined;
     return isRobotDescription(editor.document) || editor.document.uri.scheme === EXPANDED_SCHEME;
   }
+}
+
+/** `1 error`, `2 errors`. */
+function counted(count: number, thing: string): string {
+  return `${count} ${thing}${count === 1 ? "" : "s"}`;
 }
 
 function item(id: string, name: string, priority: number, command: string): vscode.StatusBarItem {

@@ -25,6 +25,7 @@ export function webviewPage(webview: vscode.Webview, extensionUri: vscode.Uri, p
     `style-src ${webview.cspSource} 'unsafe-inline'`,
     "img-src blob: data:",
     "connect-src blob: data:",
+    "worker-src blob:",
     `font-src ${webview.cspSource} data:`,
   ].join("; ");
   // `<` must not end the element that the data stands in

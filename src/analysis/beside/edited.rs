@@ -89,4 +89,19 @@ impl World {
             None => Vec::new(),
         }
     }
+
+    /// The robots whose names may be used in a file: those that it is for; where nothing says which, a few of the workspace.
+    /// Enough to offer names, not to judge them.
+    pub fn robots_to_name(&self, path: &Path) -> Vec<RootChoice> {
+        const MOST: usize = 4;
+        let known = self.robots_beside(path);
+        if !known.is_empty() {
+            return known;
+        }
+        let all = self.session().descriptions_around(path).into_iter();
+        all.filter(|file| self.session().is_robot(file))
+            .take(MOST)
+            .map(|file| RootChoice::plain(&file))
+            .collect()
+    }
 }

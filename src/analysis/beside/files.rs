@@ -55,7 +55,25 @@ pub fn is_settings(path: &Path) -> bool {
     sort(path) == Some(Sort::Yaml)
 }
 
+/// What a YAML file is for, in one word: the first that it says something about.
+fn kind_of(settings: &Settings) -> &'static str {
+    let kinds = [
+        (settings.assistant.is_some(), "setup-assistant"),
+        (!settings.listed.is_empty() || !settings.controllers.is_empty(), "controllers"),
+        (!settings.moveit.is_empty(), "moveit-controllers"),
+        (!settings.limits.is_empty(), "joint-limits"),
+        (!settings.kinematics.is_empty(), "kinematics"),
+        (!settings.planners.is_empty(), "planners"),
+    ];
+    kinds.into_iter().find(|(is_it, _)| *is_it).map_or("servo", |(_, kind)| kind)
+}
+
 impl Beside {
+    /// What it is for, in one word.
+    pub fn kind(&self) -> &'static str {
+        self.settings().map_or("srdf", kind_of)
+    }
+
     /// What it says, for rules.
     pub(super) fn content(&self) -> Content<'_> {
         match &self.read {
@@ -82,6 +100,16 @@ impl Beside {
 }
 
 impl Session {
+    /// The files beside a robot, each with a word for what it is for; without those that say nothing of it.
+    pub fn files_beside(&self, root: &Path) -> Vec<(PathBuf, &'static str)> {
+        let kind = |file: &Path| match sort(file)? {
+            Sort::Srdf => Some("srdf"),
+            Sort::Yaml => Some(kind_of(&*self.beside_settings(file)?)),
+        };
+        let files = self.beside_of(&self.vfs.absolute(root)).into_iter();
+        files.filter_map(|file| kind(&file).map(|kind| (file, kind))).collect()
+    }
+
     /// A file beside robots; none when it says nothing about one, or is broken.
     pub(super) fn beside(&self, path: &Path, robots: &Robots) -> Option<Beside> {
         let read = match sort(path)? {

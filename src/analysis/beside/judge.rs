@@ -95,6 +95,7 @@ impl Session {
         let mut read: FastMap<PathBuf, Option<Beside>> = FastMap::default();
         for path in paths.iter().filter(|_| !cancel.is_cancelled()) {
             let Some(own) = self.beside_once(path, &mut read, robots) else { continue };
+            found.findings.extend(self.assistant_findings(&own, robots, cancel));
             let pairing = self.pairing(path);
             // without a robot it is compared with the SRDF alone
             let paired = self.paired(&own, &pairing, robots).unwrap_or_default();
@@ -189,14 +190,17 @@ impl Session {
         };
         let has_variants = srdfs.clone().any(|(srdf, _)| has_choices(&srdf.expansion));
         let has_all_groups = srdfs.clone().all(|(srdf, _)| is_whole(&srdf.expansion));
+        let has_controllers =
+            matches!(own.content(), Content::Settings(settings) if !settings.controllers.is_empty());
         let is_ros2 = self.packages.generation(&own.path) == Some(Target::Ros2);
         let cx = rules::BesideCx::new((own.file, own.content(), expansion), &robots, &contents, &further)
             .in_ros2(is_ros2)
+            .with_own_joints(has_controllers && !is_ros2 && self.packages.registers_joints(&own.path))
             .with_variants(has_variants)
             .with_all_groups(has_all_groups);
         let settings = self.settings(&own.path);
         let rules: Vec<_> = all().filter(|rule| settings.runs(rule, &own.path)).collect();
-        check_beside(&cx, Chosen { rules: &rules, cancel })
+        check_beside(&cx, Chosen { rules: &rules, cancel, tally: None })
     }
 
     /// The names that robots have with other values of their switches, and those that their texts spell out.

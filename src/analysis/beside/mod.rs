@@ -1,5 +1,6 @@
 //! Files beside robots that name their links and joints: SRDF, and YAML for controllers and MoveIt.
 
+mod assistant;
 mod edited;
 mod files;
 mod judge;

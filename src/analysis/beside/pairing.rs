@@ -104,7 +104,7 @@ impl Session {
 
     /// The robot that MoveIt loads rather than the one in `.setup_assistant`: `config/NAME.urdf.xacro`, in which the assistant
     /// puts `<ros2_control>` around it.
-    fn extended(&self, package: &Path) -> Option<PathBuf> {
+    pub(super) fn extended(&self, package: &Path) -> Option<PathBuf> {
         let config = package.join("config");
         let names = self.vfs.list_dir(&config);
         let mut own = names.iter().filter(|entry| !entry.is_dir && entry.name.ends_with(".urdf.xacro"));
@@ -275,7 +275,7 @@ impl Session {
         (!name.is_empty()).then_some(name)
     }
 
-    fn is_robot(&self, path: &Path) -> bool {
+    pub(super) fn is_robot(&self, path: &Path) -> bool {
         sort(path).is_none() && self.vfs.document(path).is_ok_and(|source| gives_robot(&source.document))
     }
 

@@ -79,7 +79,7 @@ impl Case {
     fn request(&self, session: &Session, options: &TestOptions) -> Request {
         let file = self.root.file.strip_prefix(&session.env.cwd).unwrap_or(&self.root.file);
         Request {
-            file: file.to_string_lossy().into_owned(),
+            file: vfs::slashed(file),
             args: self.root.args.clone(),
             ros_shell: true,
             limits: Limits::configured(&self.settings.config.limits),
@@ -115,7 +115,7 @@ impl Case {
             let is_of_tree =
                 |rule: &&Rule| rule.category == Category::Structure && rule.severity == Severity::Error;
             let rules: Vec<&'static Rule> = all().filter(is_of_tree).collect();
-            let chosen = Chosen { rules: &rules, cancel: &options.check.cancel };
+            let chosen = Chosen { rules: &rules, cancel: &options.check.cancel, tally: None };
             let around = session.surroundings(&self.settings.config);
             findings = check_expansion(expansion, robot, (RootKind::Robot, true), around, chosen);
             findings.retain(|finding| finding.severity == Severity::Error);
@@ -141,7 +141,7 @@ impl Case {
 
     /// The name that xacro would write into the banner when it runs in the folder of the configuration.
     pub(super) fn banner_name(&self, folder: &Path) -> String {
-        self.root.file.strip_prefix(folder).unwrap_or(&self.root.file).to_string_lossy().replace('\\', "/")
+        vfs::slashed(self.root.file.strip_prefix(folder).unwrap_or(&self.root.file))
     }
 }
 

@@ -118,9 +118,7 @@ impl Session {
     /// The name of a test: the path of the root and its arguments.
     pub fn test_name(&self, root: &RootChoice) -> String {
         let path = root.file.strip_prefix(&self.env.cwd).unwrap_or(&root.file);
-        let path = path.display().to_string();
-        let path = if cfg!(windows) { path.replace('\\', "/") } else { path };
-        super::contexts::label(path, &root.args)
+        super::contexts::label(vfs::slashed(path), &root.args)
     }
 
     /// The cases of all configured roots. What is wrong in the configurations is noted.

@@ -8,6 +8,7 @@ use num_traits::Signed;
 use super::python::integer;
 use super::{Function, math_exact as exact, math_float as float};
 use crate::args::{Args, Arity};
+use crate::elementary;
 use crate::interp::Interp;
 use crate::numeric::{Num, float_to_int};
 use crate::ops::int::scale_by;
@@ -141,20 +142,20 @@ const TWO: Arity = Arity::Range(2, 2);
 
 /// Sorted by name.
 pub(super) static FUNCTIONS: &[Function] = &[
-    one!("acos", f64::acos, "The angle in radians with this cosine."),
+    one!("acos", elementary::acos, "The angle in radians with this cosine."),
     one!("acosh", float::acosh, "The inverse hyperbolic cosine."),
-    one!("asin", f64::asin, "The angle in radians with this sine."),
+    one!("asin", elementary::asin, "The angle in radians with this sine."),
     one!("asinh", float::asinh, "The inverse hyperbolic sine."),
-    one!("atan", f64::atan, "The angle in radians with this tangent."),
+    one!("atan", elementary::atan, "The angle in radians with this tangent."),
     other!(
         "atan2",
         "y, x",
         TWO,
-        |_, _, a| float::two(a, f64::atan2),
+        |_, _, a| float::two(a, elementary::atan2),
         "The angle in radians of the point (x, y)."
     ),
     one!("atanh", float::atanh, "The inverse hyperbolic tangent."),
-    one!("cbrt", f64::cbrt, "The cube root."),
+    one!("cbrt", libm::cbrt, "The cube root."),
     other!(
         "ceil",
         "x",
@@ -164,8 +165,8 @@ pub(super) static FUNCTIONS: &[Function] = &[
     ),
     other!("comb", "n, k", TWO, exact::comb, "Ways to choose k of n things."),
     other!("copysign", "x, y", TWO, |_, _, a| float::two(a, f64::copysign), "x with the sign of y."),
-    one!("cos", f64::cos, "The cosine of an angle in radians."),
-    growing!("cosh", f64::cosh, "The hyperbolic cosine."),
+    one!("cos", elementary::cos, "The cosine of an angle in radians."),
+    growing!("cosh", elementary::cosh, "The hyperbolic cosine."),
     other!(
         "degrees",
         "x",
@@ -176,9 +177,9 @@ pub(super) static FUNCTIONS: &[Function] = &[
     other!("dist", "p, q", TWO, float::dist, "The distance of two points given as sequences."),
     one!("erf", libm::erf, "The error function."),
     one!("erfc", libm::erfc, "The complementary error function."),
-    growing!("exp", f64::exp, "e to the power of x."),
-    growing!("exp2", f64::exp2, "2 to the power of x."),
-    growing!("expm1", f64::exp_m1, "exp(x) - 1, exact for small x."),
+    growing!("exp", elementary::exp, "e to the power of x."),
+    growing!("exp2", elementary::exp2, "2 to the power of x."),
+    growing!("expm1", elementary::expm1, "exp(x) - 1, exact for small x."),
     one!("fabs", f64::abs, "The absolute value as a float."),
     other!("factorial", "n", Arity::One, exact::factorial, "n! for a whole number."),
     other!(
@@ -233,15 +234,15 @@ pub(super) static FUNCTIONS: &[Function] = &[
         "log10",
         "x",
         Arity::One,
-        |_, _, a| logarithm(a.at(0), f64::log10).map(Value::Float),
+        |_, _, a| logarithm(a.at(0), elementary::log10).map(Value::Float),
         "The logarithm to base 10."
     ),
-    one!("log1p", f64::ln_1p, "log(1 + x), exact for small x."),
+    one!("log1p", elementary::ln_1p, "log(1 + x), exact for small x."),
     other!(
         "log2",
         "x",
         Arity::One,
-        |_, _, a| logarithm(a.at(0), f64::log2).map(Value::Float),
+        |_, _, a| logarithm(a.at(0), elementary::log2).map(Value::Float),
         "The logarithm to base 2."
     ),
     other!("modf", "x", Arity::One, float::modf, "Fraction and whole part of x."),
@@ -257,11 +258,11 @@ pub(super) static FUNCTIONS: &[Function] = &[
     other!("prod", "iterable, *, start=1", Arity::Any, exact::prod, "The product of the items."),
     one!("radians", |x: f64| x * (PI / 180.0), "Degrees to radians."),
     other!("remainder", "x, y", TWO, float::remainder, "x minus the nearest multiple of y."),
-    one!("sin", f64::sin, "The sine of an angle in radians."),
-    growing!("sinh", f64::sinh, "The hyperbolic sine."),
+    one!("sin", elementary::sin, "The sine of an angle in radians."),
+    growing!("sinh", elementary::sinh, "The hyperbolic sine."),
     one!("sqrt", f64::sqrt, "The square root."),
-    one!("tan", f64::tan, "The tangent of an angle in radians."),
-    one!("tanh", f64::tanh, "The hyperbolic tangent."),
+    one!("tan", elementary::tan, "The tangent of an angle in radians."),
+    one!("tanh", elementary::tanh, "The hyperbolic tangent."),
     other!("trunc", "x", Arity::One, trunc, "x without its fraction."),
     one!("ulp", float::ulp, "The distance to the next float."),
 ];
@@ -295,9 +296,9 @@ fn log(_: &mut Interp, _: &Value, args: &Args) -> Eval {
     if !(1..=2).contains(&args.len()) {
         return Err(Stop::typ("math.log requires 1 to 2 arguments"));
     }
-    let number = logarithm(args.at(0), f64::ln)?;
+    let number = logarithm(args.at(0), elementary::ln)?;
     let Some(base) = args.get(1) else { return Ok(Value::Float(number)) };
-    let base = logarithm(base, f64::ln)?;
+    let base = logarithm(base, elementary::ln)?;
     if base == 0.0 {
         return Err(Stop::zero("float division by zero"));
     }

@@ -2,6 +2,7 @@
 
 use super::math::real;
 use crate::args::{Args, check_count};
+use crate::elementary;
 use crate::interp::Interp;
 use crate::ops::as_index;
 use crate::ops::int::scale_by;
@@ -43,11 +44,11 @@ pub(super) fn asinh(x: f64) -> f64 {
     }
     let square = magnitude * magnitude;
     let result = if magnitude > 2f64.powi(28) {
-        magnitude.ln() + std::f64::consts::LN_2
+        elementary::ln(magnitude) + std::f64::consts::LN_2
     } else if magnitude > 2.0 {
-        (2.0 * magnitude + 1.0 / ((square + 1.0).sqrt() + magnitude)).ln()
+        elementary::ln(2.0 * magnitude + 1.0 / ((square + 1.0).sqrt() + magnitude))
     } else {
-        (magnitude + square / (1.0 + (1.0 + square).sqrt())).ln_1p()
+        elementary::ln_1p(magnitude + square / (1.0 + (1.0 + square).sqrt()))
     };
     result.copysign(x)
 }
@@ -57,12 +58,12 @@ pub(super) fn acosh(x: f64) -> f64 {
     if x < 1.0 {
         f64::NAN
     } else if x > 2f64.powi(28) {
-        x.ln() + std::f64::consts::LN_2
+        elementary::ln(x) + std::f64::consts::LN_2
     } else if x > 2.0 {
-        (2.0 * x - 1.0 / (x + (x * x - 1.0).sqrt())).ln()
+        elementary::ln(2.0 * x - 1.0 / (x + (x * x - 1.0).sqrt()))
     } else {
         let above = x - 1.0;
-        (above + (2.0 * above + above * above).sqrt()).ln_1p()
+        elementary::ln_1p(above + (2.0 * above + above * above).sqrt())
     }
 }
 
@@ -77,16 +78,16 @@ pub(super) fn atanh(x: f64) -> f64 {
     }
     let twice = magnitude + magnitude;
     let result = if magnitude < 0.5 {
-        0.5 * (twice + twice * magnitude / (1.0 - magnitude)).ln_1p()
+        0.5 * elementary::ln_1p(twice + twice * magnitude / (1.0 - magnitude))
     } else {
-        0.5 * (twice / (1.0 - magnitude)).ln_1p()
+        0.5 * elementary::ln_1p(twice / (1.0 - magnitude))
     };
     result.copysign(x)
 }
 
 pub(super) fn pow(_: &mut Interp, _: &Value, args: &Args) -> Eval {
     let (x, y) = (real(args.at(0))?, real(args.at(1))?);
-    let result = x.powf(y);
+    let result = elementary::pow(x, y);
     if x.is_finite() && y.is_finite() {
         if result.is_nan() || (result.is_infinite() && x == 0.0) {
             return Err(domain());
@@ -268,7 +269,7 @@ struct SquareSum {
 impl SquareSum {
     fn add(&mut self, x: f64, sign: f64) {
         let square = sign * x * x;
-        let error = (sign * x).mul_add(x, -square);
+        let error = libm::fma(sign * x, x, -square);
         let sum = self.high + square;
         self.sum_errors += (self.high - sum) + square;
         self.high = sum;

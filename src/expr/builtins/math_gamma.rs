@@ -3,6 +3,7 @@
 
 use std::f64::consts::PI;
 
+use crate::elementary;
 use crate::stop::{Eval, Stop};
 use crate::value::Value;
 
@@ -85,11 +86,11 @@ fn sin_pi(x: f64) -> f64 {
     let y = x.abs() % 2.0;
     let eighth = (2.0 * y).round();
     let sine = match eighth as u8 {
-        0 => (PI * y).sin(),
-        1 => (PI * (y - 0.5)).cos(),
-        2 => (PI * (1.0 - y)).sin(),
-        3 => -(PI * (y - 1.5)).cos(),
-        _ => (PI * (y - 2.0)).sin(),
+        0 => elementary::sin(PI * y),
+        1 => elementary::cos(PI * (y - 0.5)),
+        2 => elementary::sin(PI * (1.0 - y)),
+        3 => -elementary::cos(PI * (y - 1.5)),
+        _ => elementary::sin(PI * (y - 2.0)),
     };
     1f64.copysign(x) * sine
 }
@@ -133,7 +134,11 @@ fn gamma_of(x: f64) -> f64 {
     let by_halves = |result: f64, divide: bool| {
         // The power is taken in two steps where it would overflow.
         let root = magnitude < 140.0;
-        let power = if root { y.powf(magnitude - 0.5) } else { y.powf(magnitude / 2.0 - 0.25) };
+        let power = if root {
+            elementary::pow(y, magnitude - 0.5)
+        } else {
+            elementary::pow(y, magnitude / 2.0 - 0.25)
+        };
         match (divide, root) {
             (true, true) => result / power,
             (true, false) => result / power / power,
@@ -142,10 +147,10 @@ fn gamma_of(x: f64) -> f64 {
         }
     };
     if x < 0.0 {
-        let base = -PI / sin_pi(magnitude) / magnitude * y.exp() / lanczos(magnitude);
+        let base = -PI / sin_pi(magnitude) / magnitude * elementary::exp(y) / lanczos(magnitude);
         by_halves(base - correction * base, true)
     } else {
-        let base = lanczos(magnitude) / y.exp();
+        let base = lanczos(magnitude) / elementary::exp(y);
         by_halves(base + correction * base, false)
     }
 }
@@ -159,13 +164,14 @@ pub(super) fn lgamma(x: f64) -> Eval {
     }
     let magnitude = x.abs();
     if magnitude < 1e-20 {
-        return Ok(Value::Float(-magnitude.ln()));
+        return Ok(Value::Float(-elementary::ln(magnitude)));
     }
-    let mut result = lanczos(magnitude).ln() - G;
-    result += (magnitude - 0.5) * ((magnitude + G - 0.5).ln() - 1.0);
+    let mut result = elementary::ln(lanczos(magnitude)) - G;
+    result += (magnitude - 0.5) * (elementary::ln(magnitude + G - 0.5) - 1.0);
     if x < 0.0 {
         // Reflection.
-        result = PI.ln() - sin_pi(magnitude).abs().ln() - magnitude.ln() - result;
+        result =
+            elementary::ln(PI) - elementary::ln(sin_pi(magnitude).abs()) - elementary::ln(magnitude) - result;
     }
     if result.is_infinite() {
         return Err(Stop::overflow("math range error"));

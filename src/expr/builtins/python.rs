@@ -147,7 +147,7 @@ fn abs(_: &mut Interp, _: &Value, args: &Args) -> Eval {
         Some(Num::Big(big)) => Ok(Value::int(num_bigint::BigInt::from(big.magnitude().clone()))),
         Some(Num::Float(f)) => Ok(Value::Float(f.abs())),
         Some(Num::Complex(re, im)) => {
-            let length = re.hypot(im);
+            let length = crate::elementary::hypot(re, im);
             if length.is_infinite() && re.is_finite() && im.is_finite() {
                 return Err(Stop::overflow("absolute value too large"));
             }

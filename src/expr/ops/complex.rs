@@ -2,6 +2,7 @@
 
 use crate::Value;
 use crate::ast::BinOp;
+use crate::elementary;
 use crate::stop::{Eval, Stop};
 
 type Complex = (f64, f64);
@@ -87,12 +88,12 @@ fn general_power(a: Complex, b: Complex) -> Eval<Complex> {
         }
         return Ok((0.0, 0.0));
     }
-    let modulus = a.0.hypot(a.1);
-    let argument = a.1.atan2(a.0);
-    let (mut len, mut phase) = (modulus.powf(b.0), argument * b.0);
+    let modulus = elementary::hypot(a.0, a.1);
+    let argument = elementary::atan2(a.1, a.0);
+    let (mut len, mut phase) = (elementary::pow(modulus, b.0), argument * b.0);
     if b.1 != 0.0 {
-        len /= (argument * b.1).exp();
-        phase += b.1 * modulus.ln();
+        len /= elementary::exp(argument * b.1);
+        phase += b.1 * elementary::ln(modulus);
     }
-    Ok((len * phase.cos(), len * phase.sin()))
+    Ok((len * elementary::cos(phase), len * elementary::sin(phase)))
 }

@@ -3,6 +3,7 @@
 use super::complex;
 use crate::Value;
 use crate::ast::BinOp;
+use crate::elementary;
 use crate::stop::{Eval, Stop};
 
 /// `a op b`
@@ -48,7 +49,7 @@ pub(crate) fn power(a: f64, b: f64) -> Eval {
         let (re, im) = complex::power((a, 0.0), (b, 0.0))?;
         return Ok(Value::Complex(re, im));
     }
-    let result = a.powf(b);
+    let result = elementary::pow(a, b);
     if result.is_infinite() && a.is_finite() && b.is_finite() {
         return Err(Stop::overflow("(34, 'Numerical result out of range')"));
     }

@@ -7,7 +7,6 @@ use crate::{At, Cx, Part, locate, schema};
 use base::TextRange;
 use rules::Surroundings;
 use vfs::SourceFile;
-use vfs::slashed;
 
 fn rewrite(title: impl Into<String>, edits: Vec<rules::Edit>) -> Action {
     Action { title: title.into(), kind: ActionKind::Rewrite, edits }
@@ -136,11 +135,10 @@ pub(super) fn package_path(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) ->
         return None;
     }
     let package = world.packages.containing(path)?;
-    let rest = slashed(path.strip_prefix(&package.folder).ok()?);
     let new = match name.kind {
-        FileKind::Include => format!("$(find {})/{rest}", package.name),
+        FileKind::Include => format!("$(find {})/{}", package.name, package.inside(path)?),
         FileKind::Yaml => return None,
-        FileKind::Mesh | FileKind::Other => format!("package://{}/{rest}", package.name),
+        FileKind::Mesh | FileKind::Other => package.uri(path)?,
     };
     Some(rewrite(format!("convert path to `{new}`"), vec![edit(cx.source, name.range, new.clone())]))
 }

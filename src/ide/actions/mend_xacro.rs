@@ -30,6 +30,14 @@ pub fn suggested(source: &SourceFile, range: TextRange, help: &str) -> Option<Ac
     fits.then(|| fix(format!("change to `{near}`"), vec![edit(source, range, near)]))
 }
 
+/// The parameters that a call lacks, for the author to fill in: the values are known to nobody else.
+pub fn missing_parameters(source: &SourceFile, range: TextRange, help: &str) -> Option<Action> {
+    let attributes = help.strip_prefix("add ")?.split([';', '\n']).next()?.trim();
+    let attributes = attributes.contains("=\"...\"").then(|| attributes.replace("\"...\"", "\"\""))?;
+    let edits = vec![edit(source, TextRange::empty(range.end), format!(" {attributes}"))];
+    Some(fix(format!("add `{attributes}`"), edits))
+}
+
 /// Remove the attribute that a finding names.
 pub(super) fn without_attribute(source: &SourceFile, range: TextRange) -> Option<Action> {
     let (base, node) = element_at(&source.document, range.start)?;

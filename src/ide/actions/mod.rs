@@ -25,7 +25,7 @@ pub use create::{MacroFile, include_macro};
 pub use extract_macro::{NewFile, move_to_file};
 pub use inline::inlinable;
 pub use inline_macro::inline_macro;
-pub use mend_xacro::{before_use, other_name, suggested};
+pub use mend_xacro::{before_use, missing_parameters, other_name, suggested};
 pub use mesh_inertia::{Refused, of_mesh};
 pub use suppress::ignored_in_config;
 

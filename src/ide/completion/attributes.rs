@@ -13,10 +13,10 @@ use rules::schema::{AttributeKind, AttributeSpec, ElementSpec};
 const NAMESPACE: &str = "http://www.ros.org/wiki/xacro";
 
 /// The element of URDF that a start tag stands for.
-pub(super) fn spec_of_tag(typed: &Typed, tag: &Open) -> Option<&'static ElementSpec> {
+pub(super) fn spec_of_tag(scope: &Scope<'_>, typed: &Typed, tag: &Open) -> Option<&'static ElementSpec> {
     let mut names: Vec<&str> = typed.open.iter().map(|open| open.name.as_str()).collect();
     names.push(&tag.name);
-    spec_of(&names)
+    spec_of(scope, &names)
 }
 
 /// Attributes that a start tag does not have yet.
@@ -37,13 +37,18 @@ pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed, tag: &Open) -> Comple
         })
         .collect()
     } else if tag.name.starts_with("xacro:") {
-        parameters(scope, tag)
+        parameters(scope, typed, tag)
     } else {
-        let spec = spec_of_tag(typed, tag);
+        let spec = spec_of_tag(scope, typed, tag);
         let known = spec.map(of_urdf).unwrap_or_default();
         let rank = if known.is_empty() { 1 } else { 4 };
         let further = learned::attributes(scope, typed, &tag.name).into_iter().map(|item| item.rank(rank));
-        known.into_iter().chain(further).collect()
+        let mut items: Vec<Completion> = known.into_iter().chain(further).collect();
+        if spec.is_none() {
+            // what plugins and simulators read has names, too
+            items.push(attribute_item("name", false, "").rank(5));
+        }
+        items
     };
     if typed.open.is_empty() {
         let text = format!("xmlns:xacro=\"{NAMESPACE}\"");
@@ -93,8 +98,9 @@ fn facts_in_short(attribute: &AttributeSpec) -> String {
 }
 
 /// The parameters of the macro that a tag calls; blocks are children, not attributes.
-fn parameters(scope: &Scope<'_>, tag: &Open) -> Vec<Completion> {
-    let Some(info) = scope.called(&tag.name) else { return Vec::new() };
+fn parameters(scope: &Scope<'_>, typed: &Typed, tag: &Open) -> Vec<Completion> {
+    // of a macro whose file is missing, other calls say what it takes
+    let Some(info) = scope.called(&tag.name) else { return learned::attributes(scope, typed, &tag.name) };
     let values = info.params.iter().filter(|param| !param.is_block());
     values
         .map(|param| {

@@ -7,6 +7,7 @@ use super::item::{Completion, Completions, ItemKind, escaped};
 use super::names::{self, Wanted, blocks, flows_into, materials};
 use super::paths;
 use super::scope::Scope;
+use super::semantic;
 use super::substitutions;
 use super::tags::is_directive;
 use crate::tag_reader::Open;
@@ -31,13 +32,14 @@ pub(super) fn values(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &s
     if let Some(found) = expression(scope, typed) {
         return found;
     }
-    let spec = spec_of_tag(typed, tag);
+    let spec = spec_of_tag(scope, typed, tag);
     if let Some(wanted) = file_wanted(spec, tag, attribute) {
         return paths::in_text(scope, typed, &typed.before, wanted);
     }
     let items = match directive(&tag.name) {
         Some(_) => of_directive(scope, typed, tag, attribute),
         None if tag.name.starts_with("xacro:") => of_call(scope, typed, tag, attribute),
+        None if scope.is_semantic => semantic::values(scope, typed, spec, tag, attribute),
         None => of_element(scope, typed, spec, tag, attribute),
     };
     whole_value(typed, items)

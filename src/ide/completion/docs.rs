@@ -7,15 +7,15 @@ use super::names::file_name;
 use super::scope::{MacroInfo, Scope};
 use expand::Param;
 use expr::global_symbols;
-use rules::schema::{AttributeSpec, ElementSpec, elements};
+use rules::schema::{AttributeSpec, ElementSpec, every_element};
 
 /// More about a topic, as Markdown; none when there is no such thing.
 pub fn documentation(scope: &Scope<'_>, topic: &Topic) -> Option<String> {
     match topic {
-        Topic::Element { key } => elements().find(|spec| spec.key == *key).map(element),
+        Topic::Element { key } => every_element().find(|spec| spec.key == *key).map(element),
         Topic::Attribute { element, name } => {
             let attribute =
-                elements().filter(|spec| spec.key == *element).find_map(|spec| spec.attribute(name));
+                every_element().filter(|spec| spec.key == *element).find_map(|spec| spec.attribute(name));
             attribute.map(of_attribute)
         }
         Topic::Directive { name } => directive(name).map(|directive| {

@@ -1,7 +1,9 @@
 //! Inside of `${…}` and `$(…)`.
 
 use super::evaluate::{Evaluator, keys};
+use super::inherited;
 use super::item::{Completion, Completions, ItemKind, Topic, fits};
+use super::members;
 use super::paths;
 use super::scope::{PropertyInfo, Scope};
 use super::substitutions;
@@ -124,6 +126,8 @@ fn members(scope: &Scope<'_>, typed: &Typed, object: &str) -> Vec<Completion> {
             }
             _ => None,
         }));
+    } else if matches!(value, Value::Unknown) {
+        items.extend(members::seen(scope, typed, object));
     }
     items
 }
@@ -140,6 +144,7 @@ fn names(scope: &Scope<'_>, typed: &Typed, word: &str, is_eval: bool) -> (Vec<Co
         more = found.len() > COMPLETIONS;
         found.retain(|property| !more || fits(word, &property.name));
         items.extend(properties(scope, &found));
+        items.extend(inherited::names(scope, typed));
     }
     let bare = global_symbols().filter(|symbol| symbol.namespace.is_none() && symbol.deprecated.is_none());
     items.extend(bare.map(|symbol| global(&symbol)));

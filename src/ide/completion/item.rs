@@ -1,5 +1,7 @@
 //! What completion offers.
 
+use std::cmp::Reverse;
+
 use serde::{Deserialize, Serialize};
 
 use base::TextRange;
@@ -16,6 +18,8 @@ pub enum ItemKind {
     Choice,
     Link,
     Joint,
+    Group,
+    Controller,
     Color,
     Property,
     Parameter,
@@ -165,14 +169,17 @@ impl Completions {
         Self { items, insert, replace, more: false }
     }
 
-    /// Each label once, the best first, and not too many: only what fits to `typed` counts then.
-    pub(super) fn bounded(mut self, typed: &str) -> Self {
+    /// Each label once, the best first, of one rank the nearest, and not too many: only what fits to `typed` counts then.
+    pub(super) fn bounded(mut self, typed: &str, nearness: impl Fn(&Completion) -> i32) -> Self {
         // the first of a label is the nearest
         let mut seen = base::FastSet::default();
         // what begins with the letters that were typed is meant more often than what holds them
         let typed_lower = typed.to_lowercase();
-        self.items
-            .sort_by_cached_key(|item| (!item.label.to_lowercase().starts_with(&typed_lower), item.rank));
+        self.items.sort_by_cached_key(|item| {
+            let begins = item.label.to_lowercase().starts_with(&typed_lower);
+            // of the others, of which there may be thousands, the rank is enough
+            (!begins, item.rank, Reverse(if begins { nearness(item) } else { 0 }))
+        });
         self.items.retain(|item| seen.insert(item.label.clone()));
         if self.more || self.items.len() > COMPLETIONS {
             self.more = true;
@@ -218,9 +225,9 @@ mod tests {
     fn a_label_stands_once_and_lists_are_bounded() {
         let item = |n: usize| Completion::new(ItemKind::Link, format!("link_{n}"));
         let many: Vec<_> = (0..500).chain(0..500).map(item).collect();
-        let all = Completions::new(0, 0, 0, many.clone()).bounded("");
+        let all = Completions::new(0, 0, 0, many.clone()).bounded("", |_| 0);
         assert!(all.more && all.items.len() == 200);
-        let some = Completions::new(0, 0, 0, many).bounded("49");
+        let some = Completions::new(0, 0, 0, many).bounded("49", |_| 0);
         assert!(some.more && some.items.len() == 23, "{}", some.items.len());
     }
 }

@@ -9,13 +9,21 @@ mod choices;
 mod comments;
 mod directives;
 mod docs;
+mod elements;
 mod evaluate;
 mod expressions;
+mod inherited;
 mod item;
 mod learned;
+mod made;
+mod members;
+mod mentioned;
 mod names;
+mod nearness;
 mod paths;
 mod scope;
+mod semantic;
+mod settings;
 mod signature;
 mod substitutions;
 mod tags;
@@ -24,10 +32,12 @@ pub use docs::documentation;
 pub use item::{Completion, Completions, ItemKind, Topic};
 pub(super) use scope::comment_above;
 pub use scope::{Scope, Sources};
+pub use settings::{BesideSources, completions_in_settings};
 pub use signature::{Signature, signature_help};
 
 use super::typed::{Typed, Typing, is_name_char, typed};
 use names::Wanted;
+use nearness::Surroundings;
 
 /// What can be typed at `offset` of the edited file. `trigger` is the character that made the editor ask; none when
 /// the user did.
@@ -48,7 +58,8 @@ pub fn completions(scope: &Scope<'_>, offset: u32, trigger: Option<char>) -> Com
     };
     let length = found.insert.len() as usize;
     let word = typed.before.get(typed.before.len().saturating_sub(length)..).unwrap_or("").to_owned();
-    let mut found = found.bounded(&word);
+    let around = Surroundings::of(&typed, &scope.sources.source.path, &word);
+    let mut found = found.bounded(&word, |item| around.nearness(item));
     expressions::show_values(scope, offset, &mut found.items);
     found
 }

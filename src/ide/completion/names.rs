@@ -3,6 +3,8 @@
 use std::path::Path;
 
 use super::item::{Completion, ItemKind};
+use super::made;
+use super::mentioned;
 use super::scope::{MacroInfo, Scope};
 use super::tags::spec_of;
 use crate::typed::Typed;
@@ -55,8 +57,7 @@ pub(super) fn names(scope: &Scope<'_>, typed: &Typed, wanted: Wanted, is_end: bo
         if typed.in_macro().is_some() && kind == ItemKind::Link {
             found.extend(link_parameters(typed));
         }
-        for (expansion, robot) in scope.sources.expansions {
-            let Some(robot) = robot else { continue };
+        for (expansion, robot) in scope.robots() {
             let texts: Vec<&Text> = match kind {
                 ItemKind::Link => robot.links.iter().filter_map(|link| link.name.as_ref()).collect(),
                 _ => robot.joints.iter().filter_map(|joint| joint.name.as_ref()).collect(),
@@ -69,7 +70,11 @@ pub(super) fn names(scope: &Scope<'_>, typed: &Typed, wanted: Wanted, is_end: bo
                 found.push(item.rank(if free { 1 } else { 2 }));
             }
         }
-        let plain = scope.plain_names(fact).into_iter().filter(|(name, _)| !name.is_empty());
+        found.extend(made::names(scope, typed, fact, kind));
+        found.extend(mentioned::names(scope, typed, kind));
+        // an SRDF gives none of them
+        let plain =
+            scope.plain_names(fact).into_iter().filter(|(name, _)| !name.is_empty() && !scope.is_semantic);
         found.extend(plain.map(|(name, file)| Completion::new(kind, name).note(file_name(&file)).rank(3)));
     }
     found
@@ -87,7 +92,7 @@ fn link_parameters(typed: &Typed) -> Vec<Completion> {
 }
 
 /// Whether a parameter of this name mostly names a link.
-fn is_link_name(name: &str) -> bool {
+pub(super) fn is_link_name(name: &str) -> bool {
     let last = name.rsplit('_').next().unwrap_or(name);
     matches!(last, "parent" | "child" | "link" | "frame") || name.starts_with("parent")
 }
@@ -110,7 +115,7 @@ fn flow(scope: &Scope<'_>, info: &MacroInfo, param: &str, depth: u32) -> Option<
                 name if name.starts_with("xacro:") && depth > 0 => {
                     scope.called(name).and_then(|inner| flow(scope, &inner, attr.name(), depth - 1))
                 }
-                _ => spec(node)
+                _ => spec(scope, node)
                     .and_then(|spec| spec.attribute(attr.name()))
                     .and_then(|attribute| Wanted::of(attribute.kind)),
             };
@@ -122,12 +127,12 @@ fn flow(scope: &Scope<'_>, info: &MacroInfo, param: &str, depth: u32) -> Option<
     None
 }
 
-fn spec(node: Node<'_>) -> Option<&'static rules::schema::ElementSpec> {
+fn spec(scope: &Scope<'_>, node: Node<'_>) -> Option<&'static rules::schema::ElementSpec> {
     let mut names: Vec<&str> =
         std::iter::successors(Some(node), |node| node.parent()).map(Node::name).collect();
     names.push("robot");
     names.reverse();
-    spec_of(&names)
+    spec_of(scope, &names)
 }
 
 /// The materials of the robot, and those the texts give.
@@ -150,6 +155,8 @@ pub(super) fn materials(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
             });
         }
     }
+    let beside = scope.patterns_beside(FactKind::Material, typed.offset).into_iter();
+    found.extend(beside.map(|name| Completion::new(ItemKind::Color, name).note("in this file").rank(3)));
     let plain = scope.plain_names(FactKind::Material).into_iter().filter(|(name, _)| !name.is_empty());
     found.extend(
         plain.map(|(name, file)| Completion::new(ItemKind::Color, name).note(file_name(&file)).rank(2)),
@@ -181,7 +188,7 @@ pub(super) fn blocks(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
     params.into_iter().chain(properties).collect()
 }
 
-fn file_of(expansion: &Expansion, text: &Text) -> String {
+pub(super) fn file_of(expansion: &Expansion, text: &Text) -> String {
     let source = expansion.sources.get(text.origin.src.0 as usize);
     let file = source.and_then(|source| expansion.files.get(source.file.0 as usize));
     file.map(|file| file_name(&file.source.path)).unwrap_or_default()

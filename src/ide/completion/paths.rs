@@ -64,7 +64,7 @@ pub(super) fn in_text(scope: &Scope<'_>, typed: &Typed, text: &str, wanted: Want
         None => (None, text),
     };
     let mut items = match listed(scope, typed, folder) {
-        Some(path) => entries(scope, &path, wanted),
+        Some(path) => from_last_named(typed, entries(scope, &path, wanted)),
         None => Vec::new(),
     };
     if folder.is_none() {
@@ -120,6 +120,19 @@ fn entries(scope: &Scope<'_>, folder: &Path, wanted: Wanted) -> Vec<Completion> 
             }
         })
         .collect()
+}
+
+/// Entries in an order that begins with the one that the text in front named last: what follows it in the folder mostly follows it in
+/// the robot, too.
+fn from_last_named(typed: &Typed, mut items: Vec<Completion>) -> Vec<Completion> {
+    let text = typed.text_before.strip_suffix(typed.before.as_str()).unwrap_or("");
+    let last = |item: &Completion| text.rfind(&format!("/{}", item.label));
+    let named = items.iter().enumerate().filter(|(_, item)| item.kind == ItemKind::File);
+    let named = named.filter_map(|(place, item)| Some((last(item)?, place)));
+    if let Some((_, place)) = named.max() {
+        items.rotate_left(place);
+    }
+    items
 }
 
 /// How a value can begin.

@@ -7,11 +7,13 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::super::text_names::included;
+use super::super::text_names::{alternatives, included};
 use base::FastSet;
 use expand::{Expansion, Param, parse_params};
 use facts::{Fact, FactKind, facts_of};
 use model::Robot;
+use rules::is_semantic_file;
+use rules::schema::{ElementSpec, robot, semantic_robot};
 use vfs::{SourceFile, Vfs};
 use workspace::Packages;
 use xml::{Attr, Entities, Item, Node, NodeKind};
@@ -33,6 +35,8 @@ pub struct Sources<'a> {
     pub folders: &'a [PathBuf],
     /// Files that are robots.
     pub roots: &'a [PathBuf],
+    /// For an SRDF: the robots that it is for.
+    pub described: &'a [(&'a Expansion, &'a Robot)],
 }
 
 /// A file of the context.
@@ -46,6 +50,8 @@ pub(super) struct InScope {
 pub struct Scope<'a> {
     pub(super) sources: Sources<'a>,
     pub(super) files: Vec<InScope>,
+    /// Whether the edited file is SRDF.
+    pub(super) is_semantic: bool,
 }
 
 /// A macro that can be called.
@@ -100,7 +106,8 @@ impl<'a> Scope<'a> {
 
     /// The files of a context: the root and what it includes, the edited file, what the last expansion read.
     pub fn new(sources: Sources<'a>) -> Self {
-        let mut scope = Self { sources, files: Vec::new() };
+        let is_semantic = is_semantic_file(&sources.source.path, &sources.source.document);
+        let mut scope = Self { sources, files: Vec::new(), is_semantic };
         let mut seen = FastSet::default();
         let own = &sources.source.path;
         let mut open = vec![(sources.root.to_path_buf(), String::new())];
@@ -123,6 +130,18 @@ impl<'a> Scope<'a> {
         scope
     }
 
+    /// The root element of files such as the edited one.
+    pub(super) fn root_spec(&self) -> &'static ElementSpec {
+        if self.is_semantic { semantic_robot() } else { robot() }
+    }
+
+    /// The robots whose links and joints are named: of an SRDF, those that it is for.
+    pub(super) fn robots(&self) -> impl Iterator<Item = (&'a Expansion, &'a Robot)> {
+        let own = self.sources.expansions.iter().filter(|_| !self.is_semantic);
+        let own = own.filter_map(|(expansion, robot)| Some((*expansion, (*robot)?)));
+        own.chain(self.sources.described.iter().copied())
+    }
+
     /// Add a file; what it includes, as far as its text says.
     fn add(&mut self, path: &Path, namespace: String) -> Vec<(PathBuf, String)> {
         let named = *path == *self.sources.root || *path == *self.sources.source.path;
@@ -135,13 +154,27 @@ impl<'a> Scope<'a> {
         for (_, item) in source.document.parts() {
             for fact in facts_of(item).of(FactKind::Include) {
                 let (packages, vfs) = (self.sources.packages, self.sources.vfs);
-                let Some(path) = included(&fact.name, &source.path, packages, vfs) else { continue };
+                let paths = match included(&fact.name, &source.path, packages, vfs) {
+                    Some(path) => vec![path],
+                    None => alternatives(&fact.name, &source.path, packages, vfs),
+                };
                 let name = item.node(fact.node).attr("ns").map(|ns| format!("{namespace}{}.", ns.raw()));
-                found.push((path, name.unwrap_or_else(|| namespace.clone())));
+                let name = name.unwrap_or_else(|| namespace.clone());
+                found.extend(paths.into_iter().map(|path| (path, name.clone())));
             }
         }
         self.files.push(InScope { source, namespace });
         found
+    }
+
+    /// The files that the edited file includes by itself, as far as its text says.
+    pub(super) fn included_here(&self) -> FastSet<PathBuf> {
+        let (packages, vfs) = (self.sources.packages, self.sources.vfs);
+        let own = self.sources.source;
+        let names = own.document.parts().flat_map(|(_, item)| {
+            facts_of(item).of(FactKind::Include).map(|fact| fact.name.clone()).collect::<Vec<_>>()
+        });
+        names.filter_map(|name| included(&name, &own.path, packages, vfs)).collect()
     }
 
     /// All items with the index of their file.
@@ -159,9 +192,16 @@ impl<'a> Scope<'a> {
 
     /// The macros that can be called, each name once: the last definition counts.
     pub(super) fn macros(&self) -> Vec<MacroInfo> {
+        self.macros_named(|_| true)
+    }
+
+    /// The macros whose name, without namespaces, is wanted.
+    fn macros_named(&self, is_wanted: impl Fn(&str) -> bool) -> Vec<MacroInfo> {
         let mut found: Vec<MacroInfo> = Vec::new();
         for (_, file, item) in self.items() {
-            for fact in facts_of(item).of(FactKind::Macro) {
+            let facts = facts_of(item);
+            let wanted = |fact: &&Fact| is_wanted(fact.name.trim_start_matches("xacro:"));
+            for fact in facts.of(FactKind::Macro).filter(wanted) {
                 let node = item.node(fact.node);
                 let params = node.attr("params").map(|attr| attr.value(&Entities::default()).into_owned());
                 found.push(MacroInfo {
@@ -187,13 +227,15 @@ impl<'a> Scope<'a> {
     /// The macro that a tag `xacro:name` calls.
     pub(super) fn called(&self, tag: &str) -> Option<MacroInfo> {
         let name = tag.strip_prefix("xacro:")?;
-        let mut macros = self.macros();
+        let (namespace, last) = name.rsplit_once('.').unwrap_or(("", name));
+        let mut macros = self.macros_named(|given| given == last || given == name);
         if let Some(known) = macros.iter().position(|info| info.name == name) {
             return Some(macros.swap_remove(known));
         }
         // a namespace whose file is computed: the macro, when only one has that name
-        let (_, last) = name.rsplit_once('.')?;
-        macros.retain(|info| info.name.rsplit('.').next() == Some(last));
+        if namespace.is_empty() {
+            return None;
+        }
         let first = macros.pop()?;
         macros.iter().all(|other| Arc::ptr_eq(&other.item, &first.item)).then_some(first)
     }
@@ -294,14 +336,14 @@ impl<'a> Scope<'a> {
     }
 }
 
-/// The macro element around a node.
-fn macro_around(node: Node<'_>) -> Option<u32> {
+/// The outermost macro element around a node.
+pub(super) fn macro_around(node: Node<'_>) -> Option<u32> {
     let around = std::iter::successors(node.parent(), |node| node.parent());
     around.filter(|node| node.name() == "xacro:macro").last().map(|node| node.id().0)
 }
 
 /// The outermost macro element around an offset of an item.
-fn macro_at(item: &Item, inside: u32) -> Option<u32> {
+pub(super) fn macro_at(item: &Item, inside: u32) -> Option<u32> {
     let around = |node: &Node<'_>| {
         let range = node.range();
         node.name() == "xacro:macro" && range.start < inside && inside <= range.end

@@ -16,6 +16,9 @@ const COMMANDS: &[(&str, &str, &str)] = &[
     ("cwd", "", "the working directory"),
 ];
 
+/// Descriptions that are looked through for packages.
+const MOST_FILES: usize = 40;
+
 /// What fits behind `$(` and what was typed since.
 pub(super) fn substitution(scope: &Scope<'_>, typed: &Typed, inner: &str) -> Completions {
     let is_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-');
@@ -57,16 +60,56 @@ pub(super) fn arguments(scope: &Scope<'_>, _: &Typed) -> Vec<Completion> {
 /// The packages that can be named: those of the workspace first.
 pub(super) fn packages(scope: &Scope<'_>) -> Vec<Completion> {
     let own = scope.sources.packages.containing(&scope.sources.source.path).map(|package| package.name);
-    let all = scope.sources.packages.all(&scope.sources.source.path).into_iter();
-    all.filter(|entry| !entry.shadowed)
+    let all = scope.sources.packages.all(&scope.sources.source.path);
+    let is_there = |name: &String| all.iter().any(|entry| entry.name == *name);
+    let declared = scope.sources.packages.declared(&scope.sources.source.path).into_iter();
+    let missing: Vec<Completion> = declared
+        .filter(|name| !is_there(name))
+        .map(|name| Completion::new(ItemKind::Package, name).note("named in package.xml, not found").rank(3))
+        .collect();
+    let mentioned = mentioned(scope).into_iter().filter(|(name, _)| !is_there(name));
+    let mentioned: Vec<Completion> = mentioned
+        .map(|(name, file)| {
+            Completion::new(ItemKind::Package, name).note(format!("named in {file}, not found")).rank(4)
+        })
+        .collect();
+    let known = all.into_iter();
+    known
+        .filter(|entry| !entry.shadowed)
         .map(|entry| {
             let rank = match entry.step {
                 _ if Some(&entry.name) == own.as_ref() => 0,
                 Step::OwnPackage | Step::PackagePath | Step::Workspace => 1,
                 _ => 2,
             };
-            let note = super::item::shortened(&entry.path.to_string_lossy(), 60);
+            let note = super::item::shortened(&vfs::slashed(&entry.path), 60);
             Completion::new(ItemKind::Package, entry.name).note(note).rank(rank)
         })
+        .chain(missing)
+        .chain(mentioned)
         .collect()
+}
+
+/// The packages that descriptions in the folder of the file find, with the name of the first such file. What is typed is none.
+fn mentioned(scope: &Scope<'_>) -> Vec<(String, String)> {
+    let own = &scope.sources.source.path;
+    let Some(folder) = own.parent().filter(|folder| scope.may_list(folder)) else { return Vec::new() };
+    let names = scope.sources.vfs.list_dir(folder);
+    let files = names.iter().filter(|entry| !entry.is_dir && entry.name.ends_with(".xacro"));
+    let mut found: Vec<(String, String)> = Vec::new();
+    for entry in files.take(MOST_FILES) {
+        let path = folder.join(&entry.name);
+        let source = scope.sources.vfs.document(&path).ok().filter(|source| source.path != *own);
+        for (_, item) in source.iter().flat_map(|source| source.document.parts()) {
+            let finds = item.text().split("$(find ").skip(1);
+            for name in finds.filter_map(|rest| Some(rest.split_once(')')?.0.trim())) {
+                let is_name =
+                    !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '-'));
+                if is_name && !found.iter().any(|(known, _)| known == name) {
+                    found.push((name.to_owned(), entry.name.clone()));
+                }
+            }
+        }
+    }
+    found
 }

@@ -1,8 +1,9 @@
 //! Names of elements: what may stand here, xacro's own tags, macros.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::directives::{DIRECTIVES, directive};
+use super::elements::whole_elements;
 use super::item::{Completion, Completions, ItemKind, Topic, escaped};
 use super::learned;
 use super::scope::{MacroInfo, Scope};
@@ -15,15 +16,16 @@ use rules::schema::{AttributeKind, AttributeSpec, Content, ElementSpec, elements
 
 /// The element that a chain of open elements ends in, as URDF sees it: tags of xacro are transparent. None where
 /// anything may stand: in the blocks of macro calls, below unknown elements.
-pub(super) fn spec_of(names: &[&str]) -> Option<&'static ElementSpec> {
+pub(super) fn spec_of(scope: &Scope<'_>, names: &[&str]) -> Option<&'static ElementSpec> {
     let mut found: Option<&'static ElementSpec> = None;
     for name in names {
         found = match *name {
             "xacro:if" | "xacro:unless" | "xacro:macro" if found.is_some() => found,
             name if name.starts_with("xacro:") => None,
-            "robot" => Some(robot()),
+            "robot" => Some(scope.root_spec()),
             name => match found {
                 Some(parent) => parent.child(name),
+                None if scope.is_semantic => None,
                 None => only(name),
             },
         };
@@ -40,10 +42,11 @@ fn only(name: &str) -> Option<&'static ElementSpec> {
     all.all(|other| names(other) == names(first) && other.key == first.key).then_some(first)
 }
 
-/// Which macros are the nearest: those that the file calls already, then those of its folder.
+/// Which macros are the nearest: those that the file calls already or includes by itself, then those of its folder.
 struct Near<'a> {
     folder: Option<&'a Path>,
     calls: FastSet<EcoString>,
+    included: FastSet<PathBuf>,
 }
 
 impl<'a> Near<'a> {
@@ -52,22 +55,23 @@ impl<'a> Near<'a> {
         let calls = facts(&source.document).flat_map(|(_, facts)| {
             facts.of(FactKind::Call).map(|call| call.name.clone()).collect::<Vec<_>>()
         });
-        Self { folder: source.path.parent(), calls: calls.collect() }
+        Self { folder: source.path.parent(), calls: calls.collect(), included: scope.included_here() }
     }
 
     fn rank(&self, info: &MacroInfo) -> u8 {
         match info.file.parent() == self.folder {
-            _ if self.calls.contains(info.name.as_str()) => 0,
+            _ if self.calls.contains(info.name.as_str()) || self.included.contains(&*info.file) => 0,
             true => 1,
-            false => 2,
+            // of the same robot, but no part of what this file works with: behind the elements of URDF
+            false => 4,
         }
     }
 }
 
 /// The element around what is typed.
-pub(super) fn parent_of(typed: &Typed) -> Option<&'static ElementSpec> {
+pub(super) fn parent_of(scope: &Scope<'_>, typed: &Typed) -> Option<&'static ElementSpec> {
     let names: Vec<&str> = typed.open.iter().map(|open| open.name.as_str()).collect();
-    spec_of(&names)
+    spec_of(scope, &names)
 }
 
 /// Names of start tags. `lead` stands in front of each: nothing behind a `<`, else that.
@@ -77,12 +81,15 @@ pub(super) fn tags(scope: &Scope<'_>, typed: &Typed, lead: &str) -> Completions 
     let rest = typed.rest_of_word(is_name_char);
     // a tag that is complete but for its name keeps what it has
     let bare = lead.is_empty() && typed.rest_of_tag().1;
-    let mut items = children(typed);
+    let mut items = children(scope, typed);
+    if !bare && !scope.is_semantic && parent_of(scope, typed).is_some_and(|parent| parent.name == "robot") {
+        items.extend(whole_elements());
+    }
     let is_transparent = |name: &str| matches!(name, "xacro:if" | "xacro:unless");
     let around = typed.open.iter().rev().find(|open| !is_transparent(&open.name));
     if let Some(around) = around.filter(|open| !open.name.starts_with("xacro:") && open.name != "robot") {
         // what the schema knows was offered, or is there and stands there once
-        let parent = parent_of(typed);
+        let parent = parent_of(scope, typed);
         let is_known = |name: &str| parent.is_some_and(|parent| parent.child(name).is_some());
         let further = learned::children(scope, typed, &around.name).into_iter();
         let rank = if parent.is_some() { 4 } else { 2 };
@@ -116,14 +123,14 @@ pub(super) fn end_tag(typed: &Typed) -> Completions {
 }
 
 /// The elements of URDF that may stand here and do not yet.
-fn children(typed: &Typed) -> Vec<Completion> {
+fn children(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
     if typed.open.is_empty() {
         let xmlns = "xmlns:xacro=\"http://www.ros.org/wiki/xacro\"";
         let root = format!("robot name=\"$1\" {xmlns}>\n\t$0\n</robot>");
-        return vec![element(robot()).snippet(root).rank(0)];
+        return vec![element(scope.root_spec()).snippet(root).rank(0)];
     }
-    let Some(parent) = parent_of(typed) else {
-        return anything();
+    let Some(parent) = parent_of(scope, typed) else {
+        return if scope.is_semantic { Vec::new() } else { anything() };
     };
     let siblings = typed.siblings();
     let is_there = |name: &str| siblings.iter().any(|sibling| sibling == name);

@@ -8,11 +8,13 @@ use super::super::values::{distinct, instances};
 use super::page::{Page, code};
 use base::TextRange;
 use expr::{Token, Value, literal};
-use rules::schema::{AttributeKind, AttributeSpec, ElementSpec};
+use rules::is_semantic_file;
+use rules::schema::{AttributeKind, AttributeSpec, ElementSpec, robot, semantic_robot};
 use xml::{Attr, Node};
 
 /// What the specification is called.
 const SPECIFICATION: &str = "https://wiki.ros.org/urdf/XML";
+const SEMANTIC: &str = "https://wiki.ros.org/srdf";
 const XACRO: &str = "https://wiki.ros.org/xacro";
 
 /// More about some elements: parent, name, words.
@@ -56,8 +58,8 @@ pub(super) fn about(cx: &Cx<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
     match at.part {
         Part::StartName => Some((at.shift(node.name_range()), element(cx, at, node)?)),
         Part::EndName => Some((at.shift(node.end_name_range()?), element(cx, at, node)?)),
-        Part::AttrName(attr) => Some((at.shift(attr.name_range()), attribute(node, attr)?)),
-        Part::AttrValue(attr) => Some((at.shift(attr.value_range()), attribute(node, attr)?)),
+        Part::AttrName(attr) => Some((at.shift(attr.name_range()), attribute(cx, node, attr)?)),
+        Part::AttrValue(attr) => Some((at.shift(attr.value_range()), attribute(cx, node, attr)?)),
         _ => None,
     }
 }
@@ -66,7 +68,7 @@ fn element(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>) -> Option<Page> {
     if let Some(tag) = node.name().strip_prefix("xacro:") {
         return xacro_tag(cx, at, node, tag);
     }
-    let specs = schema::element(node);
+    let specs = schema::element_below(root(cx), node);
     let first = *specs.first()?;
     let mut page = Page::titled(format!("**{}** – {}", code(&format!("<{}>", first.name)), first.docs));
     for spec in specs.iter().skip(1) {
@@ -84,7 +86,8 @@ fn element(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>) -> Option<Page> {
         let names: Vec<String> = first.required.iter().map(|name| code(&format!("<{name}>"))).collect();
         page.add(format!("must contain {}", names.join(" and ")));
     }
-    page.add(format!("[specification]({})", link(first)));
+    let page_of = if first.key.starts_with("srdf") { SEMANTIC.to_owned() } else { link(first) };
+    page.add(format!("[specification]({page_of})"));
     Some(page)
 }
 
@@ -106,8 +109,17 @@ fn link(spec: &ElementSpec) -> String {
     page.map_or_else(|| SPECIFICATION.to_owned(), |page| format!("{SPECIFICATION}/{page}"))
 }
 
-fn attribute(node: Node<'_>, attr: Attr<'_>) -> Option<Page> {
-    let spec = schema::attribute(node, attr.name())?;
+/// The root element of the kind of file.
+fn root(cx: &Cx<'_>) -> &'static ElementSpec {
+    match is_semantic_file(&cx.source.path, &cx.source.document) {
+        true => semantic_robot(),
+        false => robot(),
+    }
+}
+
+fn attribute(cx: &Cx<'_>, node: Node<'_>, attr: Attr<'_>) -> Option<Page> {
+    let specs = schema::element_below(root(cx), node);
+    let spec = specs.into_iter().find_map(|spec| spec.attribute(attr.name()))?;
     let mut page = Page::titled(format!("**{}** – {}", code(spec.name), spec.docs));
     page.add(facts(spec));
     if spec.name == "rpy" {
@@ -123,6 +135,7 @@ fn facts(spec: &AttributeSpec) -> String {
         AttributeKind::Link => "the name of a link".to_owned(),
         AttributeKind::Joint => "the name of a joint".to_owned(),
         AttributeKind::LinkOrJoint => "the name of a link or a joint".to_owned(),
+        AttributeKind::Group => "the name of a planning group".to_owned(),
         AttributeKind::Number => "a number".to_owned(),
         AttributeKind::Vector(count) => format!("{count} numbers"),
         AttributeKind::Choice(words) => words.iter().map(|word| code(word)).collect::<Vec<_>>().join(", "),

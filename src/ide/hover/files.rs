@@ -36,11 +36,11 @@ fn page(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>, name: &FileName) -> P
         FileTarget::Found(path) => path,
         FileTarget::Missing(places) => {
             let mut page = Page::titled("not found; searched");
-            page.list(places.iter().take(MOST_PLACES).map(|place| code(&place.to_string_lossy())));
+            page.list(places.iter().take(MOST_PLACES).map(|place| code(&vfs::slashed(place))));
             return page;
         }
     };
-    let mut page = Page::titled(code(&path.to_string_lossy()));
+    let mut page = Page::titled(code(&vfs::slashed(path)));
     if name.kind == FileKind::Mesh && world.vfs.is_file(path) {
         let mesh = world.meshes.get(world.vfs, path);
         mesh_lines(&mesh, factors(cx, at)).into_iter().for_each(|line| page.add(line));
@@ -113,13 +113,13 @@ pub(super) fn package(cx: &Cx<'_>, world: Surroundings<'_>, name: &str) -> Page 
         Ok(found) => {
             let path = world.vfs.absolute(&found.path);
             let mut page = Page::titled(format!("**package** {}", code(name)));
-            page.add(code(&path.to_string_lossy()));
+            page.add(code(&vfs::slashed(&path)));
             page
         }
         Err(missing) => {
             let mut page = Page::titled(format!("**package** {} not found; searched", code(name)));
             let places = missing.tried.iter().take(MOST_PLACES);
-            page.list(places.map(|(_, place)| code(&place.to_string_lossy())));
+            page.list(places.map(|(_, place)| code(&vfs::slashed(place))));
             if let Some(near) = missing.nearest {
                 page.add(format!("did you mean {}?", code(&near)));
             }

@@ -1,5 +1,6 @@
 //! What is shown beside the text under the pointer.
 
+mod consumers;
 mod elements;
 mod expression;
 mod files;
@@ -11,11 +12,13 @@ mod symbols;
 
 pub(super) use elements::condition;
 pub(super) use expression::{call_label, package_at};
+pub(super) use robot::limits;
 pub use settled::hover_while_typing;
 pub use symbols::declared_argument;
 
 use super::context::Cx;
 use super::locate::{Part, locate};
+use crate::text_names::TextNames;
 use base::TextRange;
 use rules::Surroundings;
 
@@ -34,19 +37,25 @@ pub fn value_of(cx: &Cx<'_>, offset: u32) -> Option<String> {
     Some(expression::whole(cx, &at)?.finish())
 }
 
-/// What there is to say about the text at an offset of the file.
-pub fn hover(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Option<Hover> {
+/// What there is to say about the text at an offset of the file; `names` are those of the robot that it belongs to.
+pub fn hover(
+    cx: &Cx<'_>,
+    world: Surroundings<'_>,
+    names: impl Fn() -> TextNames,
+    offset: u32,
+) -> Option<Hover> {
     let document = &cx.source.document;
     let at = locate(document, offset);
     if matches!(at.part, Part::Verbatim) {
         return None;
     }
     let found = symbols::about(cx, &at)
-        .or_else(|| symbols::by_text(cx, world, &at))
+        .or_else(|| symbols::by_text(cx, world, &names(), &at))
         .or_else(|| expression::about(cx, world, &at))
         .or_else(|| files::about(cx, world, &at))
         .or_else(|| robot::about(cx, world, &at))
         .or_else(|| numbers::about(cx, &at))
         .or_else(|| elements::about(cx, &at));
+    let found = consumers::add(cx, world, offset, found);
     found.map(|(range, page)| Hover { markdown: page.finish(), range })
 }

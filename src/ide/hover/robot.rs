@@ -1,5 +1,6 @@
 //! Links and joints of the expanded robot.
 
+use super::super::beside::BesideName;
 use super::super::context::Cx;
 use super::super::locate::{At, Part};
 use super::super::robot_names::{NameKind, named_at, robot_names};
@@ -18,6 +19,11 @@ const MOST: usize = 3;
 
 /// The links and joints that a text names.
 pub(super) fn about(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
+    if let Some(group) =
+        cx.beside.iter().find(|name| name.kind == NameKind::Group && name.is_at(cx, at.offset))
+    {
+        return Some((group.place.range, group_page(cx, group)));
+    }
     let (robot, kinematics) = (cx.robot?, cx.kinematics?);
     let (range, names) = match (named_at(cx, at.offset), at.part) {
         (Some((_, names)), Part::AttrValue(attr)) => (at.shift(attr.value_range()), names),
@@ -50,6 +56,18 @@ pub(super) fn about(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option
         page.add(format!("… ({} names)", names.len()));
     }
     (known > 0).then_some((range, page))
+}
+
+/// A planning group: what the SRDF says it holds.
+fn group_page(cx: &Cx<'_>, group: &BesideName) -> Page {
+    let mut page = Page::titled(format!("**group** {}", code(&group.value)));
+    let is_it =
+        |name: &&BesideName| name.kind == NameKind::Group && name.is_definition && name.value == group.value;
+    match cx.beside.iter().find(is_it) {
+        Some(given) => page.add(given.content.clone()),
+        None => page.add("not defined in an SRDF of the robot"),
+    }
+    page
 }
 
 /// Whether a text is meant for a joint, should a link and a joint have one name.
@@ -181,7 +199,8 @@ fn axis(joint: &Joint) -> Option<String> {
     })
 }
 
-fn limits(joint: &Joint, kind: Option<JointType>) -> Option<String> {
+/// The range, effort and velocity of a joint in one line.
+pub(in super::super) fn limits(joint: &Joint, kind: Option<JointType>) -> Option<String> {
     let limit = joint.limit.as_ref()?;
     let number = |text: &Option<Text>, unit: &str| {
         let text = text.as_ref()?;

@@ -33,8 +33,12 @@ fn definition_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition, here:
 }
 
 /// The name of xacro at a place that was not evaluated.
-pub(super) fn by_text(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
-    let names = TextNames::of(cx.expansion, world);
+pub(super) fn by_text(
+    cx: &Cx<'_>,
+    world: Surroundings<'_>,
+    names: &TextNames,
+    at: &At<'_>,
+) -> Option<(TextRange, Page)> {
     let (span, meaning) = names.at(cx.source.id, at.offset)?;
     let page = match meaning.all() {
         [] => return None,

@@ -7,9 +7,14 @@ use base::{FastMap, FileId, Span};
 use expand::Expansion;
 use rules::{Surroundings, include_tags};
 use vfs::{SourceFile, Vfs};
-use workspace::Packages;
+use workspace::{Packages, include_pattern};
 
 use vfs::without_parents;
+
+/// Files that one include may bring in.
+const MOST_ALTERNATIVES: usize = 20;
+/// Folders that one include has looked into.
+const MOST_FOLDERS: usize = 60;
 
 /// The file that `filename` names, when nothing has to be computed but packages.
 pub fn included(filename: &str, from: &Path, packages: &Packages, vfs: &Vfs) -> Option<PathBuf> {
@@ -26,6 +31,18 @@ pub fn included(filename: &str, from: &Path, packages: &Packages, vfs: &Vfs) -> 
     let path = plain.then(|| without_parents(&from.parent().unwrap_or(from).join(path)))?;
     let path = packages.present(&path).into_owned();
     vfs.is_file(&path).then_some(path)
+}
+
+/// The files that an include with a computed name may bring in. None when there are too many, or too many folders to look into: the
+/// name says too little then.
+pub fn alternatives(filename: &str, from: &Path, packages: &Packages, vfs: &Vfs) -> Vec<PathBuf> {
+    let pattern = filename.contains('$').then(|| include_pattern(filename, from, packages)).flatten();
+    let Some(pattern) = pattern.filter(|pattern| !pattern.start().1) else { return Vec::new() };
+    let mut found = pattern.reached(vfs, MOST_FOLDERS);
+    if found.len() > MOST_ALTERNATIVES {
+        found.clear();
+    }
+    found
 }
 
 /// The files behind includes: those that an expansion read, and for the others what the text says.
@@ -51,6 +68,12 @@ impl<'a> Files<'a> {
     /// The file that the expansion begins with.
     pub fn root(&self) -> Option<Arc<SourceFile>> {
         Some(self.expansion.files.first()?.source.clone())
+    }
+
+    /// The files that an include with a computed name may bring in with other arguments.
+    pub fn alternatives(&self, from: &SourceFile, filename: &str) -> Vec<Arc<SourceFile>> {
+        let paths = alternatives(filename, &from.path, self.world.packages, self.world.vfs);
+        paths.iter().filter_map(|path| self.world.vfs.document(path).ok()).collect()
     }
 
     /// What the include whose tag stands at `tag` of a file brings in.

@@ -14,7 +14,7 @@ mod ways;
 use ecow::EcoString;
 
 pub use answers::{definitions_by_text, occurrences};
-pub(super) use files::included;
+pub(super) use files::{alternatives, included};
 pub use ways::{Documents, further_places};
 
 use base::{FastMap, FastSet, FileId, Span};
@@ -30,6 +30,8 @@ pub struct TextNames {
     guards: Vec<Guard>,
     /// The files that were read.
     files: FastSet<FileId>,
+    /// Where the files that are read more than once are read.
+    readings: FastMap<FileId, Vec<Reading>>,
     /// By file, the tags of the includes that bring it in.
     included_at: FastMap<FileId, Vec<Span>>,
     /// The definitions of a name.
@@ -88,6 +90,11 @@ struct Used {
 }
 
 impl Used {
+    /// Where and when it is evaluated, as far as its text says.
+    fn seen(&self) -> Seen {
+        Seen { file: self.span.file, guard: self.guard, order: self.order }
+    }
+
     /// Of a call: the name of the macro with its namespaces.
     fn called(&self) -> EcoString {
         match self.of.as_str() {
@@ -125,6 +132,22 @@ struct ScopeId(u32);
 /// counted from one; zero: none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Guard(u32);
+
+/// One of several times that a file is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Reading {
+    scope: ScopeId,
+    guard: Guard,
+    order: u32,
+}
+
+/// Where and when something is evaluated that definitions may be sure for.
+#[derive(Clone, Copy, Debug)]
+struct Seen {
+    file: FileId,
+    guard: Guard,
+    order: u32,
+}
 
 /// What holds names.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]

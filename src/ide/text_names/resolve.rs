@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use ecow::EcoString;
 
-use super::{Class, Given, Guard, Meaning, NameText, Scope, ScopeId, TextNames, Used};
+use super::{Class, Given, Guard, Meaning, NameText, Reading, Scope, ScopeId, Seen, TextNames, Used};
 use base::{FastMap, FastSet, Span};
 use expand::{SymbolKind, UseKind};
 
@@ -48,7 +48,7 @@ impl TextNames {
                 let (mut seen, mut found) = (FastSet::default(), BTreeSet::new());
                 let order = order.filter(|_| !used.is_lazy);
                 used.scopes.iter().for_each(|&scope| {
-                    self.visible((scope, used.guard), named, order, &mut seen, &mut found)
+                    self.visible((scope, used.seen()), named, order, &mut seen, &mut found)
                 });
                 found
             }
@@ -62,7 +62,7 @@ impl TextNames {
     /// The ones of these definitions that can be seen from a scope.
     fn visible(
         &self,
-        (scope, guard): (ScopeId, Guard),
+        (scope, at): (ScopeId, Seen),
         named: &[u32],
         order: Option<u32>,
         seen: &mut FastSet<ScopeId>,
@@ -77,13 +77,12 @@ impl TextNames {
                 continue;
             };
             found.insert(id);
-            is_hidden |= self.is_sure(given, guard)
-                && !given.handed_out
-                && order.is_none_or(|order| given.order < order);
+            is_hidden |=
+                self.is_sure(given, at) && !given.handed_out && order.is_none_or(|order| given.order < order);
         }
         if !is_hidden {
             let outer = self.around(scope).into_iter();
-            outer.for_each(|outer| self.visible((outer, guard), named, None, seen, found));
+            outer.for_each(|outer| self.visible((outer, at), named, None, seen, found));
         }
     }
 
@@ -112,7 +111,7 @@ impl TextNames {
     /// may leave out.
     fn latest(&self, used: &Used, found: BTreeSet<u32>) -> BTreeSet<u32> {
         let given = |id: &u32| self.given.get(*id as usize);
-        let is_sure = |id: &u32| given(id).is_some_and(|given| self.is_sure(given, used.guard));
+        let is_sure = |id: &u32| given(id).is_some_and(|given| self.is_sure(given, used.seen()));
         if used.class == Class::Argument {
             // the first one counts; macros are called later
             let outside = found.iter().copied().find(|id| given(id).is_some_and(|given| !given.is_in_body));
@@ -145,9 +144,28 @@ impl TextNames {
         }
     }
 
-    /// Whether a definition is made whenever what stands in a condition is evaluated.
-    fn is_sure(&self, given: &Given, guard: Guard) -> bool {
-        given.is_sure && self.is_within(guard, given.guard)
+    /// Whether a definition is made whenever something is evaluated.
+    fn is_sure(&self, given: &Given, at: Seen) -> bool {
+        if !given.is_sure {
+            return false;
+        }
+        let own = given.span.file;
+        let Some(readings) = self.readings.get(&own) else {
+            // of a file that is read at several places, no condition around those is sure
+            let guard = if self.readings.contains_key(&at.file) { Guard::default() } else { at.guard };
+            return self.is_within(guard, given.guard);
+        };
+        if at.file == own {
+            // whatever brings the file in brings in both
+            return self.is_within(at.guard, given.guard);
+        }
+        let (Some(first), false) = (readings.first(), self.readings.contains_key(&at.file)) else {
+            return false;
+        };
+        let is_outside = given.guard == first.guard;
+        let one_scope = readings.iter().all(|reading| reading.scope == first.scope);
+        let is_read = |reading: &Reading| reading.order < at.order && self.is_within(at.guard, reading.guard);
+        is_outside && one_scope && readings.iter().any(is_read)
     }
 
     /// Whether a condition is one, or stands in it.
@@ -165,13 +183,40 @@ impl TextNames {
     /// Of macros with one name, those that count when a use is evaluated: the last one that is sure to be defined then,
     /// and those behind it.
     fn at_that_time(&self, used: &Used, found: BTreeSet<u32>) -> BTreeSet<u32> {
+        if let Some(own) = self.defined_beside(used, &found) {
+            return own;
+        }
         let given = |id: &u32| self.given.get(*id as usize);
         let (first, last) = self.time(used.order, &used.scopes);
         let before = |id: &u32, time: u32| given(id).is_some_and(|given| given.order < time);
         let sure = found.iter().filter(|id| before(id, first));
-        let sure = sure.filter(|id| given(id).is_some_and(|given| self.is_sure(given, used.guard)));
+        let at = Seen { order: first, ..used.seen() };
+        let sure = sure.filter(|id| given(id).is_some_and(|given| self.is_sure(given, at)));
         let Some(since) = sure.filter_map(|id| Some(given(id)?.order)).max() else { return found };
         found.into_iter().filter(|id| before(id, last) && !before(id, since)).collect()
+    }
+
+    /// Of macros with one name, those that the body around a use defines in front of it: from the last one that is sure on, with those
+    /// that macros define which the body calls in between. None when the body is not sure to define one.
+    fn defined_beside(&self, used: &Used, found: &BTreeSet<u32>) -> Option<BTreeSet<u32>> {
+        let given = |id: &u32| self.given.get(*id as usize);
+        let is_own =
+            |given: &Given| given.is_in_body && given.scopes == used.scopes && given.order < used.order;
+        let own = found.iter().filter_map(given).filter(|given| is_own(given));
+        let since = own.filter(|given| self.is_sure(given, used.seen())).map(|given| given.order).max()?;
+        let calls = self.used.iter().filter(|call| call.class == Class::Macro && call.kind != UseKind::Given);
+        let calls =
+            calls.filter(|call| call.scopes == used.scopes && (since..used.order).contains(&call.order));
+        let called: FastSet<u32> = calls.flat_map(|call| self.macros(&call.called(), &call.scopes)).collect();
+        let is_called = |scope: &ScopeId| match self.scopes.get(scope.0 as usize) {
+            Some(Scope::Body(of)) => called.contains(of),
+            _ => false,
+        };
+        let counts = |given: &Given| match is_own(given) {
+            true => given.order >= since,
+            false => given.scopes.iter().any(is_called),
+        };
+        Some(found.iter().copied().filter(|id| given(id).is_some_and(counts)).collect())
     }
 
     /// When something in these scopes is evaluated, the first time and the last, as places in the order of evaluation: what stands in

@@ -9,6 +9,7 @@ use super::draft::{Dependency, MeshFormat};
 use super::{Mesh, Triangles, obj};
 use base::FastSet;
 use base::limits::{MATERIAL_BYTES, MESH_BYTES};
+use base::paths::HERE;
 use vfs::{FileCache, LoadError, LoadErrorKind, Vfs};
 use workspace::percent_decoded;
 
@@ -176,7 +177,8 @@ fn find(vfs: &Vfs, path: &Path, name: &str) -> Option<PathBuf> {
 /// The places where a file named in another one may be.
 fn candidates(path: &Path, name: &str) -> Vec<PathBuf> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    let plain = name.strip_prefix("file://").unwrap_or(name);
+    let of_uri = name.strip_prefix("file:").and_then(|rest| HERE.of_file_uri(rest));
+    let plain = of_uri.as_deref().or_else(|| name.strip_prefix("file://")).unwrap_or(name);
     let mut spellings = vec![plain.to_owned(), plain.replace('\\', "/")];
     spellings.extend(percent_decoded(plain));
     spellings.into_iter().map(|spelling| folder.join(spelling)).collect()

@@ -15,7 +15,7 @@ use super::hub::Hub;
 
 /// What the page may do: run its one script, show what it got from here, and nothing else.
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src blob: data:; \
-    connect-src 'self' blob: data:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+    connect-src 'self' blob: data:; worker-src blob:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 /// Let a request pass, or refuse it.
 pub(super) async fn guard(State(hub): State<Arc<Hub>>, request: Request, next: Next) -> Response {

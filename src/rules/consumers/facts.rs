@@ -61,7 +61,11 @@ impl<'a, 'e> Facts<'a, 'e> {
 
     /// The text of a value as consumers see it.
     pub(super) fn seen(&self, text: &Text) -> String {
-        let source = source_text(self.cx.expansion, text.origin).filter(|_| self.is_plain);
+        // blanks may have been tabs, and what is computed was written otherwise
+        if !self.is_plain || text.is_literal() && !text.value.contains([' ', '&', '<', '"']) {
+            return text.value.to_string();
+        }
+        let source = source_text(self.cx.expansion, text.origin);
         // what has references is long to read, and seldom
         let source = source.map(|(_, _, source)| source).filter(|source| !source.contains('&'));
         source.unwrap_or_else(|| text.value.to_string())

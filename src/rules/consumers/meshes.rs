@@ -25,10 +25,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
         match missing(facts, &mesh) {
             Some(row) => add(row),
             None if uri.contains("$(") => {}
-            None => {
-                format(uri).into_iter().for_each(&mut add);
-                mesh.mesh.into_iter().flat_map(content).for_each(&mut add);
-            }
+            None => file(uri, mesh.mesh).into_iter().for_each(&mut add),
         }
         if let Some(factors) = mesh.factors() {
             scale(factors).into_iter().for_each(&mut add);
@@ -52,6 +49,19 @@ fn without_name(facts: &Facts<'_, '_>, out: &mut Found) {
             out.add(&format!("{prefix}{row}"), facts.at(shape.element), link_owner(link));
         }
     }
+}
+
+/// The rows of a mesh file under a name, beside those that say where it is missing.
+pub(super) fn rows(uri: &str, mesh: &Mesh) -> Vec<&'static str> {
+    [scheme(uri)].into_iter().chain(file(uri, Some(mesh))).collect()
+}
+
+/// The rows of a file and what is in it.
+fn file(uri: &str, mesh: Option<&Mesh>) -> Vec<&'static str> {
+    let content: Vec<&str> = mesh.into_iter().flat_map(content).collect();
+    // the name alone does not tell text from bytes
+    let format = format(uri).filter(|row| *row != "mesh-stl" || !content.contains(&"mesh-stl-ascii"));
+    format.into_iter().chain(content).collect()
 }
 
 /// The row of a way to name a file.

@@ -12,9 +12,13 @@ mod meshes;
 mod mimic;
 mod names;
 mod numbers;
+mod other_mesh;
+mod remedy;
 mod table;
 mod tree;
 mod verdict;
+
+use std::collections::BTreeMap;
 
 use super::context::{DocumentCx, RootKind, Surroundings, is_plain_urdf};
 use super::registry::Rule;
@@ -45,8 +49,20 @@ pub fn constructs(expansion: &Expansion, robot: Option<&Robot>, world: Surroundi
     }
     let kind = (RootKind::Robot, true);
     let cx = DocumentCx::new(expansion, root, kind, robot, world, is_readable(expansion));
-    found.met.extend(met(&cx));
+    found.met.extend(find(&cx));
     found.met
+}
+
+/// What some consumer rejects or changes of a robot, by the name of the construct, with the worst that one does.
+pub type Tally = BTreeMap<&'static str, Outcome>;
+
+/// The constructs of a robot that some consumer rejects or changes; none when consumers are not given it.
+pub(super) fn tally(cx: &DocumentCx<'_>) -> Tally {
+    if !is_readable(cx.expansion) {
+        return Tally::new();
+    }
+    let outcomes = met(cx).iter().map(|met| (met.construct.name.as_str(), met.construct.worst()));
+    outcomes.filter(|(_, worst)| *worst > Outcome::Accepts).collect()
 }
 
 /// Whether an expansion gives a document that consumers can be given. Many read plain URDF with prefixes that are not
@@ -76,7 +92,12 @@ fn tolerated(expansion: &Expansion) -> Option<Vec<&'static str>> {
     rows.filter(|rows| !rows.is_empty() && is_plain_urdf(&file.source.path))
 }
 
-fn met(cx: &DocumentCx<'_>) -> Vec<Met> {
+/// The constructs of a document, found once.
+fn met<'c>(cx: &'c DocumentCx<'_>) -> &'c [Met] {
+    cx.constructs.get_or_init(|| find(cx))
+}
+
+fn find(cx: &DocumentCx<'_>) -> Vec<Met> {
     let Some(robot) = cx.robot.filter(|_| cx.kind == RootKind::Robot && cx.whole()) else {
         return Vec::new();
     };

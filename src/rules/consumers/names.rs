@@ -1,10 +1,12 @@
 //! Names of links and joints that some consumers reserve, change or reject.
 
 use super::facts::{Facts, Found, joint_owner, link_owner};
+use base::FastSet;
 use expand::{Origin, XId};
 use model::{JointType, Text};
 
 pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
+    let tops: FastSet<usize> = facts.bodies.iter().filter_map(|body| body.links.first().copied()).collect();
     for (index, link) in facts.robot.links.iter().enumerate() {
         let owner = link_owner(link);
         let Some(name) =
@@ -12,7 +14,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
         else {
             continue;
         };
-        let is_top = facts.bodies.iter().any(|body| body.links.first() == Some(&index));
+        let is_top = tops.contains(&index);
         let is_root = facts.kinematics.up(index).is_empty();
         let mut add = |row: &str| out.add(row, name.origin, owner.as_str());
         match name.value.as_str() {

@@ -70,8 +70,17 @@ impl Construct {
         }
     }
 
+    /// The worst that a consumer does with it.
+    pub fn worst(&self) -> Outcome {
+        match () {
+            () if !self.rejects.is_empty() => Outcome::Rejects,
+            () if !self.changes.is_empty() => Outcome::Changes,
+            () => Outcome::Accepts,
+        }
+    }
+
     /// The titles of the consumers that do this with it.
-    pub(super) fn who(&self, outcome: Outcome) -> Vec<&'static str> {
+    pub fn who(&self, outcome: Outcome) -> Vec<&'static str> {
         let who = CONSUMERS.iter().filter(|consumer| self.outcome(consumer) == outcome);
         who.map(|consumer| consumer.title).collect()
     }

@@ -2,11 +2,14 @@
 
 use super::super::context::DocumentCx;
 use super::super::grouping::Group;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::consumer::Consumer;
 use super::facts::Met;
-use super::table::Outcome;
+use super::remedy::{Remedy, remedy};
+use super::table::{Construct, Outcome};
+use base::FastMap;
+use expand::Origin;
 
 pub(super) const REJECTS: Rule = Rule {
     code: "CSM001",
@@ -15,7 +18,7 @@ pub(super) const REJECTS: Rule = Rule {
     severity: Severity::Error,
     default: Activation::On,
     since: "0.1",
-    fix: None,
+    fix: Some(Safety::Unsafe),
     docs: page("consumer-rejects"),
     check: Check::Document(rejects),
 };
@@ -27,7 +30,7 @@ pub(super) const CHANGES: Rule = Rule {
     severity: Severity::Warning,
     default: Activation::On,
     since: "0.1",
-    fix: None,
+    fix: Some(Safety::Unsafe),
     docs: page("consumer-changes"),
     check: Check::Document(changes),
 };
@@ -46,22 +49,40 @@ fn report(cx: &DocumentCx<'_>, outcome: Outcome, out: &mut Sink<'_>) {
     if config.consumers.is_empty() && config.oldest_reader.is_none() {
         return;
     }
-    let wanted: Vec<&Consumer> = config.consumers.iter().filter_map(|name| Consumer::named(name)).collect();
-    for met in super::met(cx) {
+    let wanted: Vec<&'static Consumer> =
+        config.consumers.iter().filter_map(|name| Consumer::named(name)).collect();
+    let all = super::met(cx);
+    let mut places: FastMap<Origin, usize> = FastMap::default();
+    let mut found: Vec<Vec<Verdict<'_>>> = Vec::new();
+    for met in all {
         let worst = wanted.iter().map(|consumer| met.construct.outcome(consumer)).max();
         let mut who: Vec<String> = wanted
             .iter()
             .filter(|consumer| met.construct.outcome(consumer) == outcome)
             .map(|consumer| consumer.title.to_owned())
             .collect();
-        let old = config.oldest_reader.as_ref().filter(|oldest| is_newer(&met, oldest));
+        let old = config.oldest_reader.as_ref().filter(|oldest| is_newer(met, oldest));
         who.extend(old.filter(|_| outcome == Outcome::Rejects).map(|oldest| format!("urdfdom {oldest}")));
         // what is rejected by one is said once, with those that change it
         let is_said = outcome == Outcome::Changes && (worst == Some(Outcome::Rejects) || old.is_some());
-        if !who.is_empty() && !is_said {
-            say(&met, outcome, &who, out);
+        if who.is_empty() || is_said {
+            continue;
         }
+        // a place has one finding of a rule: several constructs there share it
+        let place = *places.entry(met.origin).or_insert(found.len());
+        found.resize_with(found.len().max(place + 1), Vec::new);
+        found.get_mut(place).into_iter().for_each(|here| here.push(Verdict { met, who: who.clone() }));
     }
+    for here in &found {
+        let remedy = here.iter().find_map(|verdict| remedy(cx, all, verdict.met, &wanted));
+        say(here, outcome, remedy, out);
+    }
+}
+
+/// A construct, and who of those that were named does the same with it.
+struct Verdict<'a> {
+    met: &'a Met,
+    who: Vec<String>,
 }
 
 /// Whether a construct needs a newer urdfdom than the oldest one that has to load the robot.
@@ -76,37 +97,59 @@ fn version(text: &str) -> Vec<u32> {
     parts
 }
 
-fn say(met: &Met, outcome: Outcome, who: &[String], out: &mut Sink<'_>) {
-    let verb = match (outcome, who.len()) {
+/// Report the constructs at a place.
+fn say(here: &[Verdict<'_>], outcome: Outcome, remedy: Option<Remedy>, out: &mut Sink<'_>) {
+    let [first, others @ ..] = here else { return };
+    let verb = match (outcome, first.who.len()) {
         (Outcome::Rejects, 1) => "rejects",
         (Outcome::Rejects, _) => "reject",
         (_, 1) => "changes or ignores",
         (_, _) => "change or ignore",
     };
-    let message = format!("{} {verb} {}: {}", listed(who), met.owner, met.construct.title);
-    let others = |outcome: Outcome, verb: &str| {
-        let others: Vec<String> = met
+    let Met { construct, owner, origin } = first.met;
+    let mut message = format!("{} {verb} {owner}: {}", listed(&first.who), construct.title);
+    let mut names = vec![construct.name.as_str()];
+    let mut helps = vec![help(construct)];
+    for Verdict { met, who } in others {
+        message.push_str(&format!("; {}: {}", listed(who), met.construct.title));
+        names.push(&met.construct.name);
+        helps.push(help(met.construct));
+    }
+    helps.dedup();
+    if others.is_empty() {
+        helps.extend(also(first));
+    }
+    let group = Group::Name(names.join(" ").into());
+    let report = out.report(*origin, message).group(group).help(helps.join("; "));
+    match remedy {
+        Some(Remedy { safety, message, edits }) => report.edits(safety, message, edits).done(),
+        None => report.done(),
+    }
+}
+
+fn help(construct: &Construct) -> String {
+    construct.help.clone().unwrap_or_else(|| "check what the consumer makes of it".to_owned())
+}
+
+/// What the other consumers do with a construct.
+fn also(verdict: &Verdict<'_>) -> Vec<String> {
+    let others = |(outcome, verb): (Outcome, &str)| {
+        let others: Vec<String> = verdict
+            .met
             .construct
             .who(outcome)
             .into_iter()
-            .filter(|title| !who.iter().any(|own| own == title))
+            .filter(|title| !verdict.who.iter().any(|own| own == title))
             .map(str::to_owned)
             .collect();
         (!others.is_empty()).then(|| format!("{verb} by {}", listed(&others)))
     };
-    let also: Vec<String> = [
-        others(Outcome::Rejects, "rejected"),
-        others(Outcome::Changes, "changed or ignored"),
-        others(Outcome::Accepts, "accepted"),
-    ]
-    .into_iter()
-    .flatten()
-    .collect();
-    let help = met.construct.help.clone().unwrap_or_else(|| "check what the consumer makes of it".to_owned());
-    out.report(met.origin, message)
-        .group(Group::Name(met.construct.name.as_str().into()))
-        .help(format!("{help}; {}", also.join("; ")))
-        .done();
+    let outcomes = [
+        (Outcome::Rejects, "rejected"),
+        (Outcome::Changes, "changed or ignored"),
+        (Outcome::Accepts, "accepted"),
+    ];
+    outcomes.into_iter().filter_map(others).collect()
 }
 
 /// "Drake, MuJoCo and urdfdom"

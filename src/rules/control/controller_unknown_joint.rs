@@ -1,6 +1,6 @@
 //! A controller with a joint that the robot does not have.
 
-use super::super::beside::BesideCx;
+use super::super::beside::{BesideCx, PairedRobot};
 use super::super::registry::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use project::{Controller, Kind, is_computed};
@@ -33,7 +33,9 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
                 "`{key}` of controller `{}` has unknown joint `{}`",
                 controller.name.name, joint.name
             );
-            cx.report(out, joint, message).help(cx.advice(Kind::Joint, &joint.name)).done();
+            let severity = if registers_joints(cx) { Severity::Info } else { RULE.severity };
+            let advice = cx.advice(Kind::Joint, &joint.name);
+            cx.report(out, joint, message).severity(severity).help(advice).done();
         }
     }
 }
@@ -53,4 +55,12 @@ fn is_in_hardware(cx: &BesideCx<'_>, name: &str) -> bool {
     let controls = cx.robots.iter().flat_map(|paired| &paired.robot.controls);
     let mut joints = controls.flat_map(|control| &control.joints);
     joints.any(|joint| joint.name.as_ref().is_some_and(|own| own.value == name))
+}
+
+/// Whether hardware of ROS 1 that is written in the workspace registers joints by itself, and the description says nothing
+/// of them: neither transmissions nor hardware.
+fn registers_joints(cx: &BesideCx<'_>) -> bool {
+    let says_none =
+        |paired: &PairedRobot<'_>| paired.robot.transmissions.is_empty() && paired.robot.controls.is_empty();
+    cx.registers_joints && cx.robots.iter().all(says_none)
 }

@@ -4,7 +4,11 @@ use super::super::beside::{BesideCx, PairedRobot};
 use super::ros2_control_unknown_interface::is_misspelled;
 use super::ros2_control_unknown_tag::is_known_in_joint;
 use base::{FastMap, FastSet};
-use model::{ControlJoint, Interface, Ros2Control};
+use model::{ControlJoint, Interface, Ros2Control, Text};
+
+/// Interfaces that the hardware of Gazebo exports under the name of another one, and controls by itself.
+/// Source: `gazebo_system.cpp` of gazebo_ros2_control 0.6.
+const WITH_GAINS: [(&str, &str); 2] = [("position_pid", "position"), ("velocity_pid", "velocity")];
 
 /// The joints of all `<ros2_control>` of the robots.
 pub(super) struct Hardware<'a> {
@@ -21,7 +25,8 @@ impl<'a> Hardware<'a> {
         let mut undeclared = FastSet::default();
         for paired in cx.robots {
             for control in &paired.robot.controls {
-                if control.joints.iter().all(|joint| joint.commands.is_empty()) {
+                let is_silent = control.joints.iter().all(|joint| joint.commands.is_empty());
+                if is_silent && !offers_only_declared(paired, control) {
                     undeclared.extend(
                         control.joints.iter().filter_map(|joint| Some(joint.name.as_ref()?.name()?.as_str())),
                     );
@@ -59,8 +64,30 @@ impl<'a> Hardware<'a> {
     pub fn offered(&self, joint: &str, is_command: bool) -> Vec<&'a str> {
         let listed = self.joints.get(joint).into_iter().flatten();
         let interfaces = listed.flat_map(|joint| if is_command { &joint.commands } else { &joint.states });
-        interfaces.filter_map(|interface| Some(interface.name.as_ref()?.value.as_str())).collect()
+        let names = interfaces.filter_map(|interface| Some(interface.name.as_ref()?.value.as_str()));
+        names
+            .map(|name| WITH_GAINS.iter().find(|(own, _)| *own == name).map_or(name, |(_, as_)| as_))
+            .collect()
     }
+}
+
+/// Hardware that offers the declared interfaces and no others: the mocks of ros2_control, and simulators.
+/// Source: the classes themselves; they go through the interfaces of the description.
+const ONLY_DECLARED: [&str; 5] = [
+    "mock_components/GenericSystem",
+    "fake_components/GenericSystem",
+    "gz_ros2_control/GazeboSimSystem",
+    "ign_ros2_control/IgnitionSystem",
+    "gazebo_ros2_control/GazeboSystem",
+];
+
+fn offers_only_declared(paired: &PairedRobot<'_>, control: &Ros2Control) -> bool {
+    let tree = &paired.expansion.tree;
+    let plugins = control.hardware.iter().flat_map(|&hardware| tree.elements(hardware));
+    let mut plugins = plugins.filter(|&child| tree.get(child).text == "plugin");
+    plugins.any(|plugin| {
+        Text::content(tree, plugin).is_some_and(|class| ONLY_DECLARED.contains(&class.value.trim()))
+    })
 }
 
 /// Whether the hardware has a mistake that other rules report: a joint that the robot lacks, a joint twice, a misspelled

@@ -4,6 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use super::joints::is_before_jazzy;
 use base::FastMap;
 use model::{ControlJoint, Interface, Text};
 
@@ -34,11 +35,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         }
         let twice = earlier.iter().filter(|(other, _)| *other != block).find_map(|(first, other)| {
             let shared =
-                shared(&other.commands, &joint.commands).map(|name| (name, Severity::Error, "command"));
+                shared(&other.commands, &joint.commands).map(|name| (name, RULE.severity, "command"));
             let shared = shared.or_else(|| Some((shared_states(other, joint)?, Severity::Warning, "state")));
             shared.map(|shared| (other.name.as_ref(), *first, shared))
         });
         if let Some((Some(other), first, (interface, severity, kind))) = twice {
+            // before Jazzy, the first block that has an interface provides it
+            let severity = if is_before_jazzy(cx) { Severity::Warning } else { severity };
             out.report(
                 text.origin,
                 format!("{kind} interface `{interface}` of joint `{name}` is in two ros2_control blocks"),

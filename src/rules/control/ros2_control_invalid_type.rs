@@ -3,7 +3,8 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use model::tag_start;
+use super::super::vocabulary::is_simulator_plugin;
+use model::{Ros2Control, Text, tag_start};
 use workspace::nearest;
 
 pub(super) const RULE: Rule = Rule {
@@ -35,11 +36,23 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         };
         if kind.is_known() && !KNOWN.contains(&kind.value.as_str()) {
             let near = nearest(&kind.value, KNOWN).map(|near| format!("did you mean `{near}`?"));
+            let is_known = KNOWN.contains(&kind.value.to_lowercase().as_str());
+            let severity =
+                if is_known && is_simulated(cx, control) { Severity::Warning } else { RULE.severity };
             out.report(kind.origin, format!("ros2_control `{name}` has unknown type `{}`", kind.value))
+                .severity(severity)
                 .help(near.unwrap_or_else(|| {
                     "write type=\"system\", type=\"actuator\" or type=\"sensor\"".to_owned()
                 }))
                 .done();
         }
     }
+}
+
+/// Whether a simulator is the hardware: those for Gazebo never look at the type, but the same block on a robot fails.
+/// Source: `gz_system.cpp` and `gz_ros2_control_plugin.cpp` of gz_ros2_control 1.2.
+fn is_simulated(cx: &DocumentCx<'_>, control: &Ros2Control) -> bool {
+    let tree = &cx.expansion.tree;
+    let plugin = control.plugin(tree).and_then(|element| Text::content(tree, element));
+    plugin.is_some_and(|plugin| is_simulator_plugin(&plugin.value))
 }

@@ -32,7 +32,19 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let severity = match root.and_then(|root| cx.world.packages.generation(root)) {
         Some(Target::Ros2) if names.iter().filter_map(|text| text.name()).any(is_meant) => Severity::Warning,
         Some(Target::Ros2) => Severity::Info,
+        _ if is_driven_by_plugin(cx) => Severity::Info,
         _ => RULE.severity,
     };
     unknown_joints(cx, out, names.into_iter(), "a transmission", severity);
+}
+
+/// Whether a plugin of Gazebo drives the wheels, and none reads transmissions.
+fn is_driven_by_plugin(cx: &RobotCx<'_>) -> bool {
+    let tree = &cx.expansion.tree;
+    let plugins = cx.robot.gazebo.iter().flat_map(|block| tree.elements(block.element));
+    let names: Vec<&str> = plugins
+        .filter(|&plugin| tree.get(plugin).text == "plugin")
+        .filter_map(|plugin| Some(tree.attr(plugin, "filename")?.value.as_str()))
+        .collect();
+    names.iter().any(|name| name.contains("drive")) && !names.iter().any(|name| name.contains("control"))
 }

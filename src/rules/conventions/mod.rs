@@ -12,6 +12,8 @@ mod unprefixed_name_in_macro;
 
 use super::registry::Rule;
 
+pub(super) use names::{Named, names, rename};
+
 /// The rules.
 pub(super) static RULES: &[Rule] = &[
     invalid_name::RULE,

@@ -8,7 +8,7 @@ use model::{Robot, Text};
 
 /// What a name names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Named {
+pub(in super::super) enum Named {
     Link,
     Joint,
 }
@@ -24,7 +24,7 @@ impl Named {
 }
 
 /// The known names of a robot, or of what a library gives.
-pub(super) fn names(robot: &Robot) -> impl Iterator<Item = (Named, &Text)> {
+pub(in super::super) fn names(robot: &Robot) -> impl Iterator<Item = (Named, &Text)> {
     let links = robot.links.iter().filter_map(|link| Some((Named::Link, link.name.as_ref()?)));
     let joints = robot.joints.iter().filter_map(|joint| Some((Named::Joint, joint.name.as_ref()?)));
     links.chain(joints).filter(|(_, name)| name.is_known())
@@ -32,7 +32,7 @@ pub(super) fn names(robot: &Robot) -> impl Iterator<Item = (Named, &Text)> {
 
 /// The edits that rename a link or joint with all that refers to it; none when some of it is computed, or when
 /// the new name is taken.
-pub(super) fn rename(cx: &DocumentCx<'_>, named: Named, old: &str, new: &str) -> Option<Vec<Edit>> {
+pub(in super::super) fn rename(cx: &DocumentCx<'_>, named: Named, old: &str, new: &str) -> Option<Vec<Edit>> {
     let mut places = FastSet::default();
     let mut edits = Vec::new();
     for (id, attr) in mentions(cx.expansion, cx.element, named) {

@@ -117,7 +117,7 @@ fn report(cx: &FileCx<'_>, base: u32, of: Node<'_>, name: Attr<'_>, prefix: &str
     }
     let edits = places.into_iter().map(|range| (range, new.clone()));
     out.report_in(cx.file, name.value_range().shift(base), message)
-        .help("a second call of the macro creates the same name again")
+        .help(format!("write `{new}`; a second call of the macro creates the same name again"))
         .fix(Safety::Unsafe, format!("replace with `{new}`"), cx.file, edits)
         .done();
 }

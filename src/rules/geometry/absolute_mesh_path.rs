@@ -50,7 +50,5 @@ fn absolute_start(value: &str) -> Option<usize> {
 /// The file as a URI of the package that holds it.
 fn in_package(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> Option<String> {
     let path = mesh.target.file()?;
-    let package = cx.world.packages.containing(path)?;
-    let inside = path.strip_prefix(&package.folder).ok()?.to_str()?;
-    Some(format!("package://{}/{inside}", package.name))
+    cx.world.packages.containing(path)?.uri(path)
 }

@@ -27,7 +27,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let many = surface.triangles as f64 > WARN_COLLISION_TRIANGLES.value(cx.world.config);
             out.report(mesh.file.origin, message)
                 .severity(if many { Severity::Warning } else { Severity::Info })
-                .group(mesh.group())
+                .group(mesh.folder_group())
                 .help("use the convex hull, or a few boxes and cylinders")
                 .done();
         }

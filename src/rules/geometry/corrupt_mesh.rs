@@ -4,6 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use super::resources::MeshUse;
 use model::DefectKind;
 
 pub(super) const RULE: Rule = Rule {
@@ -23,6 +24,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(defect) = mesh.mesh.and_then(|mesh| mesh.defect.as_ref()) else { continue };
         let (severity, help) = match defect.kind {
             DefectKind::Corrupt => (Severity::Error, "export or copy the file again"),
+            DefectKind::LfsPointer if is_in_git_lfs(cx, &mesh) => {
+                (Severity::Info, "run `git lfs pull` to download the file")
+            }
             DefectKind::LfsPointer => (Severity::Error, "run `git lfs pull` to download the file"),
             DefectKind::Untidy => (Severity::Warning, "export the file again; strict programs reject it"),
             DefectKind::Unescaped => {
@@ -39,4 +43,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         };
         out.report(mesh.file.origin, message).group(group).severity(severity).help(help).done();
     }
+}
+
+/// Whether Git LFS has the file, as the repository says: this copy of it was made without.
+fn is_in_git_lfs(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> bool {
+    mesh.target.place().is_some_and(|file| cx.world.packages.is_in_git_lfs(file))
 }

@@ -3,7 +3,7 @@
 use super::super::context::{DocumentCx, RootKind};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::shapes::bodies;
+use super::shapes::{bodies, is_taken_out};
 use model::{source_has_elements, tag_start};
 
 pub(super) const RULE: Rule = Rule {
@@ -28,7 +28,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if certain || !source_has_elements(cx.expansion, geometry.element) {
             let message = format!("`geometry` of link `{}` is empty", link.shown());
             let origin = tag_start(cx.expansion, geometry.element);
-            out.report(origin, message).help("add a <box>, <cylinder>, <sphere> or <mesh>").done();
+            let is_meant = is_taken_out(&cx.expansion.tree, body.element, geometry.element);
+            out.report(origin, message)
+                .severity(if is_meant { Severity::Info } else { RULE.severity })
+                .help("add a <box>, <cylinder>, <sphere> or <mesh>")
+                .done();
         }
     }
 }

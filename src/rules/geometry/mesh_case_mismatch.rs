@@ -32,7 +32,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let help = format!("write `{is}`; Linux file systems are case-sensitive");
         let report = out.report(mesh.file.origin, message).group(mesh.group()).help(help);
         // the path ends as the file does, but for case
-        let tail = tail_of(written, &found.to_string_lossy());
+        let tail = tail_of(written, &vfs::slashed(found));
         match tail.filter(|tail| is_replaceable(mesh.file, tail)) {
             Some(spelled) => {
                 report.replace_with(Safety::Unsafe, format!("replace with `{spelled}`"), spelled).done()

@@ -34,7 +34,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let severity = if matters { Severity::Warning } else { Severity::Info };
             out.report(mesh.file.origin, message)
                 .severity(severity)
-                .group(mesh.group())
+                .group(mesh.folder_group())
                 .help("make all normals consistent in a mesh editor")
                 .done();
         }

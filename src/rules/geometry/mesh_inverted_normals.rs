@@ -30,7 +30,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let message =
                 format!("mesh `{}` of link `{}` has inverted normals", mesh.name(), mesh.link.shown());
             out.report(mesh.file.origin, message)
-                .group(mesh.group())
+                .group(mesh.folder_group())
                 .help("flip the normals in a mesh editor; the triangles face inward")
                 .done();
         }

@@ -31,7 +31,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 missing.add(mesh.file, what, path, package.as_deref());
             }
             Target::NoFile(path) => {
-                let message = format!("mesh of link `{link}`: `{}` is not a file", path.display());
+                let message = format!("mesh of link `{link}`: `{}` is not a file", vfs::slashed(path));
                 out.report(mesh.file.origin, message).help("write the path of the mesh file").done();
             }
             _ => {}

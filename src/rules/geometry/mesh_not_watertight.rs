@@ -25,7 +25,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let (name, link, count) = (mesh.name(), mesh.link.shown(), edges.boundary);
             let message = format!("collision mesh `{name}` of link `{link}` has holes ({count} open edges)");
             out.report(mesh.file.origin, message)
-                .group(mesh.group())
+                .group(mesh.folder_group())
                 .help("close the holes, or use the convex hull")
                 .done();
         }

@@ -68,6 +68,11 @@ fn report(
             report.severity(Severity::Info).help(help).done();
             continue;
         }
+        if !cx.world.vfs.is_dir(folder) && cx.world.packages.is_ignored_by_git(&file.path) {
+            let help = "get the files that `.gitignore` leaves out, or correct the path";
+            report.severity(Severity::Info).help(help).done();
+            continue;
+        }
         let report = report.help("correct the path, or add the file");
         match found.as_ref().filter(|_| moved.is_some()) {
             Some(found) => found_elsewhere(cx, report, file, found, package).done(),
@@ -103,9 +108,9 @@ fn message(file: &MissingFile<'_>, package: Option<&Path>) -> String {
     let inside = package.and_then(|package| file.path.strip_prefix(package).ok());
     match (inside, package_name(&file.name.value)) {
         (Some(inside), Some(package)) => {
-            format!("{what} not found: package `{package}` has no file `{}`", inside.display())
+            format!("{what} not found: package `{package}` has no file `{}`", vfs::slashed(inside))
         }
-        _ => format!("{what} not found at `{}`", file.path.display()),
+        _ => format!("{what} not found at `{}`", vfs::slashed(&file.path)),
     }
 }
 
@@ -132,26 +137,20 @@ fn is_installed(cx: &DocumentCx<'_>, found: &Path, missing: &Path, package: Opti
 /// A file or folder as messages call it where `name` is: as that text would name it, else from its package, else
 /// whole.
 pub(super) fn shown(cx: &DocumentCx<'_>, name: &Text, file: &Path) -> String {
-    let in_package = || {
-        let package = cx.world.packages.containing(file)?;
-        let inside = file.strip_prefix(&package.folder).ok()?.to_str()?;
-        Some(format!("package://{}/{inside}", package.name))
-    };
-    uri_of(cx, name, file).or_else(in_package).unwrap_or_else(|| file.display().to_string())
+    let in_package = || cx.world.packages.containing(file)?.uri(file);
+    uri_of(cx, name, file).or_else(in_package).unwrap_or_else(|| vfs::slashed(file))
 }
 
 /// How a file is named in place of `name`.
 fn uri_of(cx: &DocumentCx<'_>, name: &Text, file: &Path) -> Option<String> {
     if name.value.starts_with("package://") {
-        let package = cx.world.packages.containing(file)?;
-        let inside = file.strip_prefix(&package.folder).ok()?.to_str()?;
-        return Some(format!("package://{}/{inside}", package.name));
+        return cx.world.packages.containing(file)?.uri(file);
     }
     if name.value.contains("://") {
         return None;
     }
     let place = cx.expansion.place(name.origin)?;
     let source = &cx.expansion.files.get(place.file.0 as usize)?.source.path;
-    let inside = file.strip_prefix(source.parent()?).ok()?.to_str()?;
-    Some(if inside.is_empty() { ".".to_owned() } else { inside.to_owned() })
+    let inside = file.strip_prefix(source.parent()?).ok()?;
+    inside.to_str().map(|text| if text.is_empty() { ".".to_owned() } else { vfs::slashed(inside) })
 }

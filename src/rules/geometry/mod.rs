@@ -50,6 +50,7 @@ pub use resources::{Target as FileTarget, factors, resolve as resolve_file};
 pub(super) use bodies::{Extent, extent, extent_of, volume};
 pub(super) use mesh_scale_suspicious::is_scaled_wrong;
 pub(super) use resources::{MeshUse, Resources};
+pub(super) use shapes::{is_replaceable, is_taken_out};
 
 /// The rules.
 pub(super) static RULES: &[Rule] = &[

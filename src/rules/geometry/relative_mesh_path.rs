@@ -35,13 +35,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let report = out
             .report(mesh.file.origin, message)
             .help("write package://PACKAGE/PATH; RViz cannot load relative paths");
-        let inside = mesh
-            .target
-            .file()
-            .and_then(|path| Some(path.strip_prefix(&package.folder).ok()?.to_str()?.to_owned()));
-        match inside.filter(|inside| is_replaceable(mesh.file, inside) && !inside.contains("..")) {
-            Some(inside) => {
-                let uri = format!("package://{}/{inside}", package.name);
+        let uri = mesh.target.file().and_then(|path| package.uri(path));
+        match uri.filter(|uri| is_replaceable(mesh.file, uri) && !uri.contains("..")) {
+            Some(uri) => {
                 report.replace_with(Safety::Unsafe, format!("replace with `{uri}`"), uri).done();
             }
             None => report.done(),

@@ -65,6 +65,12 @@ impl MeshUse<'_> {
         self.target.place().map_or(Group::File, |path| Group::Thing(path.to_string_lossy().into()))
     }
 
+    /// What makes one finding of several about the files of a folder: the program that wrote one of them wrote all of them.
+    pub fn folder_group(&self) -> Group {
+        let folder = self.target.place().and_then(Path::parent);
+        folder.map_or(Group::File, |path| Group::Thing(path.to_string_lossy().into()))
+    }
+
     /// The name of the file for messages, without folders.
     pub fn name(&self) -> &str {
         self.file.value.rsplit(['/', '\\']).next().unwrap_or_default()
@@ -151,7 +157,7 @@ impl Resources {
 
 impl Target {
     /// The path it leads to, whatever is there.
-    fn place(&self) -> Option<&Path> {
+    pub(super) fn place(&self) -> Option<&Path> {
         match self {
             Target::File(path)
             | Target::NoFile(path)

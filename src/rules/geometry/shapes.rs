@@ -1,6 +1,7 @@
 //! The bodies and materials of a robot.
 
 use super::super::context::DocumentCx;
+use expand::{XId, XKind, XTree};
 use model::{Body, Link, Material, Robot, ShapeKind, Text};
 
 /// All visuals and collisions with their link, and whether it is a collision.
@@ -9,6 +10,16 @@ pub(super) fn bodies<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = (&'a Li
         let visuals = link.visuals.iter().map(move |body| (link, body, false));
         visuals.chain(link.collisions.iter().map(move |body| (link, body, true)))
     })
+}
+
+/// Whether what should be in an element `inside` a visual or collision is in a comment there: somebody took it out, and nothing is
+/// lost with it. urdfdom keeps the link without this body and all that it would have read after it: further visuals, and
+/// then collisions.
+pub(in super::super) fn is_taken_out(tree: &XTree, body: XId, inside: XId) -> bool {
+    let is_meant = |child: XId| tree.get(child).kind == XKind::Comment && tree.get(child).text.contains('<');
+    let Some(link) = tree.parent(body).filter(|_| tree.children(inside).any(is_meant)) else { return false };
+    let last = |name: &str| tree.elements(link).filter(|&child| tree.get(child).text == name).last();
+    last("collision").or_else(|| last("visual")) == Some(body)
 }
 
 /// The materials inside visuals, with their link.
@@ -41,7 +52,7 @@ pub(super) fn resource_names<'a>(cx: &'a DocumentCx<'_>) -> Vec<&'a Text> {
 }
 
 /// Whether a value may be replaced by `content`: the source spells it, and neither needs entities.
-pub(super) fn is_replaceable(text: &Text, content: &str) -> bool {
+pub(in super::super) fn is_replaceable(text: &Text, content: &str) -> bool {
     let is_plain = |text: &str| !text.contains(['&', '<', '"', '\'', '$']);
     text.is_literal() && is_plain(&text.value) && is_plain(content)
 }

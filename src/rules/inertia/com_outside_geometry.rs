@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::joined::{LIGHT, MARKER, is_in_world, is_small_part, known_box};
+use super::joined::{LIGHT, MARKER, body_boxes, is_in_world, is_small_part, known_box};
 use super::moments::{inertials, is_same_about_all_axes};
 use model::{Bounds, Inertial};
 
@@ -38,6 +38,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let is_far = x.hypot(y).hypot(z) > FAR;
         let severity = match known_box(cx, link).filter(|_| !is_light) {
             Some(bounds) if !is_outside(bounds, centre) => continue,
+            Some(_) if body_boxes(cx, link).into_iter().any(|bounds| !is_outside(bounds, centre)) => continue,
             None if !is_far => continue,
             Some(bounds)
                 if !is_far

@@ -6,7 +6,8 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::is_small_part;
 use super::moments::{Verdict, inertia_tag, inertials, short, verdict};
-use model::{Inertial, Link};
+use model::{Inertial, JointType, Link, transform};
+use nalgebra::{Matrix3, Vector3};
 
 pub(super) const RULE: Rule = Rule {
     code: "INR005",
@@ -20,6 +21,9 @@ pub(super) const RULE: Rule = Rule {
     check: Check::Document(check),
 };
 
+/// From this many links on, a moment that is too large about the own joint is that of the motor, added on purpose.
+const ROTORS: usize = 3;
+
 /// Less than this part short is rounding.
 const ROUNDING: f64 = 1e-6;
 /// Less than this part short may be rounding.
@@ -29,9 +33,17 @@ const COARSE: f64 = 2e-2;
 const LAST_DIGIT: f64 = 1e-6;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let has_rotor = |(link, inertial): &(&Link, &Inertial)| {
+        impossible(inertial).is_some_and(|[.., most]| is_about_joint(cx, link, inertial, most))
+    };
+    let rotors = inertials(cx).filter(has_rotor).take(ROTORS).count();
     for (link, inertial) in inertials(cx) {
         let Some([a, b, c]) = impossible(inertial) else { continue };
-        let severity = if is_error(cx, link, inertial) { Severity::Error } else { Severity::Info };
+        let is_rotor = rotors == ROTORS && has_rotor(&(link, inertial));
+        let severity = match is_error(cx, link, inertial) && !is_rotor {
+            true => Severity::Error,
+            false => Severity::Info,
+        };
         let message = format!(
             "inertia of link `{}` is impossible: moment {} exceeds the sum of {} and {}",
             link.shown(),
@@ -51,6 +63,22 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 fn impossible(inertial: &Inertial) -> Option<[f64; 3]> {
     let Verdict::Definite(moments @ [a, b, c]) = verdict(inertial.entries()?) else { return None };
     (a + b < c * (1.0 - ROUNDING)).then_some(moments)
+}
+
+/// Whether the largest moment of a link is that about the axis of its own joint.
+fn is_about_joint(cx: &DocumentCx<'_>, link: &Link, inertial: &Inertial, most: f64) -> bool {
+    const TOLERANCE: f64 = 0.02;
+    let &[joint] = cx.joints_above(link.shown()) else { return false };
+    let axis = joint.axis().map(Vector3::from).and_then(|axis| axis.try_normalize(f64::EPSILON));
+    let Some(axis) = axis.filter(|_| !joint.is(&[JointType::Fixed])) else { return false };
+    let (Some([xx, xy, xz, yy, yz, zz]), Some(frame)) =
+        (inertial.entries(), transform(inertial.origin.as_ref()))
+    else {
+        return false;
+    };
+    let axis = frame.rotation.inverse() * axis;
+    let tensor = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+    (tensor * axis - most * axis).norm() <= TOLERANCE * most
 }
 
 /// Whether the inertia of a link is impossible, and not by rounding alone.

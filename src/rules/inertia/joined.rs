@@ -4,7 +4,9 @@
 use super::super::context::DocumentCx;
 use super::super::geometry::{Extent, extent_of};
 use super::super::vocabulary::is_surroundings;
-use model::{Bounds, Joint, JointType, Link};
+use base::FastSet;
+use model::{Bounds, Joint, JointType, Link, transform};
+use nalgebra::Isometry3;
 
 /// A geometry whose box has half a diagonal up to this length in metres is a marker: it does not show the shape.
 pub(super) const MARKER: f64 = 0.01;
@@ -63,6 +65,32 @@ pub(super) fn known_box(cx: &DocumentCx<'_>, link: &Link) -> Option<Bounds> {
 /// The same, when it is more than a marker.
 pub(super) fn shape(cx: &DocumentCx<'_>, link: &Link) -> Option<Bounds> {
     known_box(cx, link).filter(|bounds| bounds.diagonal() / 2.0 > MARKER)
+}
+
+/// The boxes of a link and of all that is fixed to it, in its frame: simulators join them to one body. Parts that are not
+/// known are left out.
+pub(super) fn body_boxes(cx: &DocumentCx<'_>, link: &Link) -> Vec<Bounds> {
+    const MOST: usize = 64;
+    let mut seen: FastSet<&str> = FastSet::default();
+    let mut open = vec![(link.shown(), Isometry3::identity())];
+    let mut found = Vec::new();
+    while let Some((name, place)) = open.pop().filter(|_| seen.len() < MOST) {
+        if matches!(name, "" | "?") || !seen.insert(name) {
+            continue;
+        }
+        let boxes = cx.links_named(name).iter().filter_map(|link| known_box(cx, link));
+        found.extend(boxes.map(|bounds| bounds.moved(&place)));
+        let fixed = |joint: &&&Joint| joint.is(&[JointType::Fixed]);
+        for joint in cx.joints_above(name).iter().filter(fixed) {
+            let to = transform(joint.origin.as_ref()).map(|to| place * to.inverse());
+            open.extend(joint.parent.as_ref().zip(to).map(|(parent, to)| (parent.value.as_str(), to)));
+        }
+        for joint in cx.joints_below(name).iter().filter(fixed) {
+            let to = transform(joint.origin.as_ref()).map(|to| place * to);
+            open.extend(joint.child.as_ref().zip(to).map(|(child, to)| (child.value.as_str(), to)));
+        }
+    }
+    found
 }
 
 /// The joints whose child is a link. In a macro that nothing calls, a part of the names is not known; what is known tells

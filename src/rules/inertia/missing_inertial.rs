@@ -3,8 +3,9 @@
 use super::super::context::RobotCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use super::super::vocabulary::is_simulator_plugin;
 use base::FastSet;
-use model::{JointType, Ros2Control, Text};
+use model::{Gazebo, JointType, Ros2Control, Text};
 use workspace::config::Profile;
 
 pub(super) const RULE: Rule = Rule {
@@ -43,17 +44,21 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 /// Whether a simulator loads the robot: a Gazebo tag or hardware of a simulator says so. A ros2_control block for
 /// real hardware or for a mock does not, nor does one for MuJoCo: it reads a model of its own.
 fn is_simulated(cx: &RobotCx<'_>) -> bool {
-    const SIMULATORS: [&str; 5] = ["gazebo", "gz_", "ign_", "isaac", "webots"];
     let tree = &cx.expansion.tree;
     let is_simulator = |control: &Ros2Control| {
         let plugin = control.plugin(tree).and_then(|element| Text::content(tree, element));
         // a plugin that is not known may be one
-        plugin.as_ref().is_some_and(|plugin| {
-            let name = plugin.value.to_lowercase();
-            !plugin.is_known() || SIMULATORS.iter().any(|word| name.contains(word))
-        })
+        plugin.as_ref().is_some_and(|plugin| !plugin.is_known() || is_simulator_plugin(&plugin.value))
     };
-    !cx.robot.gazebo.is_empty() || cx.robot.controls.iter().any(is_simulator)
+    let is_only_shown = cx.robot.links.iter().all(|link| link.inertial.is_none());
+    // colors for Gazebo are kept where nobody simulates the robot
+    let says_more = |block: &Gazebo| !is_only_shown || has_more_than_color(cx, block);
+    cx.robot.gazebo.iter().any(says_more) || cx.robot.controls.iter().any(is_simulator)
+}
+
+fn has_more_than_color(cx: &RobotCx<'_>, block: &Gazebo) -> bool {
+    let tree = &cx.expansion.tree;
+    tree.elements(block.element).any(|tag| tree.get(tag).text != "material")
 }
 
 /// Whether a link fixed below has a mass: simulators join both to one body.

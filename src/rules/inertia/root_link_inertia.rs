@@ -33,18 +33,21 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let is_plain = name.is_literal() && !name.value.contains(['&', '<', '"']);
     match cx.expansion.place(tag).filter(|_| is_plain && cx.robot.link("base_footprint").is_none()) {
         Some(place) => {
-            let above = format!(
-                r#"<link name="base_footprint"/>
-  <joint name="base_footprint_joint" type="fixed">
-    <parent link="base_footprint"/>
-    <child link="{}"/>
-  </joint>
-  "#,
-                name.value
-            );
-            let edit = [(TextRange::empty(place.range.start), above)];
+            let edit = [(TextRange::empty(place.range.start), root_above(&name.value))];
             report.fix(Safety::Unsafe, "add a root link without inertia", place.file, edit).done();
         }
         None => report.done(),
     }
+}
+
+/// A root link without inertia in front of the link of a name, and the joint between them.
+fn root_above(name: &str) -> String {
+    format!(
+        r#"<link name="base_footprint"/>
+  <joint name="base_footprint_joint" type="fixed">
+    <parent link="base_footprint"/>
+    <child link="{name}"/>
+  </joint>
+  "#
+    )
 }

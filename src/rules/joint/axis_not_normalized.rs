@@ -20,9 +20,12 @@ pub(super) const RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for (joint, text, axis) in moving_axes(cx.joints()) {
-        let length = length(axis);
-        if length >= NO_LENGTH && (length - 1.0).abs() > 1e-3 {
+    let axes: Vec<_> =
+        moving_axes(cx.joints()).map(|(joint, text, axis)| (joint, text, axis, length(axis))).collect();
+    let is_habit = is_habit(axes.iter().map(|&(.., length)| length));
+    for (joint, text, axis, length) in axes {
+        if length >= NO_LENGTH && !is_unit(length) {
+            let is_meant = is_habit || is_diagonal(axis);
             let message = format!(
                 "axis of joint `{}` is not a unit vector: its length is {}",
                 joint.shown(),
@@ -30,8 +33,27 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             );
             let report = out
                 .report(text.origin, message)
+                .severity(if is_meant { Severity::Info } else { RULE.severity })
                 .help("normalize the axis; parsers use it unchanged, so motion is scaled by its length");
             rewrite(report, Safety::Unsafe, text, vector(&axis.map(|part| part / length))).done();
         }
     }
+}
+
+fn is_unit(length: f64) -> bool {
+    (length - 1.0).abs() <= 1e-3
+}
+
+/// Whether three axes or more all have the same length, which is not 1: a program wrote them in another unit, and the
+/// directions are right.
+fn is_habit(mut lengths: impl ExactSizeIterator<Item = f64>) -> bool {
+    let many = lengths.len() >= 3;
+    let first = lengths.next().filter(|&first| many && !is_unit(first));
+    first.is_some_and(|first| lengths.all(|length| (length - first).abs() <= 1e-3 * first))
+}
+
+/// Whether an axis such as `1 1 0` is a direction that somebody wrote down without a root.
+fn is_diagonal(axis: [f64; 3]) -> bool {
+    let sizes = axis.map(f64::abs);
+    sizes.iter().all(|&size| size == 0.0 || size == 1.0) && sizes.iter().sum::<f64>() >= 2.0
 }

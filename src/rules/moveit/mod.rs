@@ -8,8 +8,16 @@ mod kinematics_unknown_group;
 mod moveit_controller_unknown_joint;
 mod moveit_unknown_controller;
 mod planning_unknown_group;
+mod servo_unknown_group;
+mod setup_assistant_file_not_found;
+mod setup_assistant_robot_fails;
+mod setup_assistant_unknown_argument;
 
 use super::registry::Rule;
+
+pub use setup_assistant_file_not_found::setup_assistant_file_not_found;
+pub use setup_assistant_robot_fails::setup_assistant_robot_fails;
+pub use setup_assistant_unknown_argument::setup_assistant_unknown_argument;
 
 /// The rules.
 pub(super) static RULES: &[Rule] = &[
@@ -20,4 +28,8 @@ pub(super) static RULES: &[Rule] = &[
     planning_unknown_group::RULE,
     moveit_controller_unknown_joint::RULE,
     moveit_unknown_controller::RULE,
+    servo_unknown_group::RULE,
+    setup_assistant_file_not_found::RULE,
+    setup_assistant_robot_fails::RULE,
+    setup_assistant_unknown_argument::RULE,
 ];

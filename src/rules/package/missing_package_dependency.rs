@@ -47,7 +47,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
             format!("package `{}` does not declare its dependency on `{name}`", manifest.name),
         )
         .severity(severity)
-        .group(Group::Thing(format!("{} of {}", name, manifest.folder.display()).into()))
+        .group(Group::Thing(format!("{} of {}", name, vfs::slashed(&manifest.folder)).into()))
         .help(format!(
             "add <exec_depend>{name}</exec_depend> to package.xml; undeclared dependencies are not installed"
         ))

@@ -211,5 +211,5 @@ fn name_in_source(attr: &XAttr, name: &str) -> Origin {
 }
 
 fn message(missing: &NotFound) -> String {
-    format!("package `{}` not found (searched {} places)", missing.name, missing.tried.len())
+    format!("package `{}` not found (searched {} folders)", missing.name, missing.tried.len())
 }

@@ -41,8 +41,11 @@ pub fn unknown_launch_argument(
         // what a call passes in vain was written for another robot
         finding.group = Some(Group::Name(file.into()));
     }
-    if !certain {
-        finding.severity = Severity::Info;
-    }
+    finding.severity = match near {
+        _ if !certain => Severity::Info,
+        Some(_) => Severity::Error,
+        // the robot is the same without it
+        None => Severity::Warning,
+    };
     finding
 }

@@ -3,6 +3,7 @@
 //! Rules check against it; completion and hover can be served from it.
 
 mod control;
+mod srdf;
 mod urdf;
 
 use std::sync::LazyLock;
@@ -72,6 +73,8 @@ pub enum AttributeKind {
     Joint,
     /// The name of a link or a joint.
     LinkOrJoint,
+    /// The name of a planning group.
+    Group,
     /// A number.
     Number,
     /// So many numbers, separated by blanks.
@@ -132,8 +135,8 @@ impl ElementSpec {
     /// The element of a name that may stand in it.
     pub fn child(&self, name: &str) -> Option<&'static ElementSpec> {
         static BY_PARENT: LazyLock<FastMap<(&str, &str), &'static ElementSpec>> = LazyLock::new(|| {
-            let pairs =
-                elements().flat_map(|element| element.parents.iter().map(move |parent| (parent, element)));
+            let pairs = every_element()
+                .flat_map(|element| element.parents.iter().map(move |parent| (parent, element)));
             // of two elements of one name the first counts
             let mut known = FastMap::default();
             pairs.for_each(|(&parent, element)| {
@@ -147,7 +150,7 @@ impl ElementSpec {
     /// The elements that may stand in it.
     pub fn children(&self) -> impl Iterator<Item = &'static ElementSpec> + use<> {
         let key = self.key;
-        elements().filter(move |element| element.parents.contains(&key))
+        every_element().filter(move |element| element.parents.contains(&key))
     }
 }
 
@@ -191,6 +194,21 @@ pub fn elements() -> impl Iterator<Item = &'static ElementSpec> {
     std::iter::once(robot()).chain(urdf::ELEMENTS).chain(control::ELEMENTS)
 }
 
+/// All elements of URDF and SRDF; those of SRDF have keys of their own.
+pub fn every_element() -> impl Iterator<Item = &'static ElementSpec> {
+    elements().chain(semantic_elements())
+}
+
+/// The elements of SRDF.
+pub fn semantic_elements() -> impl Iterator<Item = &'static ElementSpec> {
+    std::iter::once(semantic_robot()).chain(srdf::ELEMENTS)
+}
+
+/// The root element of SRDF.
+pub fn semantic_robot() -> &'static ElementSpec {
+    &srdf::ROBOT
+}
+
 /// The root element.
 pub fn robot() -> &'static ElementSpec {
     &urdf::ROBOT
@@ -209,13 +227,13 @@ pub(super) fn urdf_element(name: &str) -> Option<&'static ElementSpec> {
 
 #[cfg(test)]
 mod tests {
-    use super::{AttributeKind, Content, elements, robot};
+    use super::{AttributeKind, Content, every_element, robot, semantic_robot};
 
     #[test]
     fn parents_are_elements_and_required_children_are_children() {
-        for spec in elements() {
+        for spec in every_element() {
             for parent in spec.parents {
-                assert!(elements().any(|other| other.key == *parent), "{}: {parent}", spec.name);
+                assert!(every_element().any(|other| other.key == *parent), "{}: {parent}", spec.name);
             }
             for child in spec.required {
                 assert!(spec.child(child).is_some(), "{}: {child}", spec.name);
@@ -228,7 +246,7 @@ mod tests {
     #[test]
     fn an_element_is_described_once_below_each_parent() {
         let mut seen = Vec::new();
-        for spec in elements() {
+        for spec in every_element() {
             for parent in spec.parents {
                 assert!(!seen.contains(&(spec.name, *parent)), "{} in {parent}", spec.name);
                 seen.push((spec.name, *parent));
@@ -238,7 +256,7 @@ mod tests {
 
     #[test]
     fn attributes_are_documented_and_defaults_fit() {
-        for spec in elements() {
+        for spec in every_element() {
             assert!(!spec.docs.is_empty() && !spec.docs.ends_with('.'), "{}", spec.name);
             for attribute in spec.attributes {
                 let place = format!("{}/@{}", spec.name, attribute.name);
@@ -265,5 +283,8 @@ mod tests {
         assert!(joint.attribute("type").unwrap().required);
         let controlled = robot().child("ros2_control").and_then(|block| block.child("joint")).unwrap();
         assert!(controlled.child("command_interface").is_some());
+        let group = semantic_robot().child("group").unwrap();
+        assert!(group.child("chain").is_some() && group.child("group").unwrap().children().next().is_none());
+        assert!(semantic_robot().child("link").is_none() && robot().child("group").is_none());
     }
 }

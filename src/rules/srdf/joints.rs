@@ -4,8 +4,8 @@ use ecow::EcoString;
 
 use super::super::beside::{BesideCx, PairedRobot};
 use base::{FastMap, FastSet};
-use model::{JointType, Text};
-use project::{Group, Srdf};
+use model::JointType;
+use project::{Srdf, joints_of_group};
 
 /// The joints of each group, once somebody has asked.
 pub(super) struct Members<'a> {
@@ -34,43 +34,9 @@ impl<'a> Members<'a> {
     }
 
     fn collect(&self, group: &str) -> Option<FastSet<&'a str>> {
-        let robot = self.robot?;
-        let mut joints = FastSet::default();
-        let mut seen: FastSet<&str> = FastSet::default();
-        let mut open: Vec<&str> = vec![group];
-        while let Some(name) = open.pop() {
-            // a group that contains itself has no more joints for it
-            let Some(name) = Some(name).filter(|name| !seen.contains(name)) else { continue };
-            let group = self.srdf.group(name)?;
-            seen.insert(group.name.as_ref()?.value.as_str());
-            add(robot, group, &mut joints)?;
-            for inner in &group.subgroups {
-                open.push(inner.name()?);
-            }
-        }
-        Some(joints)
+        let paired = self.robot?;
+        joints_of_group(self.srdf, group, (paired.robot, paired.kinematics))
     }
-}
-
-/// The joints that a group names by itself, by its links and by its chains.
-fn add<'a>(paired: &PairedRobot<'a>, group: &'a Group, joints: &mut FastSet<&'a str>) -> Option<()> {
-    for joint in &group.joints {
-        joints.insert(paired.robot.joint(joint.name()?)?.name.as_ref()?.value.as_str());
-    }
-    let link = |text: &Text| paired.kinematics.link(text.name()?);
-    let name = |joint: usize| Some(paired.robot.joints.get(joint)?.name.as_ref()?.value.as_str());
-    for text in &group.links {
-        if let Some(&joint) = paired.kinematics.up(link(text)?).first() {
-            joints.insert(name(joint)?);
-        }
-    }
-    for chain in &group.chains {
-        let (base, tip) = (link(chain.base.as_ref()?)?, link(chain.tip.as_ref()?)?);
-        for joint in paired.kinematics.path(base, tip)? {
-            joints.insert(name(joint)?);
-        }
-    }
-    Some(())
 }
 
 /// Whether a state has to say where a joint is: it moves by itself, and something drives it.

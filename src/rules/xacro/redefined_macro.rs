@@ -28,7 +28,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
     let inclusions = source::inclusions(cx.expansion, cx.world);
     let spaces = namespaces(&inclusions);
-    let mut first: FastMap<(&str, &str), (Place, Node<'_>)> = FastMap::default();
+    let is_called = |id| cx.expansion.symbols.uses_of(id).any(|used| used.kind == UseKind::Call);
+    let mut first: FastMap<(&str, &str), (Place, Node<'_>, bool)> = FastMap::default();
     for (id, definition) in cx.expansion.symbols.iter().filter(|(_, found)| found.kind == SymbolKind::Macro) {
         let node = source::definition_tag(cx.expansion, definition);
         let place = source::place(cx.expansion, definition.place);
@@ -38,11 +39,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let name = definition.name.as_str();
-        let earlier = first.insert((space.as_str(), name), (place, node));
-        if let Some((earlier, _)) = earlier.filter(|(_, earlier)| !is_same(*earlier, node)) {
-            let is_called = cx.expansion.symbols.uses_of(id).any(|used| used.kind == UseKind::Call);
+        let earlier = first.insert((space.as_str(), name), (place, node, is_called(id)));
+        if let Some((earlier, _, was_called)) = earlier.filter(|(_, earlier, _)| !is_same(*earlier, node)) {
+            // calls of both, each before the next is defined, take turns on purpose
+            let is_meant = was_called || !is_called(id);
             out.report_in(place.file, place.range, format!("macro `{name}` is redefined"))
-                .severity(if is_called { RULE.severity } else { Severity::Info })
+                .severity(if is_meant { Severity::Info } else { RULE.severity })
                 .also_at(earlier, "first defined here")
                 .help("rename one of them, or include one file with ns=\"...\"; later calls use the second macro")
                 .done();

@@ -17,14 +17,14 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page("unused-include"),
-    check: Check::Document(check),
+    check: Check::WholeDocument(check),
 };
 
 /// Each include is compared with all files, so more than these are not judged.
 const MOST: usize = 200;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    if !source::is_main(cx) || cx.kind != RootKind::Robot || !cx.complete {
+    if !source::is_main(cx) || cx.kind != RootKind::Robot {
         return;
     }
     let inclusions = source::inclusions(cx.expansion, cx.world);

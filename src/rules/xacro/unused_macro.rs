@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page("unused-macro"),
-    check: Check::Document(check),
+    check: Check::WholeDocument(check),
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {

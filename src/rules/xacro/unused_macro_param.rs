@@ -20,7 +20,7 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("unused-macro-param"),
-    check: Check::Document(check),
+    check: Check::WholeDocument(check),
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {

@@ -1,6 +1,7 @@
 //! An element without a child that parsers insist on.
 
 use super::super::context::DocumentCx;
+use super::super::geometry::is_taken_out;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::schema::ElementSpec;
 use super::super::sink::Sink;
@@ -17,13 +18,10 @@ pub(super) const RULE: Rule = Rule {
     since: "0.1",
     fix: None,
     docs: page("missing-element"),
-    check: Check::Document(check),
+    check: Check::WholeDocument(check),
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    if !cx.complete {
-        return;
-    }
     for (id, spec) in walk::known(cx).filter(|(_, spec)| !spec.required.is_empty()) {
         let missing = missing(cx, id, spec);
         if missing.is_empty() || walk::may_get_more(cx, id) {
@@ -37,8 +35,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             out.report(tag_start(cx.expansion, id), message).help(help).done();
             continue;
         }
+        let is_meant = missing == ["geometry"] && is_taken_out(&cx.expansion.tree, id, id);
+        let severity = if is_meant { Severity::Info } else { RULE.severity };
         let add: Vec<String> = missing.iter().map(|name| format!("<{name} .../>")).collect();
-        out.report(tag_start(cx.expansion, id), message).help(format!("add {}", add.join(" and "))).done();
+        out.report(tag_start(cx.expansion, id), message)
+            .severity(severity)
+            .help(format!("add {}", add.join(" and ")))
+            .done();
     }
 }
 

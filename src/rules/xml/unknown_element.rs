@@ -63,12 +63,16 @@ fn report(
     let report = out.report(tag_start(cx.expansion, id), message).group(group);
     let Some((near, sure)) = near else {
         let (severity, help) = unlike_all(name, parent);
-        let severity = if is_identity(cx, id) { Severity::Hint } else { severity };
+        let severity = if is_identity(cx, id, name) || is_bare(cx, id) { Severity::Hint } else { severity };
         return report.severity(severity).help(help).done();
     };
-    let report = report
-        .severity(if is_needed(cx, id, parent, near) { Severity::Error } else { Severity::Warning })
-        .help(format!("did you mean `{near}`? Parsers silently ignore `{name}`"));
+    let severity = match is_needed(cx, id, parent, near) {
+        true => Severity::Error,
+        false if is_identity(cx, id, near) => Severity::Hint,
+        false => Severity::Warning,
+    };
+    let report =
+        report.severity(severity).help(format!("did you mean `{near}`? Parsers silently ignore `{name}`"));
     let Some((file, names)) = names(cx, id) else { return report.done() };
     let safety = if sure { Safety::Safe } else { Safety::Unsafe };
     let edits = names.into_iter().map(|range| (range, near.to_owned()));
@@ -124,14 +128,21 @@ fn unlike_all(name: &str, parent: &ElementSpec) -> (Severity, String) {
     (severity, help)
 }
 
-/// Whether an element is an `origin` that moves nothing: without it, all is the same.
-fn is_identity(cx: &DocumentCx<'_>, id: XId) -> bool {
-    let node = cx.expansion.tree.get(id);
+/// Whether an element has no content and no attribute: nothing is lost without it.
+fn is_bare(cx: &DocumentCx<'_>, id: XId) -> bool {
+    let tree = &cx.expansion.tree;
+    tree.get(id).attrs.is_empty()
+        && tree.elements(id).next().is_none()
+        && Text::content(tree, id).is_none_or(|text| text.value.trim().is_empty())
+}
+
+/// Whether an element is meant as an `origin` that moves nothing: without it, all is the same.
+fn is_identity(cx: &DocumentCx<'_>, id: XId, meant: &str) -> bool {
     let is_zero = |name| {
         let text = Text::attr(&cx.expansion.tree, id, name);
         text.is_none_or(|text| text.numbers::<3>().is_some_and(|numbers| numbers == [0.0; 3]))
     };
-    node.text == "origin" && is_zero("xyz") && is_zero("rpy")
+    meant == "origin" && is_zero("xyz") && is_zero("rpy")
 }
 
 /// Where the name stands in the start tag and in the end tag, when the source spells it.

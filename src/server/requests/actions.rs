@@ -3,6 +3,7 @@
 //! Fixes are taken from the findings for the text as it is now, never from what a client sends along: a
 //! diagnostic may be older than the text, and its data may come from anywhere.
 
+use super::arguments::set_argument;
 use super::navigation::{about_files, asked};
 use super::refactorings::refactor_actions;
 use super::rename::{is_ours, workspace_edit};
@@ -176,6 +177,7 @@ fn quick_fixes(
     for (number, diagnostic) in asked_about_in(state, params, &report, path, source) {
         let Some(finding) = report.findings.get(number) else { continue };
         let (rule, range) = (finding.rule.name, finding.span.range);
+        found.extend(set_argument(state, params, path, finding, &diagnostic));
         let mut actions: Vec<(Action, bool)> = Vec::new();
         if let Some(fix) = &finding.fix {
             let (title, edits) = (fix.message.clone(), fix.edits.clone());
@@ -255,6 +257,10 @@ fn further_fixes(
     let mut actions = Vec::new();
     if finding.fix.is_none() {
         actions.extend(finding.help.as_deref().and_then(|help| ide::suggested(source, range, help)));
+    }
+    if finding.rule.name == "missing-macro-param" && finding.fix.is_none() {
+        let help = finding.help.as_deref();
+        actions.extend(help.and_then(|help| ide::missing_parameters(source, range, help)));
     }
     if finding.rule.name == "undefined-macro" {
         state.world.scan(|| cancel.is_cancelled());

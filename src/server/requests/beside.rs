@@ -4,11 +4,14 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::navigation::Asked;
+use crate::convert;
 use crate::failure::Failure;
 use crate::state::State;
 use analysis::{Analyzed, Beside, RootChoice};
 use base::CancelFlag;
-use ide::{self, BesideName, Cx};
+use ide::{self, BesideName, BesideSources, Completions, Cx};
+use lsp_types::TextDocumentPositionParams;
+use project::word_at;
 use vfs::SourceFile;
 
 /// The names of the robot in the files beside it.
@@ -66,4 +69,51 @@ pub fn asked_beside(
         return Ok(Some(Asked { source: source.clone(), analyzed, around, offset, beside, pinned: None }));
     }
     Ok(None)
+}
+
+/// What can be typed at a place of a YAML file beside robots.
+pub fn completions(
+    state: &mut State,
+    at: &TextDocumentPositionParams,
+    cancel: &CancelFlag,
+) -> Result<Option<(Arc<SourceFile>, Completions)>, Failure> {
+    let (path, source) = state.source(&at.text_document.uri)?;
+    let offset = convert::offset(&source.document, at.position, state.encoding);
+    let Ok(text) = state.world.session().vfs.text(&path) else { return Ok(None) };
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    if word_at(&name, &text.text, offset).is_none() {
+        return Ok(None);
+    }
+    let robots = robots_named(state, &path, cancel);
+    let mut beside: Vec<Beside> = Vec::new();
+    for robot in &robots {
+        let files = state.world.beside(&robot.root.file, cancel).ok_or(Failure::Cancelled)?;
+        beside.extend(files.into_iter().filter(|file| file.path != path));
+    }
+    let sources = BesideSources {
+        robots: robots.iter().filter_map(|known| Some((&known.expansion, known.robot.as_ref()?))).collect(),
+        srdfs: beside.iter().filter_map(|file| Some(file.srdf()?.1)).collect(),
+        settings: beside.iter().filter_map(Beside::settings).collect(),
+    };
+    let found = ide::completions_in_settings((&name, &text.text), offset, &sources);
+    Ok(found.map(|found| (source, found)))
+}
+
+/// The robots that an SRDF is for, or may be for; none for other files.
+pub fn robots_described(
+    state: &mut State,
+    path: &Path,
+    source: &SourceFile,
+    cancel: &CancelFlag,
+) -> Vec<Arc<Analyzed>> {
+    match rules::is_semantic_file(path, &source.document) {
+        true => robots_named(state, path, cancel),
+        false => Vec::new(),
+    }
+}
+
+/// The last expansions of the robots whose names may be used in a file beside robots.
+fn robots_named(state: &mut State, path: &Path, cancel: &CancelFlag) -> Vec<Arc<Analyzed>> {
+    let roots = state.world.robots_to_name(path);
+    roots.iter().flat_map(|root| state.world.while_typing(root, path, cancel).into_iter().next()).collect()
 }

@@ -22,6 +22,7 @@ pub(crate) const APPLY: &str = "xacro.applyEdit";
 const NAMES: &[&str] = &[
     "xacro.expand",
     "xacro.expandAt",
+    "xacro.explain",
     "xacro.preview",
     "xacro.restartAnalysis",
     "xacro.rewriteMesh",
@@ -52,6 +53,7 @@ pub fn command(
         "xacro.expandAt" => {
             expand_at(state, parsed(argument)?, cancel).map(|answer| serde_json::to_value(answer).ok())
         }
+        "xacro.explain" => explain(&parsed::<Explained>(argument)?.rule).map(Some),
         "xacro.rewriteMesh" => rewrite_mesh(state, &parsed(argument)?).map(|()| None),
         "xacro.selectInstance" => set_instance(state, parsed(argument)?, cancel).map(Some),
         "xacro.setArgs" => {
@@ -70,6 +72,19 @@ pub fn command(
         }
         other => Err(Failure::Invalid(format!("unknown command `{other}`"))),
     }
+}
+
+#[derive(serde::Deserialize)]
+struct Explained {
+    /// Name or code.
+    rule: String,
+}
+
+/// The page of a rule, in Markdown.
+fn explain(rule: &str) -> Result<Value, Failure> {
+    let known = rules::all().find(|known| known.name == rule || known.code == rule);
+    let known = known.ok_or_else(|| Failure::Invalid(rules::unknown_selector(rule)))?;
+    Ok(Value::String(known.docs.to_owned()))
 }
 
 fn parsed<T: serde::de::DeserializeOwned>(argument: Value) -> Result<T, Failure> {

@@ -11,12 +11,14 @@ use lsp_types::{
 };
 use serde::{Deserialize, Serialize};
 
+use super::beside::{self, robots_described};
+use super::configuration::{self, is_about_config};
 use super::formatting::indent;
 use super::launch::{self, is_about_launch};
 use crate::convert;
 use crate::failure::Failure;
 use crate::state::State;
-use analysis::{Analyzed, RootChoice};
+use analysis::{Analyzed, RootChoice, is_settings};
 use base::{CancelFlag, TextRange};
 use ide::{self, Completion, Completions, ItemKind, Scope, Signature, Sources, Topic};
 use vfs::SourceFile;
@@ -35,6 +37,8 @@ struct Kept {
     root: RootChoice,
     analyzed: Vec<Arc<Analyzed>>,
     roots: Vec<PathBuf>,
+    /// Of an SRDF: the robots that it is for.
+    described: Vec<Arc<Analyzed>>,
 }
 
 pub fn completion(
@@ -46,17 +50,26 @@ pub fn completion(
     if is_about_launch(state, &at) {
         return launch::completion(state, &at);
     }
+    if is_about_config(state, &at) {
+        return configuration::completion(state, &at, cancel);
+    }
+    if is_settings(&state.path(&at.text_document.uri)) {
+        let found = beside::completions(state, &at, cancel)?;
+        return Ok(found.map(|(source, found)| list(state, &source, &found, &at.text_document.uri)));
+    }
     let kept = kept(state, &at.text_document.uri, cancel)?;
     let document = &kept.source.document;
     let offset = convert::offset(document, at.position, state.encoding);
     let trigger = params.context.and_then(|context| context.trigger_character);
     let trigger = trigger.and_then(|text| text.chars().next());
     let found = scoped(state, &kept, |scope| ide::completions(scope, offset, trigger));
-    let item = |(place, item): (usize, &Completion)| {
-        completion_item(state, &kept, &found, place, item, &at.text_document.uri)
-    };
+    Ok(Some(list(state, &kept.source, &found, &at.text_document.uri)))
+}
+
+fn list(state: &State, source: &SourceFile, found: &Completions, uri: &Url) -> CompletionResponse {
+    let item = |(place, item): (usize, &Completion)| completion_item(state, source, found, place, item, uri);
     let items = found.items.iter().enumerate().map(item).collect();
-    Ok(Some(CompletionResponse::List(CompletionList { is_incomplete: found.more, items })))
+    CompletionResponse::List(CompletionList { is_incomplete: found.more, items })
 }
 
 /// The file with everything that names in it are taken from.
@@ -64,18 +77,27 @@ fn kept(state: &mut State, uri: &Url, cancel: &CancelFlag) -> Result<Kept, Failu
     let (path, source) = state.source(uri)?;
     let context = state.world.context(&path);
     let root = context.root.unwrap_or_else(|| RootChoice::plain(&path));
-    let analyzed = state.world.while_typing(&root, &path, cancel);
+    let mut analyzed = state.world.while_typing(&root, &path, cancel);
     if cancel.is_cancelled() {
         return Err(Failure::Cancelled);
     }
     let mut roots: Vec<PathBuf> = context.candidates.into_iter().map(|(root, _)| root.file).collect();
     roots.dedup();
-    Ok(Kept { source, root, analyzed, roots })
+    let described = robots_described(state, &path, &source, cancel);
+    if !described.is_empty() {
+        // its groups are given in the text that is edited
+        let own = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+        analyzed.retain(|known| !Arc::ptr_eq(known, &own));
+        analyzed.insert(0, own);
+    }
+    Ok(Kept { source, root, analyzed, roots, described })
 }
 
 fn scoped<T>(state: &State, kept: &Kept, work: impl FnOnce(&Scope<'_>) -> T) -> T {
     let expansions: Vec<_> =
         kept.analyzed.iter().map(|known| (&known.expansion, known.robot.as_ref())).collect();
+    let described: Vec<_> =
+        kept.described.iter().filter_map(|known| Some((&known.expansion, known.robot.as_ref()?))).collect();
     let session = state.world.session();
     work(&Scope::new(Sources {
         source: &kept.source,
@@ -85,12 +107,13 @@ fn scoped<T>(state: &State, kept: &Kept, work: impl FnOnce(&Scope<'_>) -> T) -> 
         packages: &session.packages,
         folders: state.world.folders(),
         roots: &kept.roots,
+        described: &described,
     }))
 }
 
 fn completion_item(
     state: &State,
-    kept: &Kept,
+    source: &SourceFile,
     all: &Completions,
     place: usize,
     item: &Completion,
@@ -98,7 +121,7 @@ fn completion_item(
 ) -> CompletionItem {
     let snippet = item.snippet.as_ref().filter(|_| state.client.snippets && state.snippets);
     let text = snippet.unwrap_or(&item.text).clone();
-    let range = |range: TextRange| convert::range(&kept.source.document, range, state.encoding);
+    let range = |range: TextRange| convert::range(&source.document, range, state.encoding);
     let edit = match state.client.insert_replace {
         true => CompletionTextEdit::InsertAndReplace(InsertReplaceEdit {
             new_text: text,
@@ -200,6 +223,7 @@ fn kind(kind: ItemKind) -> CompletionItemKind {
         ItemKind::Choice => CompletionItemKind::ENUM_MEMBER,
         ItemKind::Link => CompletionItemKind::CLASS,
         ItemKind::Joint => CompletionItemKind::EVENT,
+        ItemKind::Group | ItemKind::Controller => CompletionItemKind::INTERFACE,
         ItemKind::Color => CompletionItemKind::COLOR,
         ItemKind::Property | ItemKind::Constant => CompletionItemKind::CONSTANT,
         ItemKind::Parameter | ItemKind::Argument => CompletionItemKind::VARIABLE,

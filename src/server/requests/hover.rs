@@ -1,5 +1,6 @@
 //! F4: what is shown under the pointer.
 
+use super::configuration::{self, is_about_config};
 use super::launch::{is_about_launch, launched};
 use super::navigation::asked_for_name;
 use lsp_types::{HoverContents, HoverParams, TextDocumentPositionParams};
@@ -25,6 +26,9 @@ pub fn hover(
             let hover = hover_at(state, &found.asked, found.asked.offset)?;
             Some(hover_answer(state, &found.source, Hover { range: found.range, ..hover }))
         }));
+    }
+    if is_about_config(state, at) {
+        return configuration::hover(state, at);
     }
     if let Some(found) = hover_while_typing(state, &params.text_document_position_params)? {
         return Ok(Some(found));
@@ -64,7 +68,8 @@ fn hover_answer(state: &State, source: &SourceFile, hover: Hover) -> lsp_types::
 pub fn hover_at(state: &State, asked: &Asked, offset: u32) -> Option<Hover> {
     let session = state.world.session();
     let settings = session.settings(&asked.source.path);
-    let hover = ide::hover(&asked.cx(), session.surroundings(&settings.config), offset)?;
+    let around = session.surroundings(&settings.config);
+    let hover = ide::hover(&asked.cx(), around, || asked.names(state), offset)?;
     Some(with_launch_values(state, asked, offset, hover))
 }
 

@@ -16,7 +16,6 @@ use crate::convert;
 use crate::failure::Failure;
 use crate::state::State;
 use base::{CancelFlag, TextRange};
-use expand::{Expansion, SymbolKind};
 
 /// The macro whose calls a lens counts.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -51,7 +50,7 @@ pub fn lenses(
         && let Some(root) = document.root().filter(|_| asked.analyzed.robot.is_some())
     {
         let range = convert::range(document, root.name_range(), state.encoding);
-        found.extend(root_lenses(state, &text_document, &declared(&asked.analyzed.expansion), range));
+        found.extend(root_lenses(state, &text_document, &asked.analyzed.declared_arguments(), range));
     }
     if !state.client.own.lens_commands {
         return Ok(Some(found));
@@ -85,18 +84,6 @@ fn root_lenses(
         found.push(lens(range, &format!("{name}:={} ▾", shown(value)), "xacro.setArgs", here.clone()));
     }
     found
-}
-
-/// The arguments of a robot with their values, in the order in which they are declared.
-fn declared(expansion: &Expansion) -> Vec<(&str, &str)> {
-    let definitions = expansion.symbols.definitions.iter();
-    let names =
-        definitions.filter(|given| given.kind == SymbolKind::Argument).map(|given| given.name.as_str());
-    let order: Vec<&str> = names.collect();
-    let arguments = expansion.arguments.iter().map(|(name, value)| (name.as_str(), value.as_str()));
-    let mut arguments: Vec<(&str, &str)> = arguments.collect();
-    arguments.sort_by_key(|(name, _)| order.iter().position(|known| known == name).unwrap_or(usize::MAX));
-    arguments
 }
 
 /// The value of an argument as a lens has room for it: of a path, the end.

@@ -24,7 +24,7 @@ pub fn links(
         Some(DocumentLink {
             range: convert::range(&asked.source.document, range, state.encoding),
             target: Some(state.uri(&path)?),
-            tooltip: Some(path.to_string_lossy().into_owned()),
+            tooltip: Some(vfs::slashed(&path)),
             data: None,
         })
     };

@@ -1,12 +1,14 @@
 //! What a client asks, one file for each kind of request: functions of the state and the parameters.
 
 pub(crate) mod actions;
+mod arguments;
 mod beside;
 mod branches;
 pub(crate) mod calls;
 pub(crate) mod colors;
 pub(crate) mod commands;
 pub(crate) mod completion;
+mod configuration;
 pub(crate) mod expand_at;
 pub(crate) mod expansion;
 pub(crate) mod formatting;

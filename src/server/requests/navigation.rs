@@ -3,6 +3,7 @@
 use super::beside::{asked_beside, names_beside};
 use super::branches::inside;
 use super::launch::{is_about_launch, launched};
+use super::of_description::is_not_described;
 use crate::convert::location;
 use std::sync::Arc;
 
@@ -14,7 +15,7 @@ use lsp_types::{
 use crate::convert;
 use crate::failure::Failure;
 use crate::state::State;
-use analysis::{Analyzed, RootChoice, is_launch, is_settings};
+use analysis::{Analyzed, RootChoice};
 use base::{CancelFlag, Span, TextRange};
 use expand::FrameId;
 use ide::{self, BesideName, Cx, FilePlace, Target, TextNames};
@@ -78,8 +79,8 @@ pub fn asked(
     Ok(Asked { source, analyzed, around, offset, beside: Vec::new(), pinned })
 }
 
-/// The same with the names in files beside the robot, for who asks what a name is; also in such a file. None in YAML and launch
-/// files at what is no name of a robot.
+/// The same with the names in files beside the robot, for who asks what a name is; also in such a file. None in files that
+/// describe no robot, at what is no name of one.
 pub fn asked_for_name(
     state: &mut State,
     at: &TextDocumentPositionParams,
@@ -88,7 +89,7 @@ pub fn asked_for_name(
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
     let found = asked_beside(state, (&path, &source), offset, cancel)?;
-    if found.is_some() || is_settings(&path) || is_launch(&path) {
+    if found.is_some() || is_not_described(&path) {
         return Ok(found);
     }
     let asked = asked(state, at, cancel)?;

@@ -1,9 +1,11 @@
-//! Requests about descriptions. In YAML and launch files, which other servers know better, names of the robot are answered for
-//! and nothing else.
+//! Requests about descriptions. In YAML, launch and configuration files, which other servers know better, names of the robot
+//! are answered for and nothing else.
+
+use std::path::Path;
 
 use crate::failure::Failure;
 use crate::state::State;
-use analysis::{is_launch, is_settings};
+use analysis::{is_config, is_launch, is_settings};
 use base::CancelFlag;
 use lsp_types::*;
 
@@ -28,6 +30,8 @@ macro_rules! of_document {
 
 of_document! {
     SignatureHelpParams: text_document_position_params.text_document.uri;
+    GotoDefinitionParams: text_document_position_params.text_document.uri;
+    CallHierarchyPrepareParams: text_document_position_params.text_document.uri;
     CodeActionParams: text_document.uri;
     DocumentFormattingParams: text_document.uri;
     DocumentRangeFormattingParams: text_document.uri;
@@ -45,14 +49,19 @@ of_document! {
     CodeLensParams: text_document.uri;
 }
 
-/// Answer a request, unless it is about YAML or a launch file.
+/// Whether a file is none whose text describes a robot.
+pub fn is_not_described(path: &Path) -> bool {
+    is_settings(path) || is_launch(path) || is_config(path)
+}
+
+/// Answer a request, unless it is about YAML, a launch file or a configuration.
 pub fn of_description<P: OfDocument, R: Default>(
     state: &mut State,
     (params, work): (P, Work<P, R>),
     cancel: &CancelFlag,
 ) -> Result<R, Failure> {
     let path = state.path(params.uri());
-    match is_settings(&path) || is_launch(&path) {
+    match is_not_described(&path) {
         true => Ok(R::default()),
         false => work(state, params, cancel),
     }

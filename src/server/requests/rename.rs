@@ -148,7 +148,7 @@ fn admit_edit(state: &State, path: &Path) -> Result<(), Failure> {
     if is_ours(state, path) {
         return Ok(());
     }
-    let shown = path.display();
+    let shown = vfs::slashed(path);
     if state.world.session().is_installed(path) || path.iter().any(is_built) {
         return Err(Failure::Refused(format!("`{shown}` is in an install folder and is not changed")));
     }

@@ -34,8 +34,8 @@ pub struct Caller {
     endings: Vec<String>,
     /// Whether whoever calls it names the description.
     is_open: bool,
-    /// The xacro that it is for.
-    era: Era,
+    /// The xacro that it runs.
+    era: Option<Era>,
     /// Whether it starts a simulator, a planner or controllers.
     simulates: bool,
     /// Whether it loads files into Bullet.
@@ -51,6 +51,8 @@ pub struct Caller {
 /// The xacro that a launch file is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Era {
+    /// It runs `xacro.py` without `--inorder`: macros and properties were read before what uses them.
+    Unordered,
     /// It runs `xacro.py`, which there is no more since ROS Noetic: tags without their prefix were taken.
     Old,
     /// It says `--inorder`, as nobody has to since ROS Melodic, where xacro took such tags and warned of them.
@@ -209,8 +211,11 @@ impl Callers {
     /// The xacro that the launch files are for that load the description `file`: the latest of them.
     pub fn era(&self, file: &Path, packages: &Packages) -> Era {
         let all = self.of(file, packages);
-        let launches = all.iter().filter(|caller| caller.is_launch() && caller.says(file));
-        launches.map(|caller| caller.era).max().unwrap_or(Era::Any)
+        let era = |caller: &Caller| if caller.is_launch() { caller.era } else { None };
+        let own = all.iter().filter(|caller| caller.says(file)).filter_map(era).max();
+        // a file that no launch file names is for the xacro that those around it run
+        let around = || self.around(file, packages)?.callers.iter().filter_map(era).max();
+        own.or_else(around).unwrap_or(Era::Any)
     }
 
     /// Whether programs load the description `file` into Bullet, and no launch file does. Where no program names a description
@@ -233,6 +238,14 @@ impl Callers {
     /// Whether a launch file may mean the description `file`.
     pub fn launch(&self, file: &Path, packages: &Packages) -> bool {
         self.of(file, packages).iter().any(Caller::is_launch)
+    }
+
+    /// Whether a launch file around `file` loads a description that is there.
+    pub fn launch_any(&self, file: &Path, packages: &Packages) -> bool {
+        self.around(file, packages).is_some_and(|all| {
+            let launches = all.callers.iter().filter(|caller| caller.is_launch());
+            launches.flat_map(|caller| caller.descriptions.keys()).any(|name| all.files.contains_key(name))
+        })
     }
 
     /// The names of the descriptions in the package of `file` that launch files load instead: none where the file itself

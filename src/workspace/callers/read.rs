@@ -8,11 +8,16 @@ use crate::launch;
 use base::FastMap;
 
 /// The xacro that a text is for.
-fn era(text: &str) -> Era {
-    match (text.contains("xacro.py "), text.contains("--inorder")) {
-        (true, _) => Era::Old,
-        (false, true) => Era::Melodic,
-        (false, false) => Era::Any,
+fn era(text: &str) -> Option<Era> {
+    match (text.contains("xacro.py"), text.contains("--inorder")) {
+        (true, false) => Some(Era::Unordered),
+        (true, true) => Some(Era::Old),
+        (false, true) => Some(Era::Melodic),
+        // the name of a file does not run it
+        (false, false) => {
+            let mut names = text.match_indices("xacro").map(|(at, _)| text.get(..at).unwrap_or(""));
+            names.any(|before| !before.ends_with('.')).then_some(Era::Any)
+        }
     }
 }
 
@@ -236,8 +241,16 @@ fn is_name(c: char) -> bool {
     c.is_alphanumeric() || matches!(c, '_' | '-' | '.')
 }
 
+/// The end of a text, where what a name belongs to begins: a file may hold thousands of names in one line.
+fn end_of(lead: &str) -> &str {
+    const MOST: usize = 10_000;
+    let start = lead.len().saturating_sub(MOST);
+    lead.get(lead.ceil_char_boundary(start)..).unwrap_or("")
+}
+
 /// Whether a name behind this text stands in an `install(...)` of CMake.
 fn is_installed(name: &str, lead: &str) -> bool {
+    let lead = end_of(lead);
     let command = lead.rfind('(').map_or("", |at| last_word(lead.get(..at).unwrap_or("")));
     let is_cmake = name == "CMakeLists.txt" || name.ends_with(".cmake");
     is_cmake && (command.eq_ignore_ascii_case("install") || command.eq_ignore_ascii_case("configure_file"))
@@ -245,11 +258,12 @@ fn is_installed(name: &str, lead: &str) -> bool {
 
 /// Whether a name behind this text is part of a drawn tree of folders.
 fn is_listed(lead: &str) -> bool {
-    lead.rsplit('\n').next().unwrap_or("").contains(['├', '└', '│'])
+    end_of(lead).rsplit('\n').next().unwrap_or("").contains(['├', '└', '│'])
 }
 
 /// Whether a name behind this text is that of an include.
 fn is_included(lead: &str) -> bool {
+    let lead = end_of(lead);
     let tag = lead.rfind('<').and_then(|at| lead.get(at..)).unwrap_or("");
     tag.starts_with("<xacro:include") || tag.starts_with("<include") && tag.contains("filename")
 }

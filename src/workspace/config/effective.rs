@@ -136,7 +136,7 @@ fn object(fields: impl Iterator<Item = (String, Value)>) -> Value {
 }
 
 fn shown(path: &Path) -> Value {
-    json!(path.to_string_lossy())
+    json!(vfs::slashed(path))
 }
 
 fn root(root: &Root) -> Value {

@@ -171,7 +171,7 @@ fn load_over(
                 None,
             );
         } else if let Err(error) = load_over(vfs, &base, home, chain, loaded) {
-            let message = format!("cannot read `{}`: {}", error.path.display(), error.reason());
+            let message = format!("cannot read `{}`: {}", vfs::slashed(&error.path), error.reason());
             applier.warn(entry.value.range, message, None);
         }
     }

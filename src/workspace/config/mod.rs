@@ -10,11 +10,13 @@ mod expect;
 mod keys;
 mod load;
 mod pattern;
+mod place;
 mod roots;
 mod schema;
 #[cfg(test)]
 mod tests;
 mod value;
+mod wanted;
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -25,8 +27,10 @@ pub use expect::{Expectation, ExpectedJoint};
 pub use keys::CONSUMERS;
 pub use load::{CONFIG_NAMES, Loaded, argument_places, find_config, unknown_settings};
 pub use pattern::Pattern;
+pub use place::{ConfigPlace, PlaceKind, is_bare, place_at};
 pub use roots::{Args, Axes, Root, Variant, files_named};
 pub use schema::schema;
+pub use wanted::{Wanted, doc, wanted};
 
 use super::packages::Target;
 use base::{TextRange, limits};
@@ -243,7 +247,7 @@ impl fmt::Display for ConfigWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Place { path, line, column, .. } = &self.place;
         if !path.as_os_str().is_empty() {
-            write!(f, "{}:{line}:{column}: ", path.display())?;
+            write!(f, "{}:{line}:{column}: ", vfs::slashed(path))?;
         }
         f.write_str(&self.message)?;
         match &self.nearest {

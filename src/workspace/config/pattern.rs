@@ -5,6 +5,7 @@ use std::path::{Component, Path, PathBuf};
 
 use super::super::root::is_built;
 use base::limits::{GLOB_ALTERNATIVES, GLOB_FOLDERS};
+use base::paths::HERE;
 use vfs::{Vfs, Wildcard, covers, has_magic};
 
 /// A glob: `*`, `?`, `[...]` inside a name, `**` for any number of folders, `{a,b}` for alternatives. One
@@ -50,11 +51,13 @@ impl Pattern {
                 break;
             }
         }
+        let root = HERE.root(rest);
+        if !root.is_empty() {
+            folder = PathBuf::from(root);
+            rest = rest.get(root.len()..).unwrap_or("");
+        }
         // `./a` is the one in the folder, `a` is any below it
         let is_anchored = rest.len() < text.len();
-        if rest.starts_with('/') {
-            folder = PathBuf::from("/");
-        }
         let mut alternatives = Vec::new();
         expand_braces(rest, &mut alternatives);
         let alternatives = alternatives.iter().map(|text| segments(text, is_anchored)).collect();
@@ -107,6 +110,18 @@ impl Pattern {
         found
     }
 
+    /// The files that match, found by listing only the folders that may lead to one; none when more than `most` would have to be
+    /// listed.
+    pub fn reached(&self, vfs: &Vfs, most: usize) -> Vec<PathBuf> {
+        let (mut found, mut left) = (Vec::new(), most);
+        for segments in &self.alternatives {
+            reach(vfs, &self.folder, segments, &mut left, &mut found);
+        }
+        found.sort();
+        found.dedup();
+        if left == 0 { Vec::new() } else { found }
+    }
+
     /// The names on the way from the folder to `path`; none when it lies elsewhere.
     fn names<'p>(&self, path: &'p Path) -> Vec<Cow<'p, str>> {
         let Ok(relative) = path.strip_prefix(&self.folder) else { return Vec::new() };
@@ -119,6 +134,41 @@ impl Pattern {
 
     fn covers(&self, names: &[Cow<'_, str>]) -> bool {
         self.alternatives.iter().any(|segments| covers_all(segments, names))
+    }
+}
+
+/// Add the files below a folder that segments lead to, while folders may still be listed.
+fn reach(vfs: &Vfs, folder: &Path, segments: &[Segment], left: &mut usize, found: &mut Vec<PathBuf>) {
+    let Some((first, rest)) = segments.split_first() else { return };
+    let literal = match first {
+        Segment::Name(name) => name.literal(),
+        Segment::AnyDepth => None,
+    };
+    if let Some(name) = literal {
+        let path = folder.join(name);
+        match rest.is_empty() {
+            true => found.extend(vfs.is_file(&path).then_some(path)),
+            false => reach(vfs, &path, rest, left, found),
+        }
+        return;
+    }
+    if first.is_any_depth() {
+        reach(vfs, folder, rest, left, found);
+    }
+    if *left == 0 {
+        return;
+    }
+    *left -= 1;
+    for entry in vfs.list_dir(folder).iter() {
+        let skipped = entry.name.starts_with('.') || is_built(&entry.name);
+        let path = folder.join(&entry.name);
+        match entry.is_dir {
+            _ if skipped || !first.takes(&entry.name) => {}
+            true if is_link(vfs, &path) => {}
+            true => reach(vfs, &path, if first.is_any_depth() { segments } else { rest }, left, found),
+            false if rest.is_empty() => found.push(path),
+            false => {}
+        }
     }
 }
 
@@ -252,5 +302,26 @@ mod tests {
         }
         let found = Pattern::new("**/*.xacro", tree.root()).files(tree.vfs());
         assert_eq!(found, [tree.path("a.xacro"), tree.path("sub/b.xacro")]);
+    }
+
+    #[test]
+    fn only_folders_that_may_lead_to_a_match_are_listed() {
+        let tree = Tree::new();
+        for file in [
+            "arm/g6/urdf/a.xacro",
+            "arm/g7/urdf/a.xacro",
+            "arm/g7/b.xacro",
+            "arm/build/urdf/a.xacro",
+            "leg/urdf/a.xacro",
+        ] {
+            tree.write(file, "");
+        }
+        let reached = |pattern: &str, most| Pattern::new(pattern, tree.root()).reached(tree.vfs(), most);
+        let both = [tree.path("arm/g6/urdf/a.xacro"), tree.path("arm/g7/urdf/a.xacro")];
+        assert_eq!(reached("./arm/*/urdf/a.xacro", 10), both);
+        assert_eq!(reached("./arm/**/urdf/*.xacro", 20), both);
+        assert_eq!(reached("./arm/g7/*.xacro", 2), [tree.path("arm/g7/b.xacro")]);
+        // more than one folder would have to be listed
+        assert_eq!(reached("./arm/*/*/a.xacro", 2), Vec::<std::path::PathBuf>::new());
     }
 }

@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use super::commands::{Argument, Command, commands};
-use super::{Build, Source, tidy};
+use super::{Build, Source, stem, tidy};
 use base::FastMap;
 use base::limits::{BUILD_BYTES, BUILD_DEPTH, GLOB_ENTRIES};
 use vfs::Vfs;
@@ -179,6 +179,7 @@ impl Reader<'_> {
         if self.left == 0 {
             return;
         }
+        self.names(command);
         let words = self.words(&command.arguments);
         match command.name.as_str() {
             "project" => self.project(&words),
@@ -212,6 +213,15 @@ impl Reader<'_> {
             name if name.contains("install") && !name.contains("python") => self.build.is_opaque = true,
             _ => {}
         }
+    }
+
+    /// Remember the files that a command names which may make them: it installs and tests nothing.
+    fn names(&mut self, command: &Command) {
+        if ["install", "configure_file", "test"].iter().any(|word| command.name.contains(word)) {
+            return;
+        }
+        let files = command.arguments.iter().map(|argument| argument.text.rsplit('/').next().unwrap_or(""));
+        self.build.named.extend(files.filter_map(stem));
     }
 
     fn project(&mut self, words: &[Word]) {
@@ -431,5 +441,5 @@ fn in_tree(folder: &Path, path: &str) -> PathBuf {
 }
 
 fn text(path: &Path) -> String {
-    path.to_string_lossy().into_owned()
+    vfs::slashed(path)
 }

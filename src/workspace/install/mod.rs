@@ -13,6 +13,7 @@ use self::cmake::CMAKE_LISTS;
 use self::setup_py::SETUP_PY;
 use super::manifest::{MANIFEST, is_package_name, name_in};
 use super::packages::Packages;
+use base::FastSet;
 use base::limits::GLOB_ENTRIES;
 use vfs::Vfs;
 use vfs::without_parents;
@@ -42,6 +43,8 @@ pub struct Build {
     pub files: Vec<PathBuf>,
     /// Whether it installs something by rules that could not be worked out.
     pub is_opaque: bool,
+    /// The stems of the files that it names outside of rules of installation: it may download or generate them.
+    pub(crate) named: FastSet<String>,
     /// Places of the installed package (`share/...`), of the folder of the build and of the sources, each with what
     /// is put there.
     rules: Vec<(PathBuf, Source)>,
@@ -58,6 +61,11 @@ enum Source {
     Template(PathBuf),
 }
 
+/// The name of a file up to its first dot; none without one.
+fn stem(name: &str) -> Option<String> {
+    name.split_once('.').map(|(stem, _)| stem.to_owned()).filter(|stem| !stem.is_empty())
+}
+
 impl Packages {
     /// What stands for a path that does not exist, below the folder of a package, once that package is built: a
     /// template beside it, or the file or folder that is installed there.
@@ -71,6 +79,13 @@ impl Packages {
         let build = self.build(&folder);
         let share = Path::new("share").join(name).join(missing.strip_prefix(&folder).ok()?);
         build.find(&self.vfs, &share, 0).or_else(|| build.find(&self.vfs, &missing, 0))
+    }
+
+    /// Whether the build of its package names a file that does not exist, or one of the same stem: it may download it, or
+    /// generate it from the other.
+    pub fn may_be_made(&self, missing: &Path) -> bool {
+        let stem = missing.file_name().and_then(|name| stem(&name.to_string_lossy()));
+        stem.is_some_and(|stem| self.build_around(missing).is_some_and(|build| build.named.contains(&stem)))
     }
 
     /// The path to open for `path`: itself where it exists, else what the build puts there, else itself.

@@ -213,7 +213,7 @@ impl Word {
             Bit::Text(text, _) => Some(text.clone()),
             Bit::Share(name) => {
                 let found = packages.find(name, from).ok()?;
-                Some(found.path.to_string_lossy().into_owned())
+                Some(vfs::slashed(&found.path))
             }
             Bit::Opaque(_) => None,
         };

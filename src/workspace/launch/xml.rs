@@ -21,7 +21,7 @@ pub(super) fn read(path: &Path, text: &str) -> LaunchFile {
     // only ROS 1 has these
     let old = ["$(find ", "$(arg ", "<rosparam"];
     file.shares = !old.iter().any(|word| text.contains(word)) || text.contains("$(var ");
-    let folder = path.parent().unwrap_or(path).to_string_lossy().into_owned();
+    let folder = vfs::slashed(path.parent().unwrap_or(path));
     let mut reader = Reader { file, folder, assumed: Vec::new() };
     reader.children(document.root_element(), 0);
     reader.file

@@ -7,6 +7,8 @@ use xacro_lsp::vfs::Vfs;
 use xacro_lsp::workspace::config::Config;
 use xacro_lsp::yaml::{self, Kind, Node};
 
+use super::launch_requests::config_places;
+
 /// A value with places in the text, or one error.
 pub fn yaml(data: &[u8]) {
     let text = xacro_lsp::vfs::text_of(data.to_vec());
@@ -66,6 +68,7 @@ pub fn configuration(data: &[u8]) {
         assert!(!warning.message.contains('\n'), "{warning:?} of {text:?}");
     }
     loaded.config.settings();
+    config_places(&text);
     for root in &loaded.config.roots {
         assert!(root.variants(&Vec::new()).len() <= xacro_lsp::base::limits::MATRIX_RUNS);
     }

@@ -6,6 +6,7 @@
 mod data;
 mod expressions;
 mod launch_files;
+mod launch_requests;
 mod messages;
 mod robots;
 mod texts;
@@ -13,6 +14,7 @@ mod texts;
 pub use data::{configuration, mesh, yaml};
 pub use expressions::{expression, outcome};
 pub use launch_files::launch;
+pub use launch_requests::launch_requests;
 pub use messages::messages;
 pub use robots::{expander, fixes};
 pub use texts::{edits, formatter, xml};
@@ -41,6 +43,12 @@ pub const TARGETS: &[Target] = &[
     Target { name: "mesh", run: mesh, seeds: &["stl", "meshes"], has_choice: true },
     Target { name: "configuration", run: configuration, seeds: &["toml"], has_choice: false },
     Target { name: "launch", run: launch, seeds: &["launch"], has_choice: true },
+    Target {
+        name: "launch_requests",
+        run: launch_requests,
+        seeds: &["launch", "launch-of-a-package"],
+        has_choice: true,
+    },
     Target { name: "messages", run: messages, seeds: &["messages"], has_choice: false },
 ];
 

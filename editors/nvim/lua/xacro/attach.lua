@@ -3,14 +3,32 @@ local config = require('xacro.config')
 
 local M = {}
 
+--- Neovim lets the server format `gq`, which it does for descriptions alone.
+---@param client vim.lsp.Client
+---@param bufnr integer
+local function keep_gq(client, bufnr)
+  for _, other in ipairs(vim.lsp.get_clients({ bufnr = bufnr, method = 'textDocument/rangeFormatting' })) do
+    if other.id ~= client.id then
+      return
+    end
+  end
+  if vim.bo[bufnr].formatexpr:find('vim.lsp.formatexpr', 1, true) then
+    vim.bo[bufnr].formatexpr = ''
+  end
+end
+
 ---@param client vim.lsp.Client
 ---@param bufnr integer
 local function attached(client, bufnr)
   require('xacro.companions').attached()
-  if vim.bo[bufnr].filetype == 'yaml' then
+  local wanted = config.get()
+  if not vim.tbl_contains(require('xacro.start').filetypes, vim.bo[bufnr].filetype) then
+    keep_gq(client, bufnr)
+    if wanted.completion and vim.lsp.completion and vim.bo[bufnr].filetype ~= 'yaml' then
+      vim.lsp.completion.enable(true, client.id, bufnr, { autotrigger = true })
+    end
     return
   end
-  local wanted = config.get()
   if wanted.inlay_hints then
     vim.lsp.inlay_hint.enable(true, { bufnr = bufnr })
   end
@@ -33,6 +51,7 @@ local function attached(client, bufnr)
     require('xacro.links').enable(bufnr)
   end
   require('xacro.status').ask(bufnr)
+  require('xacro.picks').apply(bufnr)
 end
 
 function M.watch()

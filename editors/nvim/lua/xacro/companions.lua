@@ -1,5 +1,5 @@
---- Files that robots are made from besides xacro: YAML, package.xml, xacro-lint.toml. The server has to know their
---- unsaved text and what is written to the disk. Those it gives features in, such as the parameters of controllers, are
+--- Files that robots are made from besides xacro: YAML, package.xml, xacro-lint.toml, launch files. The server has to know
+--- their unsaved text and what is written to the disk. Those it gives features in, such as the parameters of controllers, are
 --- attached; the others are told of here.
 local start = require('xacro.start')
 
@@ -18,7 +18,7 @@ local function is_companion(bufnr)
   local name = vim.api.nvim_buf_get_name(bufnr)
   return vim.bo[bufnr].buftype == ''
     and vim.api.nvim_buf_is_loaded(bufnr)
-    and (names[vim.fs.basename(name)] or name:lower():match('%.ya?ml$') ~= nil)
+    and (names[vim.fs.basename(name)] or name:lower():match('%.ya?ml$') ~= nil or start.is_launch(name))
 end
 
 ---@param method string

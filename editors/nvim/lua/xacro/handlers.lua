@@ -9,6 +9,7 @@ function M.of_server()
       require('xacro.hints').again(vim.uri_to_bufnr(params.textDocument.uri))
       require('xacro.expand').refresh()
       require('xacro.tree').refresh()
+      require('xacro.picks').apply(vim.uri_to_bufnr(params.textDocument.uri))
     end,
     ['window/showDocument'] = M.show_document,
     ['workspace/inlayHint/refresh'] = require('xacro.hints').refresh,
@@ -66,9 +67,14 @@ function M.of_lenses()
     ['xacro.selectRoot'] = function()
       require('xacro.roots').root()
     end,
-    ['xacro.setArgs'] = function(_, context)
+    ['xacro.setArgs'] = function(command, context)
+      local given = (command.arguments or {})[1] or {}
       within(context.bufnr, function()
-        require('xacro.roots').args({})
+        if given.name then
+          require('xacro.roots').argument(given.name, given.values)
+        else
+          require('xacro.roots').args({})
+        end
       end)
     end,
     ['xacro.tree'] = function()

@@ -1,5 +1,6 @@
 --- `:XacroRoot`, `:XacroArgs` and `:XacroInstance`: under which robot a file is shown.
 local status = require('xacro.status')
+local picks = require('xacro.picks')
 local talk = require('xacro.client')
 
 local M = {}
@@ -10,14 +11,39 @@ local function ask(bufnr, on_answer)
   talk.ask(bufnr, 'xacro/roots', { textDocument = talk.document(bufnr) }, on_answer)
 end
 
+--- The server's own buffers, but for the one that is asked about.
+---@param client vim.lsp.Client
+---@param bufnr integer
+---@return integer[]
+local function others(client, bufnr)
+  return vim.tbl_filter(function(other)
+    return other ~= bufnr and vim.lsp.buf_is_attached(other, client.id) and vim.bo[other].filetype == 'xacro'
+  end, vim.api.nvim_list_bufs())
+end
+
+--- Show a file and all others that the robot reaches under it, and remember that; none: automatically.
 ---@param bufnr integer
 ---@param root table|nil
 local function set(bufnr, root)
-  local params = { root = root or vim.NIL, textDocument = talk.document(bufnr) }
-  talk.ask(bufnr, 'xacro/setRoot', params, function()
-    status.ask(bufnr, function(text)
-      talk.say('root: ' .. text)
+  ask(bufnr, function(roots, client)
+    local previous = roots.active
+    picks.keep(client, root, previous)
+    local params = { root = root or vim.NIL, textDocument = talk.document(bufnr) }
+    talk.ask(bufnr, 'xacro/setRoot', params, function()
+      status.ask(bufnr, function(text)
+        talk.say('root: ' .. text)
+      end)
     end)
+    for _, other in ipairs(others(client, bufnr)) do
+      local document = talk.document(other)
+      talk.ask(other, 'xacro/roots', { textDocument = document }, function(known)
+        local is_shown = known.active and previous and known.active.uri == previous.uri
+        if root and picks.reaches(known, root.uri) or not root and is_shown then
+          local given = { root = root or vim.NIL, textDocument = document }
+          talk.ask(other, 'xacro/setRoot', given, function() end, true)
+        end
+      end, true)
+    end
   end)
 end
 
@@ -80,46 +106,120 @@ local function set_args(bufnr, root, changes)
   set(bufnr, { uri = root.uri, preset = root.preset, args = next(args) and args or nil })
 end
 
+--- The presets of the active root file, the default one first.
+---@param roots table
+---@return table[]
+local function presets(roots)
+  local own = vim.tbl_filter(function(candidate)
+    return candidate.uri == roots.active.uri
+  end, roots.candidates)
+  table.sort(own, function(a, b)
+    return (a.preset or '') < (b.preset or '')
+  end)
+  return #own > 1 and own or {}
+end
+
+---@param bufnr integer
+---@param root table the active root
+---@param arg table
+---@param values? string[] that are known to be good ones
+local function ask_value(bufnr, root, arg, values)
+  local function typed()
+    vim.ui.input({ prompt = arg.name .. ' := ', default = arg.value }, function(value)
+      if value then
+        set_args(bufnr, root, { [arg.name] = value })
+      end
+    end)
+  end
+  if not values or #values == 0 then
+    return typed()
+  end
+  local other = 'another value ...'
+  vim.ui.select(vim.list_extend(vim.list_slice(values), { other }), { prompt = arg.name }, function(value)
+    if value == other then
+      typed()
+    elseif value then
+      set_args(bufnr, root, { [arg.name] = value })
+    end
+  end)
+end
+
 ---@param bufnr integer
 ---@param roots table
 local function pick_arg(bufnr, roots)
   local given = roots.active.args or {}
-  vim.ui.select(roots.args, {
+  local items = vim.list_extend(vim.list_slice(roots.args), presets(roots))
+  vim.ui.select(items, {
     prompt = 'Argument of ' .. shown({ uri = roots.active.uri }),
-    format_item = function(arg)
-      local mark = given[arg.name] and '● ' or '  '
-      return ('%s%s := %s'):format(mark, arg.name, arg.value)
-    end,
-  }, function(arg)
-    if not arg then
-      return
-    end
-    vim.ui.input({ prompt = arg.name .. ' := ', default = arg.value }, function(value)
-      if value then
-        set_args(bufnr, roots.active, { [arg.name] = value })
+    format_item = function(item)
+      if item.uri then
+        return ('%spreset %s'):format(same(item, roots.active) and '● ' or '  ', item.preset or 'default')
       end
-    end)
+      return ('%s%s := %s'):format(given[item.name] and '● ' or '  ', item.name, item.value)
+    end,
+  }, function(item)
+    if item and item.uri then
+      set(bufnr, { uri = item.uri, args = item.args, preset = item.preset })
+    elseif item then
+      ask_value(bufnr, roots.active, item)
+    end
   end)
 end
 
---- Run the robot with other arguments: `name:=value`, or one that is picked. `reset` takes all back.
+--- Ask for the value of one argument.
+---@param name string
+---@param values? string[] that are known to be good ones
+function M.argument(name, values)
+  local bufnr = vim.api.nvim_get_current_buf()
+  ask(bufnr, function(roots)
+    if not roots.active then
+      return talk.say(roots.reason, vim.log.levels.WARN)
+    end
+    local arg = vim.iter(roots.args):find(function(known)
+      return known.name == name
+    end)
+    ask_value(bufnr, roots.active, arg or { name = name }, values)
+  end)
+end
+
+--- Words `name:=value` as a table, or the word that is none.
 ---@param words string[]
----@param reset? boolean
-function M.args(words, reset)
+---@return table<string, string>? changes
+---@return string? wrong
+local function parse(words)
   local changes = {}
   for _, word in ipairs(words) do
     local name, value = word:match('^([%w_.-]+):=(.*)$')
     if not name then
-      return talk.say(('`%s` is not of the form name:=value'):format(word), vim.log.levels.ERROR)
+      return nil, word
     end
     changes[name] = value
   end
+  return changes
+end
+
+--- Run the robot with other arguments: `name:=value`, a preset by its name, or one that is picked. `reset` takes all
+--- back.
+---@param words string[]
+---@param reset? boolean
+function M.args(words, reset)
+  local changes, wrong = parse(words)
   local bufnr = vim.api.nvim_get_current_buf()
   ask(bufnr, function(roots)
     if not roots.active then
-      talk.say(roots.reason, vim.log.levels.WARN)
-    elseif reset then
+      return talk.say(roots.reason, vim.log.levels.WARN)
+    end
+    local preset = wrong
+      and #words == 1
+      and vim.iter(presets(roots)):find(function(known)
+        return (known.preset or 'default') == wrong
+      end)
+    if reset then
       set(bufnr, { uri = roots.active.uri })
+    elseif preset then
+      set(bufnr, { uri = preset.uri, args = preset.args, preset = preset.preset })
+    elseif not changes then
+      talk.say(('`%s` is not of the form name:=value, and no preset'):format(wrong), vim.log.levels.ERROR)
     elseif next(changes) then
       set_args(bufnr, roots.active, changes)
     elseif #roots.args == 0 then

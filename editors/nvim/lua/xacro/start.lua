@@ -5,8 +5,8 @@ local M = {}
 
 M.name = 'xacro'
 M.filetypes = { 'xacro', 'urdf' }
---- With those of files beside robots.
-local ALL_FILETYPES = { 'xacro', 'urdf', 'yaml' }
+--- With those of files beside robots, and of launch files.
+local ALL_FILETYPES = { 'xacro', 'urdf', 'yaml', 'python', 'xml', 'toml' }
 
 ---@param path string
 ---@return boolean
@@ -26,15 +26,33 @@ local SETTINGS = {
 }
 local MOST_LINES = 2000
 
---- Whether the server has something to say about a buffer: most YAML files name no joint of a robot.
+--- Whether a file may call robots with arguments, by its name.
+---@param name string
+---@return boolean
+function M.is_launch(name)
+  name = name:lower()
+  for _, pattern in ipairs({ '%.launch$', '%.launch%.py$', '%.launch%.xml$', '%.launch%.ya?ml$', '/launch/.*%.py$' }) do
+    if name:find(pattern) then
+      return true
+    end
+  end
+  return false
+end
+
+--- Whether the server has something to say about a buffer: most YAML files name no joint of a robot, and most launch files
+--- call none.
 ---@param bufnr integer
 ---@return boolean
 function M.concerns(bufnr)
-  if vim.bo[bufnr].filetype ~= 'yaml' then
+  local name = vim.api.nvim_buf_get_name(bufnr)
+  local is_launch = M.is_launch(vim.fs.normalize(name))
+  if vim.tbl_contains(M.filetypes, vim.bo[bufnr].filetype) or name:find('xacro%-lint%.toml$') then
     return true
+  elseif vim.bo[bufnr].filetype ~= 'yaml' and not is_launch then
+    return false
   end
   for _, line in ipairs(vim.api.nvim_buf_get_lines(bufnr, 0, MOST_LINES, false)) do
-    for _, word in ipairs(SETTINGS) do
+    for _, word in ipairs(is_launch and { 'xacro' } or SETTINGS) do
       if line:find(word, 1, true) then
         return true
       end

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::files::Files;
-use super::{Class, Given, Guard, Scope, ScopeId, TextNames};
+use super::{Class, Given, Guard, Reading, Scope, ScopeId, TextNames};
 use base::{FastMap, FastSet, FileId, Span, TextRange};
 use expand::{Expansion, SymbolKind, UseKind, parse_params};
 use facts::{FactsOf, facts_of, is_keyword};
@@ -29,15 +29,15 @@ impl TextNames {
                 files: &files,
                 seen: FastMap::default(),
                 several: FastSet::default(),
+                readings: FastMap::default(),
                 known: FastMap::default(),
                 order: 0,
             };
             let at = At { scope: ScopeId(0), guard: Guard::default(), is_sure: true, is_in_body: false };
             reader.file(&root, at, 0);
-            let several = reader.several;
-            let of = |span: Span| several.contains(&span.file);
-            names.given.iter_mut().filter(|given| of(given.span)).for_each(|given| given.is_sure = false);
-            names.used.iter_mut().filter(|used| of(used.span)).for_each(|used| used.guard = Guard::default());
+            let (several, mut readings) = (reader.several, reader.readings);
+            readings.retain(|file, _| several.contains(file));
+            names.readings = readings;
         }
         for (id, given) in (0..).zip(&names.given) {
             names.by_name.entry((Class::of(given.kind), given.name.clone())).or_default().push(id);
@@ -90,6 +90,8 @@ struct Reader<'a> {
     seen: FastMap<(FileId, ScopeId), Guard>,
     /// Files that several conditions bring in.
     several: FastSet<FileId>,
+    /// Where each file is read.
+    readings: FastMap<FileId, Vec<Reading>>,
     /// Definitions and uses by place.
     known: FastMap<(Span, bool), u32>,
     order: u32,
@@ -126,6 +128,8 @@ impl Part<'_> {
 impl Reader<'_> {
     fn file(&mut self, source: &Arc<SourceFile>, at: At, depth: u32) {
         let key = (source.id, at.scope);
+        let reading = Reading { scope: at.scope, guard: at.guard, order: self.order };
+        self.readings.entry(source.id).or_default().push(reading);
         if let Some(&first) = self.seen.get(&key) {
             if !self.names.is_within(at.guard, first) {
                 self.several.insert(source.id);
@@ -174,8 +178,8 @@ impl Reader<'_> {
     fn element(&mut self, part: &Part<'_>, node: Node<'_>, at: At) -> Option<At> {
         match node.name() {
             "xacro:if" | "xacro:unless" => {
-                self.names.guards.push(at.guard);
-                return Some(At { guard: Guard(self.names.guards.len() as u32), ..at });
+                let guard = self.guard(at.guard);
+                return Some(At { guard, ..at });
             }
             "xacro:property" => return self.property(part, node, at),
             "xacro:macro" => return self.macro_definition(part, node, at),
@@ -291,10 +295,28 @@ impl Reader<'_> {
         let name = node.name_range();
         let tag = part.span(TextRange::new(name.start - 1, name.end));
         let filename = filename.value(&Entities::default()).into_owned();
-        for file in self.files.of(part.source, tag, &filename) {
-            self.names.included_at.entry(file.id).or_default().push(tag);
-            self.file(&file, At { scope, ..at }, part.depth + 1);
+        let read = self.files.of(part.source, tag, &filename);
+        for file in &read {
+            self.included(file, tag, At { scope, ..at }, part.depth);
         }
+        // other arguments would read these instead: as if each had a condition around it
+        for file in self.files.alternatives(part.source, &filename) {
+            if !read.iter().any(|read| read.id == file.id) {
+                let guard = self.guard(at.guard);
+                self.included(&file, tag, At { scope, guard, ..at }, part.depth);
+            }
+        }
+    }
+
+    fn included(&mut self, file: &Arc<SourceFile>, tag: Span, at: At, depth: u32) {
+        self.names.included_at.entry(file.id).or_default().push(tag);
+        self.file(file, at, depth + 1);
+    }
+
+    /// A condition within another one.
+    fn guard(&mut self, outer: Guard) -> Guard {
+        self.names.guards.push(outer);
+        Guard(self.names.guards.len() as u32)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use ecow::EcoString;
 
-use super::super::{Class, Given, Guard, Scope, ScopeId, Used};
+use super::super::{Class, Given, Scope, ScopeId, Used};
 use super::{At, Part, Reader};
 use base::TextRange;
 use expand::{SymbolKind, UseKind};
@@ -120,7 +120,9 @@ impl Reader<'_> {
         match self.names.given.get_mut(id as usize) {
             Some(known) => {
                 add_scopes(&mut known.scopes, &given.scopes);
-                known.is_sure &= known.guard == given.guard;
+                if known.guard != given.guard {
+                    self.several.insert(given.span.file);
+                }
             }
             None => self.names.given.push(given),
         }
@@ -143,7 +145,9 @@ impl Reader<'_> {
         match self.names.used.get_mut(id as usize) {
             Some(known) => {
                 add_scopes(&mut known.scopes, &[at.scope]);
-                known.guard = if known.guard == at.guard { at.guard } else { Guard::default() };
+                if known.guard != at.guard {
+                    self.several.insert(span.file);
+                }
             }
             None => self.names.used.push(Used {
                 kind,

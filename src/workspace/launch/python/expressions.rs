@@ -42,7 +42,7 @@ impl Reader<'_> {
 
     fn value_of(&mut self, expr: &Expr) -> Value {
         match &expr.kind {
-            ExprKind::Name(name) if name == "__file__" => Value::plain(self.path.to_string_lossy()),
+            ExprKind::Name(name) if name == "__file__" => Value::plain(vfs::slashed(self.path)),
             ExprKind::Name(name) => {
                 self.scopes.get(name).cloned().unwrap_or_else(|| Value::Outer(name.clone()))
             }

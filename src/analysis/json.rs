@@ -4,10 +4,10 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::render::shown_path;
-use analysis::Report;
+use super::report::Report;
 use base::Span;
 use rules::{Finding, Fix};
+use vfs::shown_path;
 
 #[derive(Serialize)]
 struct JsonFinding<'a> {
@@ -59,18 +59,24 @@ struct JsonEdit<'a> {
     content: &'a str,
 }
 
-/// All findings as one array.
-pub(super) fn findings(report: &Report, cwd: &Path) -> String {
+impl Report {
+    /// All findings as one array of JSON, as `check --format json` prints it; files below `cwd` by their relative paths.
+    pub fn to_json(&self, cwd: &Path) -> String {
+        findings(self, cwd)
+    }
+
+    /// One finding of it.
+    pub fn finding_to_json(&self, finding: &Finding, cwd: &Path) -> serde_json::Value {
+        let place = |span: Span| place(self, span, cwd);
+        serde_json::to_value(object(finding, &place)).unwrap_or_default()
+    }
+}
+
+fn findings(report: &Report, cwd: &Path) -> String {
     let place = |span: Span| place(report, span, cwd);
     let list: Vec<JsonFinding<'_>> = report.findings.iter().map(|finding| object(finding, &place)).collect();
     let text = serde_json::to_string_pretty(&list).unwrap_or_else(|_| "[]".to_owned());
     format!("{text}\n")
-}
-
-/// One finding.
-pub(super) fn value(report: &Report, finding: &Finding, cwd: &Path) -> serde_json::Value {
-    let place = |span: Span| place(report, span, cwd);
-    serde_json::to_value(object(finding, &place)).unwrap_or_default()
 }
 
 fn object<'a>(finding: &'a Finding, place: &dyn Fn(Span) -> JsonPlace) -> JsonFinding<'a> {

@@ -1,0 +1,1 @@
+"""Check robot descriptions in tests of ament packages."""

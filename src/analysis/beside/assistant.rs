@@ -1,0 +1,146 @@
+//! What `.setup_assistant` of MoveIt says, compared with the files that it names.
+
+use std::path::{Path, PathBuf};
+
+use super::super::analyzed::Analyzed;
+use super::super::check::CheckOptions;
+use super::super::context::RootChoice;
+use super::super::session::Session;
+use super::files::Beside;
+use super::judge::Robots;
+use super::pairing::stem;
+use base::{CancelFlag, Span, TextRange};
+use expand::{Expansion, Problem, Severity};
+use project::{Assistant, Named};
+use rules::{
+    Finding, setup_assistant_file_not_found, setup_assistant_robot_fails, setup_assistant_unknown_argument,
+};
+use workspace::nearest;
+
+/// What errors about a package that is not there are reported as: what follows from it is nobody's fault.
+const NO_PACKAGE: &str = "PKG001";
+
+impl Session {
+    /// What there is to say about a `.setup_assistant`.
+    pub(super) fn assistant_findings(
+        &self,
+        own: &Beside,
+        robots: &Robots,
+        cancel: &CancelFlag,
+    ) -> Vec<Finding> {
+        let assistant = own.settings().and_then(|settings| settings.assistant.as_ref());
+        let package = self.packages.containing(&own.path);
+        // copies elsewhere are read by nobody
+        let is_read =
+            package.as_ref().is_some_and(|package| package.folder.join(".setup_assistant") == own.path);
+        let Some(assistant) = assistant.filter(|_| is_read) else { return Vec::new() };
+        let span = |named: &Named| Span { file: own.file, range: named.range };
+        let mut found = Vec::new();
+        if let (Some(srdf), Some(package)) = (&assistant.srdf, &package)
+            && self.is_not_there(&package.folder.join(srdf.name.as_str()))
+        {
+            found.push(setup_assistant_file_not_found(span(srdf), &srdf.name, &package.name));
+        }
+        let (Some(name), Some(urdf)) = (&assistant.package, &assistant.urdf) else { return found };
+        let Ok(folder) = self.packages.find(&name.name, &own.path) else { return found };
+        let file = self.packages.present(&folder.path.join(urdf.name.as_str())).into_owned();
+        let file = vfs::without_parents(&self.vfs.absolute(&file));
+        if self.is_not_there(&file) {
+            found.push(setup_assistant_file_not_found(span(urdf), &urdf.name, &name.name));
+        }
+        if self.vfs.is_file(&file) {
+            found.extend(self.assistant_failure(own, assistant, &file, robots, cancel));
+            found.extend(self.unread_arguments(own, assistant, &file));
+        }
+        found
+    }
+
+    /// Whether a file is not there, and nothing says that somebody makes it: Git leaves it out, or a file of the same name with
+    /// another ending is its source.
+    fn is_not_there(&self, path: &Path) -> bool {
+        let is_named = path.to_str().is_some_and(|path| !path.contains(['$', '{']));
+        let folder = path.parent().unwrap_or(path);
+        let is_source = |name: &str| stem(Path::new(name)).is_some() && stem(Path::new(name)) == stem(path);
+        let has_source = || {
+            self.vfs
+                .list_dir(folder)
+                .iter()
+                .any(|entry| !entry.is_dir && is_source(&entry.name) && is_xacro(&entry.name))
+        };
+        is_named
+            && !self.vfs.exists(path)
+            && self.packages.containing(path).is_some()
+            && !self.packages.is_ignored_by_git(path)
+            && (is_xacro(&path.to_string_lossy()) || !has_source())
+    }
+
+    /// An error of the robot that the arguments cause.
+    fn assistant_failure(
+        &self,
+        own: &Beside,
+        assistant: &Assistant,
+        file: &Path,
+        robots: &Robots,
+        cancel: &CancelFlag,
+    ) -> Option<Finding> {
+        let (arguments, args) = (assistant.arguments.as_ref()?, assistant.given());
+        let with = robots.get(&RootChoice { args, ..RootChoice::plain(file) })?;
+        let errors = errors(&with.expansion);
+        if errors.is_empty() || errors.iter().any(|error| error.code == NO_PACKAGE) {
+            return None;
+        }
+        let options = CheckOptions { cancel: cancel.clone(), ..CheckOptions::default() };
+        let plain = Analyzed::of(self, &RootChoice::plain(file), &options).expansion;
+        let before: Vec<_> = plain.problems.iter().map(|error| (error.code, place(&plain, error))).collect();
+        let is_new = |error: &&&Problem| !before.contains(&(error.code, place(&with.expansion, error)));
+        let error = errors.iter().find(is_new).filter(|_| !cancel.is_cancelled())?;
+        let span = Span { file: own.file, range: arguments.range };
+        let name = file.file_name()?.to_string_lossy();
+        Some(setup_assistant_robot_fails(span, &name, (place(&with.expansion, error)?, &error.message)))
+    }
+
+    /// Arguments that nothing in the robot reads.
+    fn unread_arguments(&self, own: &Beside, assistant: &Assistant, file: &Path) -> Vec<Finding> {
+        let Some(arguments) = &assistant.arguments else { return Vec::new() };
+        let package = self.packages.containing(&own.path);
+        let extended = package.and_then(|package| self.extended(&package.folder));
+        let files: Vec<PathBuf> = [file.to_owned()].into_iter().chain(extended).collect();
+        let known: Vec<_> = files.iter().map(|file| self.known(file)).collect();
+        if !known.iter().all(|known| known.complete) {
+            return Vec::new();
+        }
+        let shown = file.file_name().unwrap_or_default().to_string_lossy();
+        let text = self.vfs.text(&own.path);
+        let place = |name: &str| {
+            let written =
+                text.as_ref().ok().map(|text| arguments.range.slice(&text.text)).unwrap_or_default();
+            let start = written.find(&format!("{name}:=")).map(|at| arguments.range.start + at as u32);
+            start.map_or(arguments.range, |start| TextRange::new(start, start + name.len() as u32))
+        };
+        let names = || known.iter().flat_map(|known| &known.names);
+        let unknown = assistant.given().into_iter().map(|(name, _)| name);
+        let unknown = unknown.filter(|name| !names().any(|known| known == name));
+        let finding = |name: String| {
+            let span = Span { file: own.file, range: place(&name) };
+            let near = nearest(&name, names().map(|name| name.as_str()));
+            setup_assistant_unknown_argument(span, &name, &shown, near)
+        };
+        unknown.map(finding).collect()
+    }
+}
+
+fn is_xacro(name: &str) -> bool {
+    name.ends_with(".xacro")
+}
+
+/// The errors for which xacro gives no robot.
+fn errors(expansion: &Expansion) -> Vec<&Problem> {
+    let is_error =
+        |problem: &&Problem| problem.severity == Severity::Error && !problem.probed && !problem.excused;
+    expansion.problems.iter().filter(is_error).collect()
+}
+
+fn place(expansion: &Expansion, problem: &Problem) -> Option<Span> {
+    let file = expansion.files.get(problem.place.file.0 as usize)?.source.id;
+    Some(Span { file, range: problem.place.range })
+}

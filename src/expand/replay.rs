@@ -1,0 +1,225 @@
+//! Taking over the steps of the last expansion that still hold.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use super::element::Tag;
+use super::expansion::Expansion;
+use super::machine::{Cx, Expander, Request};
+use super::memo::{Kept, Memo, StepMemo, StepReads};
+use super::origin::{Frame, SrcId};
+use super::scope::{Binding, Block, Scopes, State};
+use super::symbols::{Definition, DefinitionId};
+use super::tree::{XId, XKind};
+use super::watch::is_same_value;
+
+/// The last expansion of the same root, and how far it is known to agree with this one.
+#[derive(Clone, Copy)]
+pub(super) struct Before<'w> {
+    pub expansion: &'w Expansion,
+    pub memo: &'w Memo,
+    /// So many frames at the front are the same.
+    pub same_frames: usize,
+}
+
+impl<'w> Before<'w> {
+    /// An earlier expansion, when it was asked for in the same way.
+    pub fn of(expansion: Option<&'w Expansion>, request: &Request) -> Option<Self> {
+        let expansion = expansion?;
+        let memo = expansion.memo.as_deref().filter(|memo| memo.request.is_same(request))?;
+        Some(Self { expansion, memo, same_frames: 0 })
+    }
+
+    fn step(&self, call: (SrcId, xml::NodeId)) -> Option<&'w Kept> {
+        let steps = &self.memo.steps;
+        steps.get(steps.binary_search_by_key(&call, |kept| kept.step.call).ok()?)
+    }
+}
+
+impl Expander<'_> {
+    /// Take over what a call gave in the last expansion; `false`: it has to be evaluated.
+    // not in the frame of a call, of which there are many in a deep document
+    #[inline(never)]
+    pub(super) fn replay(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) -> bool {
+        let Some(mut before) = self.before else { return false };
+        let Some(kept) = before.step((tag.src, tag.node.id())) else { return false };
+        let holds = self.has_room(&kept.step)
+            && self.stands_alike(&mut before, &kept.step)
+            && self.reads_alike(before.expansion, &kept.step.reads)
+            && self.refers_alike(before.expansion, &kept.step)
+            && (!kept.step.moves_marker || self.takes_marker(has_next, out));
+        self.before = Some(before);
+        if holds {
+            self.taken_over += 1;
+            let evaluations = self.result.evaluations.len();
+            self.add_lists(before.expansion, kept);
+            self.add_effects(&kept.step);
+            let at = self.tag_origin(tag, cx);
+            let body = self.container(at);
+            let made = self.result.tree.len();
+            self.result.tree.graft(&before.expansion.tree, kept.content, body);
+            let first = self.result.tree.first_child(body);
+            // the container is one of the nodes that the step made
+            self.nodes_left_out += kept.step.nodes - 1 - (self.result.tree.len() - made);
+            if kept.step.moves_marker {
+                self.result.tree.detach(self.marker);
+            }
+            self.place_body(body, has_next, out, cx);
+            if let Some(first) = first {
+                self.steps.push(Kept { step: Arc::clone(&kept.step), content: (first, first), evaluations });
+            }
+        }
+        holds
+    }
+
+    /// Whether no limit is reached in the step.
+    fn has_room(&self, step: &StepMemo) -> bool {
+        let nodes = (self.nodes_made() + step.nodes) as u64;
+        self.budget.steps >= step.spent.0
+            && self.budget.bytes >= step.spent.1
+            && nodes <= self.request.limits.expand_nodes
+            && self.result.evaluations.has_room(step.evaluations)
+    }
+
+    /// Whether what the step adds gets the same numbers as before, and the ways that led there are the same.
+    fn stands_alike(&self, before: &mut Before<'_>, step: &StepMemo) -> bool {
+        let result = &self.result;
+        let (frames, bindings, reads) = (result.frames.len(), result.bindings.len(), result.reads.len());
+        if (frames, bindings, reads) != (step.frames.start, step.bindings.start, step.read_list.start) {
+            return false;
+        }
+        let unknown = before.same_frames..frames;
+        let known = part(&before.expansion.frames, &unknown);
+        let same = known.iter().zip(part(&result.frames, &unknown)).take_while(|(a, b)| is_same_frame(a, b));
+        before.same_frames += same.count();
+        before.same_frames == frames
+    }
+
+    /// Whether what the step reads says the same as before.
+    fn reads_alike(&self, before: &Expansion, reads: &StepReads) -> bool {
+        let StepReads { names, macros, args, packages, sources } = reads;
+        let same_source = |src: &SrcId| self.is_same_source(before, *src);
+        sources.iter().all(same_source)
+            && names.iter().all(|(name, then)| {
+                let now = self.scopes.find(Scopes::TOP, name).map(|(_, binding)| binding);
+                match (then, now) {
+                    (None, None) => true,
+                    (Some(then), Some(now)) => self.is_same_binding(before, then, now),
+                    _ => false,
+                }
+            })
+            && macros.iter().all(|(name, then)| {
+                let now = self.macros.find(super::scope::Macros::TOP, name).map(|def| def.body);
+                now == *then && then.is_none_or(|body| same_source(&body.src))
+            })
+            && args.iter().all(|(name, then)| self.args.get(name) == then.as_ref())
+            && packages.iter().all(|(name, from, folder)| {
+                self.world.packages.find(name, from).is_ok_and(|now| now.path == *folder)
+            })
+    }
+
+    /// Whether the definitions that the step gives and names have the same numbers.
+    fn refers_alike(&self, before: &Expansion, step: &StepMemo) -> bool {
+        let (now, then) = (&self.result.symbols, &before.symbols);
+        let is_same = |id: DefinitionId| {
+            now.get(id).zip(then.get(id)).is_some_and(|(a, b)| a.place == b.place && a.name == b.name)
+        };
+        let given = &step.symbols.definitions;
+        let mut next = now.definitions.len() as u32;
+        let mut is_given_alike =
+            |(definition, id): &(Definition, DefinitionId)| match now.number_of(definition) {
+                Some(known) => known == *id,
+                None if id.0 < next => {
+                    given.iter().any(|(other, same)| same == id && other.place == definition.place)
+                }
+                None => {
+                    next += 1;
+                    id.0 + 1 == next
+                }
+            };
+        let is_named_alike = |id| is_same(id) || given.iter().any(|(_, given)| *given == id);
+        let bindings = part(&before.bindings, &step.bindings);
+        given.iter().all(&mut is_given_alike)
+            && step.symbols.uses.iter().all(|(used, _)| is_named_alike(used.definition))
+            && bindings.iter().filter_map(|info| info.definition).all(is_named_alike)
+    }
+
+    /// Whether the marker comes to stand behind the content of a call.
+    fn takes_marker(&self, has_next: bool, out: XId) -> bool {
+        let first = self.result.tree.first_child(out);
+        has_next && first.is_some_and(|first| self.result.tree.get(first).kind != XKind::Comment)
+    }
+
+    /// Whether an item is the same object in the same file, with the same header in front.
+    fn is_same_source(&self, before: &Expansion, src: SrcId) -> bool {
+        let seen = |expansion: &Expansion| {
+            let source = expansion.sources.get(src.0 as usize)?;
+            let file = expansion.files.get(source.file.0 as usize)?;
+            let header = expansion.sources.get(file.first_source.0 as usize)?;
+            Some((Arc::as_ptr(&source.item), Arc::as_ptr(&header.item), file.source.path.clone()))
+        };
+        seen(&self.result).is_some_and(|now| seen(before) == Some(now))
+    }
+
+    fn is_same_binding(&self, before: &Expansion, then: &Binding, now: &Binding) -> bool {
+        then.info == now.info
+            && match (&then.state, &now.state) {
+                (State::Ready(then), State::Ready(now)) => is_same_value(then, now),
+                (State::Lazy(then, from), State::Lazy(now, at)) => {
+                    then == now
+                        && (from.origin, from.is_attr) == (at.origin, at.is_attr)
+                        && self.is_same_source(before, at.origin.src)
+                }
+                (State::Block(Block::Source(then)), State::Block(Block::Source(now))) => {
+                    then == now && self.is_same_source(before, now.src)
+                }
+                _ => false,
+            }
+    }
+
+    fn add_lists(&mut self, before: &Expansion, kept: &Kept) {
+        let step = &kept.step;
+        let result = &mut self.result;
+        result.frames.extend_from_slice(part(&before.frames, &step.frames));
+        result.bindings.extend_from_slice(part(&before.bindings, &step.bindings));
+        result.reads.extend_from_slice(part(&before.reads, &step.read_list));
+        result
+            .evaluations
+            .extend_from(&before.evaluations, kept.evaluations..kept.evaluations + step.evaluations);
+        for (definition, _) in &step.symbols.definitions {
+            result.symbols.add(definition.clone());
+        }
+        for &(used, idle) in &step.symbols.uses {
+            result.symbols.add_use(used, idle);
+        }
+        for read in &step.record {
+            result.record.add(read.clone());
+        }
+    }
+
+    fn add_effects(&mut self, step: &StepMemo) {
+        self.scopes.skip(step.scopes);
+        self.macros.skip(step.tables);
+        if step.evaluated {
+            self.scopes.note_evaluation(Scopes::TOP);
+        }
+        for forced in &step.forced {
+            if let Some(info) = self.result.bindings.get_mut(forced.info as usize) {
+                (info.reads, info.value) = (forced.reads, Some(forced.value.clone()));
+            }
+            if let Some(binding) = self.scopes.get_mut(Scopes::TOP).vars.get_mut(&forced.name) {
+                binding.state = State::Ready(forced.value.clone());
+            }
+        }
+        self.budget.steps -= step.spent.0;
+        self.budget.bytes -= step.spent.1;
+    }
+}
+
+fn part<'l, T>(list: &'l [T], range: &Range<usize>) -> &'l [T] {
+    list.get(range.clone()).unwrap_or_default()
+}
+
+fn is_same_frame(a: &Frame, b: &Frame) -> bool {
+    (a.kind, a.call, a.definition, a.depth) == (b.kind, b.call, b.definition, b.depth) && a.name == b.name
+}

@@ -1,0 +1,210 @@
+//! Expansions after edits, against expansions from scratch: `expand_again` compares the two itself in builds for tests.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::disallowed_methods, clippy::print_stdout)] // a test may fail loudly
+
+use super::{Expansion, Request, World, expand_again};
+use base::TextRange;
+use vfs::Environment;
+use vfs::testing::Tree;
+use workspace::{PackageOptions, Packages};
+
+const ROBOT: &str = r#"<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <!-- settings -->
+  <xacro:arg name="side" default="left"/>
+  <xacro:include filename="part.xacro"/>
+  <xacro:property name="mass" value="2.5"/>
+  <xacro:property name="double" value="${mass * 2}"/>
+  <xacro:property name="yaml" value="${xacro.load_yaml('values.yaml')}"/>
+  <xacro:property name="width" value="${yaml['width']}"/>
+  <xacro:property name="frame" value="world"/>
+  <xacro:property name="pose"><origin xyz="0 0 ${mass}"/></xacro:property>
+  <xacro:macro name="seg" params="name parent radius:=0.1 *origin">
+    <link name="${name}">
+      <xacro:if value="${radius > 0.2}"><visual><geometry><sphere radius="${radius}"/></geometry></visual></xacro:if>
+      <inertial><mass value="${double * radius}"/></inertial>
+    </link>
+    <joint name="${name}_joint" type="fixed">
+      <parent link="${parent}"/><child link="${name}"/>
+      <xacro:insert_block name="origin"/>
+    </joint>
+  </xacro:macro>
+  <xacro:macro name="pair" params="prefix parent:=^|base mass:=^">
+    <!-- two -->
+    <xacro:property name="own" value="${mass + 1}"/>
+    <xacro:seg name="${prefix}_a" parent="${parent}"><origin xyz="0 0 ${own}"/></xacro:seg>
+    <xacro:seg name="${prefix}_b" parent="${prefix}_a" radius="0.3"><xacro:insert_block name="pose"/></xacro:seg>
+  </xacro:macro>
+  <xacro:macro name="count" params="n"><xacro:property name="counted" value="${n}" scope="parent"/><gazebo/></xacro:macro>
+  <link name="base"/>
+  <!-- first -->
+  <xacro:seg name="s1" parent="base" radius="${mass / 10}"><origin xyz="0 0 1"/></xacro:seg>
+  <xacro:seg name="s2" parent="s1"><origin xyz="0 ${double} 1"/></xacro:seg><!-- behind -->
+  <xacro:pair prefix="p1"/>
+  <xacro:count n="4"/>
+  <xacro:wheel name="w1" parent="s2" width="${width}"/><xacro:wheel name="w2" parent="s2" width="0.2"/>
+  <xacro:seg name="${side_name}_3" parent="s2"><origin xyz="0 0 3"/></xacro:seg>
+  <!-- kept -->
+
+  <xacro:pair prefix="$(arg side)" parent="s2" mass="3"/>
+  <xacro:if value="${counted > 3}"><xacro:seg name="s4" parent="s2"><origin/></xacro:seg></xacro:if>
+  <xacro:wheel name="w3" parent="${frame}" width="${width * 2}"/>
+  <xacro:seg name="s5" parent="w3"><origin xyz="${counted} 0 0"/></xacro:seg>
+</robot>
+"#;
+
+const PART: &str = r#"<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="tread" value="0.5"/>
+  <xacro:property name="side_name" value="$(arg side)"/>
+  <xacro:macro name="wheel" params="name parent width">
+    <link name="${name}"><collision><geometry><cylinder radius="${tread}" length="${width}"/></geometry></collision></link>
+    <joint name="${name}_joint" type="continuous"><parent link="${parent}"/><child link="${name}"/><axis xyz="0 1 0"/></joint>
+  </xacro:macro>
+  <xacro:wheel name="spare" parent="base" width="0.1"/>
+</robot>
+"#;
+
+const VALUES: &str = "width: 0.25\nnames: [a, b]\n";
+
+const FILES: [(&str, &str); 3] = [("robot.xacro", ROBOT), ("part.xacro", PART), ("values.yaml", VALUES)];
+
+/// Items and texts that are put in between lines.
+const LINES: [&str; 14] = [
+    "  <link name=\"extra\"/>\n",
+    "  <!-- words -->\n",
+    "  <xacro:property name=\"mass\" value=\"7\"/>\n",
+    "  <xacro:property name=\"tread\" value=\"${double}\"/>\n",
+    "  <xacro:seg name=\"n\" parent=\"base\"><origin xyz=\"1 1 1\"/></xacro:seg>\n",
+    "  <xacro:pair prefix=\"q\" parent=\"n\"/>\n",
+    "  <xacro:count n=\"${mass}\"/>\n",
+    "  <xacro:property name=\"double\" remove=\"true\"/>\n",
+    "  <xacro:macro name=\"wheel\" params=\"name parent width\"><link name=\"${name}\"/><!-- c --> </xacro:macro>\n",
+    "  <xacro:arg name=\"side\" default=\"right\"/>\n",
+    "  <xacro:include filename=\"part.xacro\" ns=\"other\"/>\n",
+    "  <xacro:other.wheel name=\"o\" parent=\"base\" width=\"1\"/>\n",
+    "<xacro:seg name=\"m\" parent=\"base\"><origin/></xacro:seg>",
+    "  text <![CDATA[x]]>\n",
+];
+
+const LETTERS: [&str; 12] = ["", "x", "0", " ", "${", "}", "<", "\"", "-->", "$(arg side)", "1", "\n"];
+
+/// Numbers that look random and are the same in every run.
+struct Dice(u64);
+
+impl Dice {
+    fn roll(&mut self, below: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        ((self.0 >> 33) % below.max(1) as u64) as usize
+    }
+}
+
+/// A robot that is edited.
+struct Session {
+    tree: Tree,
+    env: Environment,
+    packages: Packages,
+    texts: [String; 3],
+    last: Option<Expansion>,
+}
+
+impl Session {
+    fn new() -> Self {
+        let tree = Tree::new();
+        let env = tree.environment(&[]);
+        let packages = Packages::new(tree.vfs().clone(), &env, PackageOptions::default());
+        let texts = FILES.map(|(_, text)| text.to_owned());
+        let session = Self { tree, env, packages, texts, last: None };
+        for (name, text) in FILES {
+            session.tree.write(name, text);
+            session.tree.vfs().set_buffer(&session.tree.path(name), Some(text.to_owned()));
+        }
+        session
+    }
+
+    fn set(&mut self, file: usize, text: &str) {
+        self.texts[file] = text.to_owned();
+        self.tree.vfs().set_buffer(&self.tree.path(FILES[file].0), Some(text.to_owned()));
+    }
+
+    fn replace(&mut self, file: usize, (start, end): (usize, usize), new: &str) {
+        self.texts[file].replace_range(start..end, new);
+        let range = TextRange::new(start as u32, end as u32);
+        self.tree.vfs().edit_buffer(&self.tree.path(FILES[file].0), range, new);
+    }
+
+    /// Replace the first occurrence of a text in the robot.
+    fn change(&mut self, old: &str, new: &str) {
+        let start = self.texts[0].find(old).unwrap();
+        self.replace(0, (start, start + old.len()), new);
+    }
+
+    /// Expand again; how many calls were taken over.
+    fn expand(&mut self) -> usize {
+        let world = World { vfs: self.tree.vfs(), packages: &self.packages, env: &self.env };
+        let file = self.tree.path(FILES[0].0).display().to_string();
+        let request = Request { file, probe: true, keep: true, ros_shell: true, ..Request::default() };
+        let made = expand_again(world, &request, self.last.as_ref());
+        let taken_over = made.taken_over();
+        self.last = Some(made);
+        taken_over
+    }
+
+    /// An edit of a letter, a number or a line.
+    fn random_edit(&mut self, dice: &mut Dice) {
+        let file = [0, 0, 0, 0, 1, 1, 2][dice.roll(7)];
+        let text = self.texts[file].clone();
+        let lines: Vec<usize> =
+            std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect();
+        let line = dice.roll(lines.len());
+        let (start, end) = (lines[line], lines.get(line + 1).copied().unwrap_or(text.len()));
+        match dice.roll(8) {
+            0 => self.replace(file, (start, start), LINES[dice.roll(LINES.len())]),
+            1 => self.replace(file, (start, end), ""),
+            2 => self.replace(file, (start, start), &text[start..end]),
+            3 => {
+                let at = dice.roll(text.len() + 1);
+                let end = (at + dice.roll(3)).min(text.len());
+                self.replace(file, (at, end), LETTERS[dice.roll(LETTERS.len())]);
+            }
+            _ => {
+                let digits: Vec<usize> =
+                    text.match_indices(|c: char| c.is_ascii_digit()).map(|(at, _)| at).collect();
+                if !digits.is_empty() {
+                    let at = digits[dice.roll(digits.len())];
+                    self.replace(file, (at, at + 1), &dice.roll(10).to_string());
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn calls_are_taken_over_that_an_edit_does_not_reach() {
+    let mut session = Session::new();
+    assert_eq!(session.expand(), 0);
+    let all = session.expand();
+    assert!(all >= 6, "{all}");
+    session.change("xyz=\"0 0 3\"", "xyz=\"0 0 4\"");
+    let beside = session.expand();
+    assert!(beside >= 6 && beside < all, "{beside} of {all}");
+    session.change("name=\"mass\" value=\"2.5\"", "name=\"mass\" value=\"2.6\"");
+    let left = session.expand();
+    assert!(left < all / 2, "{left} of {all}: what reads the mass is evaluated again");
+    session.change("<!-- settings -->", "<!-- SETTINGS -->");
+    assert_eq!(session.expand(), all);
+}
+
+#[test]
+fn an_expansion_after_random_edits_is_one_from_scratch() {
+    let edits = std::env::var("XACRO_EDITS").ok().and_then(|text| text.parse().ok()).unwrap_or(600);
+    let seed = std::env::var("XACRO_SEED").ok().and_then(|text| text.parse().ok()).unwrap_or(1);
+    let (mut session, mut dice, mut taken_over) = (Session::new(), Dice(seed), 0);
+    for number in 0..edits {
+        if number % 12 == 0 {
+            FILES.iter().enumerate().for_each(|(file, (_, text))| session.set(file, text));
+            session.expand();
+        }
+        session.random_edit(&mut dice);
+        taken_over += session.expand();
+    }
+    println!("{taken_over} calls taken over in {edits} edits");
+    assert!(taken_over > edits, "{taken_over} calls in {edits} edits");
+}

@@ -1,0 +1,34 @@
+//! In builds for tests: what was taken over from the last expansion is what an expansion from scratch gives.
+
+use std::fmt::Debug;
+
+use super::expansion::Expansion;
+
+/// Compare everything that can be seen of two expansions.
+pub(super) fn same(made: &Expansion, fresh: &Expansion) {
+    list("node", made.tree.all(), fresh.tree.all());
+    list("frame", &made.frames, &fresh.frames);
+    list("binding", &made.bindings, &fresh.bindings);
+    list("read", &made.reads, &fresh.reads);
+    list("evaluation", made.evaluations.all(), fresh.evaluations.all());
+    list("definition", &made.symbols.definitions, &fresh.symbols.definitions);
+    list("use", &made.symbols.uses, &fresh.symbols.uses);
+    list("idle use", &made.symbols.idle_uses, &fresh.symbols.idle_uses);
+    list("problem", &made.problems, &fresh.problems);
+    list("doubtful problem", &made.doubtful, &fresh.doubtful);
+    list("message", &made.messages, &fresh.messages);
+    let (a, b): (Vec<_>, Vec<_>) = (made.record.iter().collect(), fresh.record.iter().collect());
+    list("record", &a, &b);
+    list("include", &made.includes, &fresh.includes);
+    list("probe", &made.probes, &fresh.probes);
+    list("argument", &made.arguments, &fresh.arguments);
+    assert_eq!((made.complete, made.whole), (fresh.complete, fresh.whole), "complete and whole");
+}
+
+fn list<T: Debug>(what: &str, made: &[T], fresh: &[T]) {
+    for (number, (a, b)) in made.iter().zip(fresh).enumerate() {
+        let (a, b) = (format!("{a:?}"), format!("{b:?}"));
+        assert_eq!(a, b, "{what} {number} of an incremental expansion");
+    }
+    assert_eq!(made.len(), fresh.len(), "how many of {what}");
+}

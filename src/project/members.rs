@@ -1,0 +1,71 @@
+//! The joints of planning groups.
+
+use super::srdf::{Group, Srdf};
+use base::FastSet;
+use model::{Kinematics, Robot, Text};
+
+/// The joints of a group and of those in it; none when not all are known.
+pub fn joints_of_group<'r>(
+    srdf: &Srdf,
+    group: &str,
+    (robot, kinematics): (&'r Robot, &Kinematics),
+) -> Option<FastSet<&'r str>> {
+    let mut joints = FastSet::default();
+    let mut seen: FastSet<&str> = FastSet::default();
+    let mut open: Vec<&str> = vec![group];
+    while let Some(name) = open.pop() {
+        // a group that contains itself has no more joints for it
+        let Some(name) = Some(name).filter(|name| !seen.contains(name)) else { continue };
+        let group = srdf.group(name)?;
+        seen.insert(group.name.as_ref()?.value.as_str());
+        add((robot, kinematics), group, &mut joints)?;
+        for inner in &group.subgroups {
+            open.push(inner.name()?);
+        }
+    }
+    Some(joints)
+}
+
+/// The joints that a group names by itself, by its links and by its chains.
+fn add<'r>(
+    (robot, kinematics): (&'r Robot, &Kinematics),
+    group: &Group,
+    joints: &mut FastSet<&'r str>,
+) -> Option<()> {
+    for joint in &group.joints {
+        joints.insert(robot.joint(joint.name()?)?.name.as_ref()?.value.as_str());
+    }
+    let link = |text: &Text| kinematics.link(text.name()?);
+    let name = |joint: usize| Some(robot.joints.get(joint)?.name.as_ref()?.value.as_str());
+    for text in &group.links {
+        if let Some(&joint) = kinematics.up(link(text)?).first() {
+            joints.insert(name(joint)?);
+        }
+    }
+    for chain in &group.chains {
+        let (base, tip) = (link(chain.base.as_ref()?)?, link(chain.tip.as_ref()?)?);
+        for joint in kinematics.path(base, tip)? {
+            joints.insert(name(joint)?);
+        }
+    }
+    Some(())
+}
+
+impl Group {
+    /// What it holds, in one line: `chain base → tool`, `2 joints`.
+    pub fn in_short(&self) -> String {
+        let text = |text: &Option<Text>| text.as_ref().map_or("?".to_owned(), |text| text.value.to_string());
+        let chains =
+            self.chains.iter().map(|chain| format!("chain {} → {}", text(&chain.base), text(&chain.tip)));
+        let several = |list: &[Text], noun: &str| match list {
+            [] => None,
+            [one] => Some(format!("{noun} {}", one.value)),
+            list => Some(format!("{} {noun}s", list.len())),
+        };
+        let others = [(&self.joints, "joint"), (&self.links, "link"), (&self.subgroups, "group")];
+        chains
+            .chain(others.into_iter().filter_map(|(list, noun)| several(list, noun)))
+            .collect::<Vec<_>>()
+            .join(", ")
+    }
+}

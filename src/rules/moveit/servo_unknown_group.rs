@@ -1,0 +1,20 @@
+//! MoveIt Servo with a group that the SRDF does not define.
+
+use super::super::beside::BesideCx;
+use super::super::registry::{Category, Rule, Severity, page};
+use super::super::sink::Sink;
+use super::groups::unknown;
+
+pub(super) const RULE: Rule = Rule::semantic(
+    "MOV008",
+    "servo-unknown-group",
+    Category::Moveit,
+    Severity::Warning,
+    page("servo-unknown-group"),
+    check,
+);
+
+fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
+    let Some(settings) = cx.settings() else { return };
+    unknown(cx, out, &settings.servo, "parameters of MoveIt Servo");
+}

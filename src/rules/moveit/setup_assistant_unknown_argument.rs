@@ -1,0 +1,27 @@
+//! An argument of `.setup_assistant` that the robot does not know.
+
+use super::super::finding::Finding;
+use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use base::Span;
+
+pub(super) const RULE: Rule = Rule {
+    code: "MOV011",
+    name: "setup-assistant-unknown-argument",
+    category: Category::Moveit,
+    severity: Severity::Warning,
+    default: Activation::On,
+    since: "0.1",
+    fix: None,
+    docs: page("setup-assistant-unknown-argument"),
+    check: Check::Analysis,
+};
+
+/// The finding about an argument that no file of the robot declares or reads.
+pub fn setup_assistant_unknown_argument(span: Span, name: &str, file: &str, near: Option<&str>) -> Finding {
+    let mut finding = Finding::new(&RULE, span, format!("unknown argument `{name}` of `{file}`"));
+    finding.help = Some(match near {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!("remove it, or declare it in `{file}`; xacro ignores an unknown argument"),
+    });
+    finding
+}

@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# Build the program for WebAssembly into target/playground/xacro_lint.wasm.
+#
+# With the target of rustup where it is installed (`rustup target add wasm32-unknown-unknown`), else with the compiler
+# of Debian (packages of `rust-web`), which is unpacked below target and not installed.
+set -eu
+cd "$(dirname "$0")/../.."
+
+target=wasm32-unknown-unknown
+out="$PWD/target/playground"
+mkdir -p "$out"
+export RUSTFLAGS="-Clink-arg=-zstack-size=16777216" CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-$PWD/target}"
+host=$(rustc --version --verbose | sed -n 's/^host: //p')
+sysroot=$(rustc --print sysroot)
+extra=()
+if [ ! -d "$sysroot/lib/rustlib/$target" ]; then
+    tools="$out/rust-web"
+    usr="$tools/root/usr"
+    if [ ! -x "$usr/bin/rustc" ]; then
+        command -v apt-get >/dev/null || { echo "run: rustup target add $target" >&2; exit 1; }
+        rm -rf "$tools"
+        mkdir -p "$tools/debs" "$tools/root"
+        [ "$(apt-cache policy rustc-web)" ] || apt-get update -qq
+        # the newest libraries, of which each needs its own version of LLVM
+        std=$(apt-cache depends --important libstd-rust-web-dev | sed -n 's/.*Depends: \(libstd-rust-web-[0-9.]*\)$/\1/p' | head -n 1)
+        llvm=$(apt-cache depends --important "$std" | sed -n 's/.*Depends: \(libllvm[0-9]*\)$/\1/p' | head -n 1)
+        (cd "$tools/debs" && apt-get download -qq rustc-web "$std" libstd-rust-web-dev rust-web-src "$llvm")
+        for package in "$tools"/debs/*.deb; do dpkg -x "$package" "$tools/root"; done
+        rm -r "$tools/debs"
+    fi
+    # not a link: the compiler finds its library by the folder that it lies in
+    printf '#!/bin/sh\nLD_LIBRARY_PATH=%s exec %s "$@"\n' "$usr/lib/${host%%-*}-linux-gnu" "$usr/bin/rustc" >"$tools/rustc.new"
+    chmod +x "$tools/rustc.new"
+    # cargo builds everything again when the compiler was written
+    if cmp -s "$tools/rustc.new" "$tools/rustc"; then rm "$tools/rustc.new"; else mv "$tools/rustc.new" "$tools/rustc"; fi
+    # its standard library comes as source
+    export RUSTC_BOOTSTRAP=1 RUSTC="$tools/rustc"
+    export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER="$sysroot/lib/rustlib/$host/bin/rust-lld"
+    extra=(-Zbuild-std=std,panic_abort)
+fi
+cargo rustc --quiet --locked -p xacro-lsp-wasm --lib --crate-type cdylib --profile wasm --target "$target" "${extra[@]}"
+built="$CARGO_TARGET_DIR/$target/wasm/wasm.wasm"
+# the same bytes are left alone, so that what holds them is not built again
+cmp -s "$built" "$out/xacro_lint.wasm" || cp "$built" "$out/xacro_lint.wasm"
