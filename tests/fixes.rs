@@ -94,7 +94,7 @@ fn serious(report: &Report) -> Vec<(&'static str, &str)> {
 }
 
 /// Whether errors had safe fixes. They are gone then.
-fn mended_errors(fixed: &Fixed) -> bool {
+fn fixed_errors(fixed: &Fixed) -> bool {
     let is_safe = |finding: &&Finding| finding.fix.as_ref().is_some_and(|fix| fix.safety == Safety::Safe);
     let errors = |report: &Report| {
         let errors = report.findings.iter().filter(|finding| finding.severity == Severity::Error);
@@ -116,8 +116,8 @@ fn try_out(folder: &Path, file: &str, select: Option<&str>, most: Safety) -> Opt
     }
     let (found, left) = (serious(&fixed.found), serious(fixed.left()));
     let news: BTreeSet<_> = left.iter().filter(|finding| !found.contains(finding)).collect();
-    // mended errors may uncover what they hid; whatever else was mended is just gone
-    if most == Safety::Safe && !mended_errors(&fixed) {
+    // fixed errors may uncover what they hid; whatever else was fixed is just gone
+    if most == Safety::Safe && !fixed_errors(&fixed) {
         if !news.is_empty() {
             return Some(format!("{news:?} are new"));
         }

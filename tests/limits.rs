@@ -42,7 +42,7 @@ const TESTS: &[(&str, &str)] = &[
     ("SCAN_FILES", "tests/limits.rs::many_folders"),
     ("SCAN_FOLDERS", "tests/limits.rs::many_folders"),
     ("SOCKET_MESSAGE", "src/preview/browser/tests.rs::what_is_too_large_is_refused"),
-    ("STRANGERS", "src/preview/browser/tests.rs::sockets_that_say_nothing_keep_nobody_out"),
+    ("UNAUTHENTICATED", "src/preview/browser/tests.rs::sockets_that_say_nothing_keep_nobody_out"),
     ("XML_ERRORS_SEEN", "tests/limits.rs::xml_errors"),
 ];
 

@@ -186,7 +186,7 @@ fn every_block_says_what_it_should() {
 }
 
 /// Put the fixes of a rule into the files; how many there are.
-fn mend(rule: &Rule, report: &Report) -> usize {
+fn apply_fixes(rule: &Rule, report: &Report) -> usize {
     let own = report.findings.iter().filter(|finding| finding.rule.name == rule.name);
     let fixes: Vec<_> = own.filter_map(|finding| finding.fix.as_ref()).collect();
     let mut edits: Vec<_> = fixes.iter().flat_map(|fix| &fix.edits).collect();
@@ -205,7 +205,7 @@ fn mend(rule: &Rule, report: &Report) -> usize {
 const WITHOUT_EXAMPLE: &[&str] = &["absolute-mesh-path"];
 
 #[test]
-fn fixes_mend_what_they_are_offered_for() {
+fn fixes_fix_what_they_are_offered_for() {
     let mut wrong = Vec::new();
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fixes");
     for rule in rules::all() {
@@ -214,15 +214,15 @@ fn fixes_mend_what_they_are_offered_for() {
         for (number, block) in blocks.iter().enumerate().filter(|(_, block)| block.bad && !block.latin_1) {
             let (file, _) = write(rule, number, block, &folder);
             let folder = folder.join(rule.name).join(number.to_string());
-            let mended = mend(rule, &report(rule, &folder, &file));
-            shown += mended;
+            let fixed = apply_fixes(rule, &report(rule, &folder, &file));
+            shown += fixed;
             let place = format!("docs/rules/{}.md:{}", rule.name, block.line);
-            if mended > 0 && rule.fix.is_none() {
+            if fixed > 0 && rule.fix.is_none() {
                 wrong.push(format!("{place}: a fix that the headline does not promise"));
             }
             let after = report(rule, &folder, &file);
             let left = after.findings.iter().filter(|finding| finding.rule.name == rule.name);
-            if mended > 0 && left.filter(|finding| finding.fix.is_some()).count() > 0 {
+            if fixed > 0 && left.filter(|finding| finding.fix.is_some()).count() > 0 {
                 wrong.push(format!("{place}: still found after the fix"));
             }
         }

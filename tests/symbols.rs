@@ -120,6 +120,6 @@ fn what_nothing_calls_is_looked_into_and_changes_nothing() {
     assert!(expansion.tree.elements(expansion.tree.root().unwrap()).next().is_none());
     // `inner` is called by `outer`
     assert_eq!(expansion.probes.len(), 1);
-    let probed: Vec<_> = expansion.problems.iter().map(|p| (p.code, p.probed, p.message.as_str())).collect();
-    assert_eq!(probed, [("XAC001", true, "property `missing` is not defined")]);
+    let probed: Vec<_> = expansion.problems.iter().map(|p| (p.kind, p.probed, p.message.as_str())).collect();
+    assert_eq!(probed, [(expand::ProblemKind::UndefinedProperty, true, "property `missing` is not defined")]);
 }

@@ -16,6 +16,8 @@ mod lists;
 mod meshes;
 #[path = "words/printed.rs"]
 mod printed;
+#[path = "words/retired.rs"]
+mod retired;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

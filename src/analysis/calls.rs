@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::session::Session;
 use base::FastSet;
-use expand::{Expansion, Outside, Problem, Request, Severity, World, expand};
+use expand::{Expansion, Outside, Problem, ProblemKind, Request, Severity, World, expand};
 use workspace::GivenArg;
 
 /// Callers that are tried.
@@ -71,7 +71,7 @@ impl Failures {
                 Some(Outside::Argument(name)) => drop(found.arguments.insert(name.to_string())),
                 Some(Outside::File) => found.files += 1,
                 _ if problem.reference.contains("yaml dictionary has no key") => found.keys += 1,
-                _ if ["XAC025", "XAC027"].contains(&problem.code) => found.others += 1,
+                _ if is_value(problem.kind) => found.others += 1,
                 _ => {}
             }
         }
@@ -81,6 +81,11 @@ impl Failures {
     fn count(&self) -> usize {
         self.arguments.len() + self.files + self.keys + self.others
     }
+}
+
+/// Whether a value is wrong that others may give.
+fn is_value(kind: ProblemKind) -> bool {
+    matches!(kind, ProblemKind::ExpressionError | ProblemKind::InvalidCondition)
 }
 
 /// The request with the arguments of a caller. Those whose values the caller computes are unknown where nothing else is

@@ -24,7 +24,7 @@ use super::walk;
 use base::limits::MESSAGE_LETTERS;
 use base::{CancelFlag, FastMap, FastSet, FileId};
 use expand::large_stacks;
-use rules::{Finding, Severity};
+use rules::{Finding, Severity, named};
 use workspace::UNQUOTED;
 
 /// What to check.
@@ -452,7 +452,7 @@ impl Session {
             }
             shorten(text);
         }
-        let is_config = finding.rule.code == "LNT004";
+        let is_config = finding.rule == named::INVALID_CONFIG;
         severity == Severity::Error || is_config || homes.iter().any(|home| path.starts_with(home))
     }
 }

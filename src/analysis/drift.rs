@@ -15,7 +15,7 @@ use base::limits::{DRIFT_RUNS, DRIFT_SOURCES};
 use base::{CancelFlag, FastSet, Span, TextRange};
 use expand::{BindingKind, Request, expand, large_stacks, write, write_mapped};
 use model::{Comparison, Difference, compare};
-use rules::{Edit, Finding, Fix, Related, Safety, Severity, by_code, generated_urdf_out_of_date, span_of};
+use rules::{Edit, Finding, Fix, Related, Safety, Severity, generated_urdf_out_of_date, named, span_of};
 use vfs::SourceFile;
 
 /// What xacro writes in front of the name of the source.
@@ -52,7 +52,7 @@ struct Tried {
 impl Session {
     /// Generated files that no known way to generate them gives any more.
     pub(super) fn drift_findings(&self, options: &CheckOptions, outcomes: &[Outcome]) -> Vec<Finding> {
-        let Some(rule) = by_code("PKG011") else { return Vec::new() };
+        let rule = named::GENERATED_URDF_OUT_OF_DATE;
         let mut seen: FastSet<&Path> = FastSet::default();
         let generated: Vec<&Arc<SourceFile>> = (outcomes.iter())
             .filter(|outcome| seen.insert(&outcome.job.file))

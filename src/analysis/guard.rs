@@ -2,14 +2,7 @@
 
 use super::report::Report;
 use base::FastSet;
-use rules::{Category, Finding, Severity};
-
-/// Findings after whose fix more of a robot is there, which may hold errors of its own: texts that could not be parsed,
-/// tags and files that were missing or meant nothing.
-const REVEAL: [&str; 12] = [
-    "XML001", "XML002", "XML004", "XML006", "XAC002", "XAC008", "XAC009", "XAC017", "XAC020", "XAC021",
-    "XAC032", "PKG001",
-];
+use rules::{Category, Finding, Severity, Trait};
 
 /// Whether fixes of findings in the report before led to errors in what was expanded before.
 pub(super) fn harms(before: &Report, after: &Report, made: &[usize]) -> bool {
@@ -23,7 +16,7 @@ pub(super) fn harms(before: &Report, after: &Report, made: &[usize]) -> bool {
         return false;
     }
     let fixed = || made.iter().filter_map(|&number| before.findings.get(number));
-    if fixed().any(|finding| REVEAL.contains(&finding.rule.code)) {
+    if fixed().any(|finding| finding.rule.has(Trait::Reveals)) {
         return false;
     }
     // a value that is known now may be wrong, and another name is another message; one error for another is no loss

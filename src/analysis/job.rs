@@ -20,8 +20,8 @@ use expand::{Expansion, FileUse, Forced, FrameKind, Limits, Origin, Read, Reques
 use model::Robot;
 use rules::consumers::{self, Tally};
 use rules::{
-    Activation, Chosen, Finding, RootKind, Rule, Selector, Suppressions, all, by_code, check_expansion,
-    check_files, holds_for_semantic, include_tags, is_semantic, is_whole, missing_packages,
+    Activation, Chosen, Finding, RootKind, Rule, Selector, Suppressions, all, check_expansion, check_files,
+    holds_for_semantic, include_tags, is_semantic, is_whole, missing_packages, named,
 };
 use vfs::{LoadError, LoadErrorKind, SourceFile};
 
@@ -174,20 +174,15 @@ pub(super) fn judge(
 /// Whether to count what programs reject or change: where somebody asked and named none.
 fn counts_consumers(settings: &Settings, options: &CheckOptions, job: &Job) -> bool {
     let is_named = !settings.config.consumers.is_empty() || settings.config.oldest_reader.is_some();
-    let runs = |outcome| rule_of(outcome).is_some_and(|rule| settings.runs(rule, &job.file));
+    let runs = |outcome| settings.runs(consumers::rule_of(outcome), &job.file);
     let runs = runs(consumers::Outcome::Rejects) || runs(consumers::Outcome::Changes);
     options.count_consumers && !is_named && runs && job.called.is_none()
 }
 
 /// What is counted, without what a rule would say that is left out.
 fn wanted_of(mut found: Tally, settings: &Settings, job: &Job) -> Tally {
-    found.retain(|_, worst| rule_of(*worst).is_some_and(|rule| settings.runs(rule, &job.file)));
+    found.retain(|_, worst| settings.runs(consumers::rule_of(*worst), &job.file));
     found
-}
-
-/// The rule that says what a named program does.
-fn rule_of(outcome: consumers::Outcome) -> Option<&'static Rule> {
-    by_code(if outcome == consumers::Outcome::Rejects { "CSM001" } else { "CSM002" })
 }
 
 /// Whether a file is a robot, or says so by its name and lacks only what it includes.
@@ -296,7 +291,6 @@ fn reads(expansion: &Expansion) -> Vec<PathBuf> {
 
 /// A file that cannot be read is not well-formed either.
 fn unreadable(file: FileId, error: &LoadError) -> Option<Finding> {
-    let rule = by_code("XML001")?;
     let message = format!("cannot read the file: {}", error.reason());
     let span = Span { file, range: TextRange::default() };
     let help = match error.kind {
@@ -306,5 +300,5 @@ fn unreadable(file: FileId, error: &LoadError) -> Option<Finding> {
         LoadErrorKind::PermissionDenied => "make the file readable for this user",
         _ => "check that the path is a file on this disk",
     };
-    Some(Finding { help: Some(help.to_owned()), ..Finding::new(rule, span, message) })
+    Some(Finding { help: Some(help.to_owned()), ..Finding::new(named::XML_SYNTAX_ERROR, span, message) })
 }

@@ -167,7 +167,9 @@ pub(super) fn prefer_calls(outcomes: &mut [Outcome]) {
 /// The argument that is read and not given; a misspelled name is another mistake.
 fn not_given(finding: &Finding) -> Option<&str> {
     match &finding.outside {
-        Some(expand::Outside::Argument(name)) if finding.rule.code == "XAC003" => {
+        Some(expand::Outside::Argument(name))
+            if finding.problem == Some(expand::ProblemKind::UndefinedArg) =>
+        {
             (!finding.probed && finding.fix.is_none()).then_some(name)
         }
         _ => None,

@@ -3,7 +3,7 @@
 use super::contexts::{Contexts, Run};
 use super::job::Outcome;
 use base::{FastMap, Span};
-use rules::{Finding, Severity};
+use rules::{Finding, Severity, Trait, named};
 
 /// A finding, and where it occurred.
 struct Merged {
@@ -73,13 +73,13 @@ impl Merged {
     /// Say in which contexts the finding occurs, when not in all of them. What is unused in some of them only is not
     /// unused.
     fn finish(mut self, contexts: &Contexts) -> Option<Finding> {
-        if self.finding.rule.name == "gazebo-unknown-reference"
+        if self.finding.rule == named::GAZEBO_UNKNOWN_REFERENCE
             && contexts.other_robots(self.finding.span.file, &self.outcomes) > 0
         {
             // a shared file is written for the robot that has the link
             self.finding.severity = self.finding.severity.min(Severity::Info);
         }
-        if self.finding.rule.name == "transmission-unknown-joint" {
+        if self.finding.rule == named::TRANSMISSION_UNKNOWN_JOINT {
             // a shared file lists the joints of the largest robot; what a smaller one lacks, ROS 1 passes over
             let most = match contexts.other_robots(self.finding.span.file, &self.outcomes) {
                 0 => Severity::Error,
@@ -89,7 +89,7 @@ impl Merged {
             self.finding.severity = self.finding.severity.min(most);
         }
         let has = |number: &usize| self.outcomes.contains(number);
-        if self.finding.rule.name.starts_with("unused-")
+        if self.finding.rule.has(Trait::Unnecessary)
             && !contexts.of_called(self.finding.span.file, &self.outcomes).iter().all(has)
         {
             return None;
@@ -104,7 +104,7 @@ impl Merged {
             // what holds in all contexts may still blame a call that only some of them make
             return Some(self.finding);
         }
-        if self.finding.rule.name.starts_with("unused-") {
+        if self.finding.rule.has(Trait::Unnecessary) {
             return None;
         }
         for (way, own) in self.finding.ways.iter_mut().zip(&self.by_way) {

@@ -78,7 +78,16 @@ impl Leads {
         let cause = Related { span: error.span, message: "caused here".to_owned(), is_call: false };
         let others = error.related.iter().filter(|related| related.span != call).cloned();
         let related = std::iter::once(cause).chain(others).chain(self.noted.iter().map(place_of)).collect();
-        Some(Finding { span: call, message, related, fix: None, group: None, ..error })
+        Some(Finding {
+            span: call,
+            message,
+            related,
+            similar: None,
+            fix: None,
+            suggestion: None,
+            group: None,
+            ..error
+        })
     }
 }
 
@@ -93,7 +102,8 @@ fn hint(findings: Vec<Finding>, call: Span) -> Option<Finding> {
         _ => format!("this call causes {count} problems: {}", first.message),
     };
     let severity = Severity::Hint;
-    Some(Finding { severity, message, help: None, span: call, related, fix: None, group: None, ..first })
+    let no_help = Finding { help: None, similar: None, fix: None, suggestion: None, ..first };
+    Some(Finding { severity, message, span: call, related, group: None, ..no_help })
 }
 
 fn place_of(finding: &Finding) -> Related {
@@ -122,7 +132,9 @@ fn at_call(finding: &Finding, way: &Way) -> Finding {
         message: way.message.clone(),
         help: way.help.clone(),
         related: std::iter::once(body).chain(others.filter(own).cloned()).collect(),
+        similar: finding.similar.clone().filter(|_| way.help == finding.help),
         fix: finding.fix.clone().filter(|_| alone),
+        suggestion: None,
         ways: Vec::new(),
         ..finding.clone()
     }

@@ -15,9 +15,9 @@ use super::roots::{Job, Reason};
 use super::session::Session;
 use super::walk;
 use base::FastSet;
-use expand::{Expansion, Outside};
+use expand::{Expansion, Outside, ProblemKind};
 use model::{Kinematics, Robot};
-use rules::{Check, Finding, RootKind, Severity, is_plain_urdf, missing_robot_name};
+use rules::{Check, Finding, RootKind, Severity, is_plain_urdf, missing_robot_name, named};
 use workspace::RobotCall;
 use workspace::launch::Argument;
 
@@ -118,7 +118,7 @@ impl Session {
             return Role::Root;
         }
         let misspelt =
-            || findings.iter().any(|finding| finding.rule.code == "STR003" && finding.fix.is_some());
+            || findings.iter().any(|finding| finding.rule == named::UNDEFINED_LINK && finding.fix.is_some());
         // a file in xacro without content is one that somebody has yet to write
         let is_begun = |robot: &Robot| {
             !robot.links.is_empty() || !robot.joints.is_empty() || document.is_some_and(graph::gives_robot)
@@ -141,9 +141,11 @@ impl Session {
         if matches!(job.reason, Reason::Root | Reason::Alone) || finding.fix.is_some() {
             return false;
         }
-        let is_open = match (&finding.outside, finding.rule.code) {
-            (Some(Outside::Argument(_)), "XAC003") => self.packages.containing(&job.file).is_some(),
-            (Some(Outside::Includer), "XAC001") => {
+        let is_open = match (&finding.outside, finding.problem) {
+            (Some(Outside::Argument(_)), Some(ProblemKind::UndefinedArg)) => {
+                self.packages.containing(&job.file).is_some()
+            }
+            (Some(Outside::Includer), Some(ProblemKind::UndefinedProperty)) => {
                 let name = self.vfs.document(&self.vfs.path(finding.span.file));
                 let name = name.map(|source| source.document.slice(finding.span.range));
                 name.is_ok_and(|name| self.included_around(&job.file).is_some_and(|all| all.defines(&name)))
@@ -201,10 +203,10 @@ fn verdict(role: Role, finding: &Finding) -> Verdict {
         (_, Role::Unknown) => Verdict::Note,
         (None, Role::Root) => Verdict::Keep,
         (Some(_), Role::Root) if finding.probed => Verdict::Note,
-        (Some(Outside::Argument(_)), Role::Root) => match finding.rule.code {
-            "XAC003" => Verdict::Keep,
+        (Some(Outside::Argument(_)), Role::Root) => match finding.problem {
+            Some(ProblemKind::UndefinedArg) => Verdict::Keep,
             // the robot works as soon as the argument is given
-            "XAC037" => Verdict::Set(Severity::Warning),
+            Some(ProblemKind::UseBeforeDefinition) => Verdict::Set(Severity::Warning),
             _ => Verdict::Note,
         },
         (Some(Outside::Includer), Role::Root) => Verdict::Keep,

@@ -8,7 +8,10 @@ use super::roots::Job;
 use super::session::Session;
 use base::{CancelFlag, FastMap, TextRange};
 use ecow::EcoString;
-use expand::{Expansion, FileUse, Forced, FrameKind, Problem, Read, Request, Severity, World, expand, write};
+use expand::{
+    Expansion, FileUse, Forced, FrameKind, Problem, ProblemKind, Read, Request, Severity, World, expand,
+    write,
+};
 use vfs::Vfs;
 
 /// One way to expand a robot.
@@ -27,7 +30,7 @@ pub(super) struct Run {
     /// Whether it has errors.
     pub refused: bool,
     /// Its errors: code, file and place.
-    pub failures: Vec<(&'static str, PathBuf, u32)>,
+    pub failures: Vec<(ProblemKind, PathBuf, u32)>,
     /// The values of all arguments.
     pub arguments: Vec<(EcoString, EcoString)>,
     /// Where the macros stand that were called.
@@ -84,11 +87,11 @@ impl Run {
 }
 
 /// The errors of an expansion: code, file and place.
-fn failures(expansion: &Expansion) -> Vec<(&'static str, PathBuf, u32)> {
+fn failures(expansion: &Expansion) -> Vec<(ProblemKind, PathBuf, u32)> {
     let errors = expansion.problems.iter().filter(|problem| problem.severity == Severity::Error);
     let place = |problem: &Problem| {
         let file = expansion.files.get(problem.place.file.0 as usize)?;
-        Some((problem.code, file.source.path.to_path_buf(), problem.place.range.start))
+        Some((problem.kind, file.source.path.to_path_buf(), problem.place.range.start))
     };
     errors.filter_map(place).collect()
 }

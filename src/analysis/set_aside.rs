@@ -8,7 +8,8 @@ use super::roots::{Job, Reason};
 use super::session::Session;
 use super::walk;
 use base::FastSet;
-use rules::{Category, Finding, Group, Severity};
+use expand::ProblemKind;
+use rules::{Category, Finding, Group, Severity, Trait, named};
 use vfs::SourceFile;
 use workspace::Era;
 
@@ -34,24 +35,6 @@ const KEPT: [&str; 15] = [
 /// How many folders above a file a model of Gazebo begins at most.
 const MODEL_DEPTH: usize = 3;
 
-/// Rules about collisions that a robot which is only shown does not need.
-const ABOUT_CONTACTS: [&str; 2] = ["collision-mesh-too-detailed", "mesh-inconsistent-normals"];
-
-/// Rules about what only urdfdom rejects, and Bullet accepts.
-/// Source: `UrdfParser.cpp` of Bullet 3.25, and loading with PyBullet.
-const TAKEN_BY_BULLET: [&str; 9] = [
-    "duplicate-material",
-    "invalid-number",
-    "missing-attribute",
-    "missing-limit-attribute",
-    "missing-robot-name",
-    "unknown-geometry-type",
-    "unknown-joint-type",
-    "wrong-vector-length",
-    // the base of a robot that does not move
-    "zero-mass",
-];
-
 impl Session {
     /// What is wrong in a file that was set aside is an info. Not when somebody asks for this very file.
     pub(super) fn settle_set_aside(&self, job: &Job, findings: &mut [Finding]) {
@@ -63,7 +46,7 @@ impl Session {
             lower(findings);
         }
         let about_simulation = |finding: &Finding| {
-            finding.rule.category == Category::Inertia || ABOUT_CONTACTS.contains(&finding.rule.name)
+            finding.rule.category == Category::Inertia || finding.rule.has(Trait::Contact)
         };
         self.lower_where(findings, about_simulation, || {
             self.is_only_shown(&job.file).then_some(Severity::Info)
@@ -71,15 +54,16 @@ impl Session {
         // Bullet computes inertia from the shapes unless it is told otherwise
         let about_bullet = |finding: &Finding| {
             // what has a fix is text before the declaration
-            let is_before = finding.rule.name == "xml-syntax-error" && finding.fix.is_some();
-            let is_taken = is_before || TAKEN_BY_BULLET.contains(&finding.rule.name);
+            let is_before = finding.rule == named::XML_SYNTAX_ERROR && finding.fix.is_some();
+            let is_taken = is_before || finding.rule.has(Trait::AcceptedByBullet);
             is_taken || finding.rule.category == Category::Inertia
         };
         self.lower_where(findings, about_bullet, || self.is_for_bullet(&job.file).then_some(Severity::Info));
-        let about_prefixes = |finding: &Finding| match finding.rule.name {
-            "unprefixed-xacro-tag" | "unprefixed-macro-call" => true,
-            "unknown-geometry-type" => finding.message.starts_with("`insert_block`"),
-            _ => false,
+        let about_prefixes = |finding: &Finding| {
+            let is_block = || finding.message.starts_with("`insert_block`");
+            finding.rule == named::UNPREFIXED_XACRO_TAG
+                || finding.rule == named::UNPREFIXED_MACRO_CALL
+                || finding.rule == named::UNKNOWN_GEOMETRY_TYPE && is_block()
         };
         if let Some(most) =
             self.lower_where(findings, about_prefixes, || self.severity_of_bare_tags(&job.file))
@@ -90,17 +74,16 @@ impl Session {
                 finding.group = Some(Group::Value("for an old xacro".into()));
             });
         }
-        let about_order = |finding: &Finding| finding.rule.name == "use-before-definition";
+        let about_order = |finding: &Finding| finding.problem == Some(ProblemKind::UseBeforeDefinition);
         let is_unordered = || (self.era(&job.file) == Era::Unordered).then_some(Severity::Info);
         self.lower_where(findings, about_order, is_unordered);
         // a library of which the robots that are launched use a part
         let is_uncalled = |finding: &Finding| finding.probed;
         let is_library = || self.is_beside_launched(&job.file).then_some(Severity::Info);
         self.lower_where(findings, is_uncalled, is_library);
-        let is_placeholder = |finding: &Finding| match finding.rule.name {
-            "invalid-number" => self.is_filled_in(&job.file, finding),
-            "expression-error" => self.is_replaced(&job.file, finding),
-            _ => false,
+        let is_placeholder = |finding: &Finding| match finding.problem {
+            Some(ProblemKind::ExpressionError) => self.is_replaced(&job.file, finding),
+            _ => finding.rule == named::INVALID_NUMBER && self.is_filled_in(&job.file, finding),
         };
         self.lower_where(findings, is_placeholder, || Some(Severity::Info));
     }

@@ -11,7 +11,7 @@ use super::roots::Reason;
 use super::session::Session;
 use base::{FastSet, FileId, Span, TextRange};
 use rules::{
-    Check, Directive, Finding, Rule, Safety, Selector, Suppression, Suppressions, all, by_code,
+    Check, Directive, Finding, Rule, Safety, Selector, Suppression, Suppressions, all, named,
     unused_suppression,
 };
 use vfs::SourceFile;
@@ -69,7 +69,7 @@ impl<'a> Hiding<'a> {
 
     /// The comments that hid nothing, when all findings were shown.
     pub(super) fn finish(mut self) -> Vec<Finding> {
-        let Some(own) = by_code("LNT001") else { return Vec::new() };
+        let own = named::UNUSED_SUPPRESSION;
         // comments about this very rule come last: they may hide what is said about the others
         let mut findings = self.unused(|selector| !selector.names(own));
         findings.retain(|finding| !self.hides(finding, &[]));

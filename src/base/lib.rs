@@ -6,10 +6,12 @@ pub mod limits;
 pub mod paths;
 mod position;
 mod range;
+mod text;
 
 pub use cancel::CancelFlag;
 pub use position::{Encoding, LineCol, count_line_ends, last_line_start, line_end, nth_line_start};
 pub use range::{FileId, Span, TextRange};
+pub use text::escape_xml;
 
 /// The hash map used throughout: fast, not resistant to chosen keys, never iterated into output.
 pub type FastMap<K, V> = rustc_hash::FxHashMap<K, V>;

@@ -256,7 +256,7 @@ limits! {
         /// Connections with an incomplete request.
         CONNECTIONS: usize = 128, "the oldest connection is closed";
         /// WebSockets that have not sent the token.
-        STRANGERS: usize = 32, "the oldest connection is closed";
+        UNAUTHENTICATED: usize = 32, "the oldest connection is closed";
         /// Open pages.
         PAGES: usize = 32, "the oldest connection is closed";
         /// Bytes of the headers of a request.

@@ -110,7 +110,7 @@ fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
     }
     report(&expansion, options, &packages, &env.cwd, io);
     if expansion.has_errors() {
-        let xml = expansion.problems.iter().any(|p| p.code.starts_with("XML"));
+        let xml = expansion.problems.iter().any(|p| p.kind.is_about_text());
         // above verbosity 1 the reference ends in a stack trace
         return if options.verbosity > 1 && !xml { 1 } else { 2 };
     }

@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use super::fingerprints::Fingerprints;
 use super::render::{shown_path, visible};
 use analysis::{Position, Report};
+use base::escape_xml;
 use rules::{Finding, Severity};
 
 /// The findings that people are shown.
@@ -123,7 +124,7 @@ fn test(report: &Report, finding: &Finding, path: &str, fails: bool) -> String {
 
 /// Text for XML, in an attribute or between tags.
 pub(super) fn quoted(text: &str) -> String {
-    let text = visible(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+    let text = escape_xml(&visible(text));
     // characters that no XML may hold
-    text.replace('"', "&quot;").replace(['\n', '\t'], " ").replace(['\u{FFFE}', '\u{FFFF}'], "\u{FFFD}")
+    text.replace(['\n', '\t'], " ").replace(['\u{FFFE}', '\u{FFFF}'], "\u{FFFD}")
 }

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::tree::{Tree, kind};
+use base::escape_xml;
 
 /// Width of a character, in user units (a monospaced font of size 12).
 const CHAR: f64 = 7.3;
@@ -43,7 +44,7 @@ pub(super) fn draw(tree: &Tree<'_>) -> String {
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{total_width:.0}\" height=\"{total_height:.0}\" \
          viewBox=\"0 0 {total_width:.0} {total_height:.0}\">\n<title>{}</title>\n<style>{STYLE}</style>\n",
-        escape(tree.robot.name.as_ref().map_or("", |name| name.value.as_str()))
+        escape_xml(tree.robot.name.as_ref().map_or("", |name| name.value.as_str()))
     );
     let middle = |placed: &Placed| MARGIN + placed.row * ROW + BOX / 2.0;
     for child in &placed {
@@ -60,8 +61,8 @@ pub(super) fn draw(tree: &Tree<'_>) -> String {
             out,
             "<g class=\"{class}\"><title>{0}: {1}</title><path d=\"M{x0:.1} {y0:.1}H{bend:.1}V{y1:.1}H{x1:.1}\"/>\
              <text x=\"{2:.1}\" y=\"{3:.1}\">{0} ({1})</text></g>",
-            escape(joint),
-            escape(kind),
+            escape_xml(joint),
+            escape_xml(kind),
             bend + 6.0,
             y1 - 9.0
         );
@@ -74,7 +75,7 @@ pub(super) fn draw(tree: &Tree<'_>) -> String {
              <text x=\"{:.1}\" y=\"{:.1}\">{}</text></g>",
             x + w / 2.0,
             y + BOX / 2.0,
-            escape(tree.link(link.link))
+            escape_xml(tree.link(link.link))
         );
     }
     out.push_str("</svg>\n");
@@ -147,8 +148,4 @@ fn columns(tree: &Tree<'_>, placed: &[Placed]) -> Vec<Column> {
 
 fn length(text: &str) -> f64 {
     text.chars().count() as f64
-}
-
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -1,5 +1,6 @@
 //! What to do about a problem for which the place that found it has no better advice.
 
+use super::kind::ProblemKind;
 use super::problem::Problem;
 use expr::{ErrorKind, EvalError};
 
@@ -59,32 +60,44 @@ fn named(kind: &str) -> String {
 
 /// The advice, in the imperative.
 pub(super) fn of(problem: &Problem) -> String {
-    let advice = match problem.code {
-        "XAC006" => "remove it, or add it to `params` of the macro",
-        "XAC007" => "remove the extra element from the call, or add a block parameter `*name` to the macro",
-        "XAC009" => "remove one of the includes, or put it in <xacro:if value=\"...\">",
-        "XAC018" => "rename the property; expressions can no longer use the built-in symbol",
-        "XAC022" => "use letters, digits and `_`; do not start with a digit or use a Python keyword",
-        "XAC024" => "write a Python expression such as `${2 * pi}`; quote strings as in `${'left' + side}`",
-        "XAC025" => return of_failure(problem),
-        "XAC026" => match problem.message.contains("${") {
+    let advice = match problem.kind {
+        ProblemKind::UnknownMacroParam => "remove it, or add it to `params` of the macro",
+        ProblemKind::MacroBlockMismatch => {
+            "remove the extra element from the call, or add a block parameter `*name` to the macro"
+        }
+        ProblemKind::IncludeCycle => "remove one of the includes, or put it in <xacro:if value=\"...\">",
+        ProblemKind::ShadowedBuiltin => {
+            "rename the property; expressions can no longer use the built-in symbol"
+        }
+        ProblemKind::InvalidPropertyName => {
+            "use letters, digits and `_`; do not start with a digit or use a Python keyword"
+        }
+        ProblemKind::InvalidExpression => {
+            "write a Python expression such as `${2 * pi}`; quote strings as in `${'left' + side}`"
+        }
+        ProblemKind::ExpressionError => return of_failure(problem),
+        ProblemKind::UnclosedExpression => match problem.message.contains("${") {
             true => "add `}`",
             false => "add `)`",
         },
-        "XAC030" => "write `xacro:` before the name in calls only, not in the definition",
-        "XAC031" => "remove the attribute",
-        "XAC032" => match problem.message.starts_with("missing") {
+        ProblemKind::MacroNameWithPrefix => {
+            "write `xacro:` before the name in calls only, not in the definition"
+        }
+        ProblemKind::UnknownXacroAttribute => "remove the attribute",
+        ProblemKind::MissingXacroAttribute => match problem.message.starts_with("missing") {
             true => "add the attribute with a value",
             false => "remove the attribute",
         },
-        "XAC033" => "remove the child elements, or move them out of the include",
-        "XAC034" => "simplify the robot description; the limit is fixed",
-        "XAC035" => "correct the pattern, or remove the include",
-        "XAC036" => "keep only one of the attributes",
-        "XAC040" => "remove `scope`, or use `value` instead of `default`",
-        "XAC041" => "use another name",
-        "XAC042" => "use the same URI in both places, or another prefix",
-        "XML001" => "write the text itself instead of the entity, and remove the DOCTYPE",
+        ProblemKind::IncludeChildrenIgnored => "remove the child elements, or move them out of the include",
+        ProblemKind::InfiniteMacroRecursion => "simplify the robot description; the limit is fixed",
+        ProblemKind::GlobIncludeNoMatch => "correct the pattern, or remove the include",
+        ProblemKind::ConflictingPropertyAttributes => "keep only one of the attributes",
+        ProblemKind::DefaultWithScope => "remove `scope`, or use `value` instead of `default`",
+        ProblemKind::InvalidMacroName => "use another name",
+        ProblemKind::InconsistentNamespaceRedefinition => {
+            "use the same URI in both places, or another prefix"
+        }
+        ProblemKind::XmlSyntaxError => "write the text itself instead of the entity, and remove the DOCTYPE",
         _ => return of_evaluation(&problem.message),
     };
     advice.to_owned()

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use super::element::Tag;
+use super::kind::ProblemKind;
 use super::machine::{Cx, Expander};
 use super::meant;
 use super::origin::Origin;
@@ -28,7 +29,9 @@ impl Expander<'_> {
         if found.is_none() {
             let message = format!("missing attribute `{name}` in `{}`", tag.name);
             let reference = format!("{}: missing attribute '{name}'", tag.name);
-            let problem = self.problem("XAC032", self.tag_origin(tag, cx), message).says(reference);
+            let problem = self
+                .problem(ProblemKind::MissingXacroAttribute, self.tag_origin(tag, cx), message)
+                .says(reference);
             let mut others = tag.attrs().filter(|attr| !attr.name().starts_with("xmlns"));
             self.push(match (others.next(), others.next()) {
                 (Some(other), None) if tag.name == "xacro:property" => {
@@ -54,7 +57,7 @@ impl Expander<'_> {
         for (i, attr) in extra.iter().enumerate() {
             let at = Origin { src: tag.src, range: attr.name_range(), frame: cx.frame };
             let message = format!("unknown attribute `{}` in `{}`", attr.name(), tag.name);
-            let mut problem = self.problem("XAC031", at, message).warning();
+            let mut problem = self.problem(ProblemKind::UnknownXacroAttribute, at, message).warning();
             if i == 0 {
                 let list = names.join(", ");
                 problem = problem.says(format!("{}: unknown attribute(s): {list}", tag.name));
@@ -94,7 +97,7 @@ impl Expander<'_> {
                 "Xacro conditional \"{raw}\" evaluated to \"{shown}\", which is not a boolean expression."
             );
             let mut problem = self
-                .problem("XAC027", at, message)
+                .problem(ProblemKind::InvalidCondition, at, message)
                 .says(reference)
                 .help("write `true`, `false`, an integer or an expression such as `${x > 0}`");
             problem.outside = self.outside_of_reads(mark);

@@ -1,8 +1,10 @@
 //! What a call gives to the parameters of its macro: attributes, blocks, defaults, values of the caller.
 
 use super::element::Tag;
+use super::kind::ProblemKind;
 use super::machine::{Cx, Expander};
 use super::origin::Origin;
+use super::problem::Detail;
 use super::problem::{Outside, Step};
 use super::property::literal_of;
 use super::resolve::{BindingInfo, BindingKind};
@@ -115,7 +117,7 @@ impl Expander<'_> {
             let message =
                 format!("call of macro `{}` is missing a block for `{}`", def.name, missing.join("`, `"));
             let problem = self
-                .problem("XAC007", self.tag_origin(tag, cx), message)
+                .problem(ProblemKind::MacroBlockMismatch, self.tag_origin(tag, cx), message)
                 .says("Not enough blocks")
                 .help("write one element per block parameter between the start and end tag of the call");
             self.push_with_definition(problem, def);
@@ -123,7 +125,9 @@ impl Expander<'_> {
             let node = self.result.tree.get(extra);
             let (name, at) = (node.text.clone(), node.origin);
             let message = format!("too many blocks in call of macro `{}`: unexpected `{name}`", def.name);
-            let problem = self.problem("XAC007", at, message).says(format!("Unused block \"{name}\""));
+            let problem = self
+                .problem(ProblemKind::MacroBlockMismatch, at, message)
+                .says(format!("Unused block \"{name}\""));
             self.push_with_definition(problem, def);
         }
     }
@@ -147,7 +151,9 @@ impl Expander<'_> {
             let name = &param.name;
             let at = param.definition.map_or(def.origin, |(at, _)| at);
             let message = format!("parameter `{name}` of macro `{}` is inserted as a block", def.name);
-            let problem = self.problem("XAC004", at, message).says(format!("Undefined block \"{name}\""));
+            let problem = self
+                .problem(ProblemKind::UndefinedBlock, at, message)
+                .says(format!("Undefined block \"{name}\""));
             self.push(problem.help(format!("write `*{name}`")).replace_with(format!("*{name}")));
         }
         meant
@@ -209,7 +215,7 @@ impl Expander<'_> {
             def.name
         );
         let problem = self
-            .problem("XAC005", at, message)
+            .problem(ProblemKind::MissingMacroParam, at, message)
             .says(format!("Undefined property to forward: {name}"))
             .depends_on(Outside::Includer)
             .help(format!("pass {name}=\"...\" in the call"));
@@ -237,10 +243,10 @@ impl Expander<'_> {
             format!("call of macro `{}` is missing the {plural} `{}`", def.name, names.join("`, `"));
         let add: Vec<String> = names.iter().map(|n| format!("{n}=\"...\"")).collect();
         let problem = self
-            .problem("XAC005", at, message)
+            .problem(ProblemKind::MissingMacroParam, at, message)
             .says(format!("Undefined parameters [{}]", names.join(",")))
             .help(format!("add {}", add.join(" ")))
-            .detail(add.join(" "));
+            .detail(Detail::MissingParams(open.iter().map(|param| param.name.clone()).collect()));
         self.push_with_definition(problem, def);
         for param in &open {
             self.bind_unknown(param, at, body);
@@ -259,7 +265,7 @@ impl Expander<'_> {
         let name = &param.name;
         let message = format!("duplicate parameter `{name}` in macro `{}`", def.name);
         let mut problem = self
-            .problem("XAC005", again, message)
+            .problem(ProblemKind::MissingMacroParam, again, message)
             .says(format!("Undefined parameters [{name}]"))
             .help("remove one of them, or rename it");
         let place = self.result.place(first);
@@ -279,12 +285,14 @@ impl Expander<'_> {
         body: Cx,
     ) -> Option<&'d Param> {
         let message = format!("unknown parameter `{name}` in call of macro `{}`", def.name);
-        let mut problem = self.problem("XAC006", at, message).says(format!("Invalid parameter \"{name}\""));
+        let mut problem = self
+            .problem(ProblemKind::UnknownMacroParam, at, message)
+            .says(format!("Invalid parameter \"{name}\""));
         if let Some(block) = self.block_of_name(def, open, name) {
             let message =
                 format!("block parameter `{name}` of macro `{}` is given as an attribute", def.name);
             let problem = self
-                .problem("XAC007", at, message)
+                .problem(ProblemKind::MacroBlockMismatch, at, message)
                 .says(format!("Invalid parameter \"{name}\""))
                 .help("remove the attribute, and write an element between the start and the end tag of the call");
             self.push_with_definition(problem, def);

@@ -3,9 +3,11 @@
 use ecow::EcoString;
 
 use super::element::Tag;
+use super::kind::ProblemKind;
 use super::late::NameKind;
-use super::machine::{Cx, Expander, Forced};
+use super::machine::{Cx, Expander};
 use super::origin::{FrameKind, Origin};
+use super::request::Forced;
 use super::resolve::{BindingInfo, BindingKind};
 use super::scope::{Block, Place, State};
 use super::symbols::{SymbolKind, UseKind};
@@ -175,7 +177,7 @@ impl Expander<'_> {
             return;
         };
         let mut problem = self
-            .problem("XAC004", place.origin, format!("block `{name}` is not defined"))
+            .problem(ProblemKind::UndefinedBlock, place.origin, format!("block `{name}` is not defined"))
             .says(format!("Undefined block \"{name}\""));
         if let Some(near) = &missing.near {
             problem = problem.help(format!("did you mean `{near}`?")).replace_with(near);

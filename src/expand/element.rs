@@ -5,6 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use ecow::EcoString;
 
+use super::kind::ProblemKind;
 use super::machine::{Cx, Expander};
 use super::origin::{FileIdx, Origin, SrcId};
 use super::params::strip;
@@ -14,7 +15,7 @@ use super::tree::{XAttr, XId, XKind};
 use base::TextRange;
 use base::limits::ELEMENT_DEPTH;
 use expr::{Value, display, literal};
-use xml::{Attr, Entities, Item, Node, NodeKind, printed_doctype};
+use xml::{Attr, Entities, Item, Node, NodeKind, normalize_line_ends, printed_doctype};
 
 /// An element of the source as the pass sees it: `xacro:element` and `xacro:call` go on under another name.
 #[derive(Clone, Copy)]
@@ -156,7 +157,7 @@ impl Expander<'_> {
     /// An entity that stands for elements: the tree does not show them.
     fn refuse_markup(&mut self, name: &str, at: Origin) {
         let message = format!("entity `{name}` contains markup, which is not supported");
-        let problem = self.problem("XML001", at, message.clone()).says(message);
+        let problem = self.problem(ProblemKind::XmlSyntaxError, at, message.clone()).says(message);
         self.push(problem.help("write the elements in place of `&{name};`, or use a macro"));
         self.result.complete = false;
         self.content_lost = true;
@@ -194,7 +195,7 @@ impl Expander<'_> {
         // the data stands between `<!--` and `-->`
         let range = TextRange::new(whole.start + 4, whole.start + 4 + raw.len() as u32);
         let origin = Origin { src, range, frame: cx.frame };
-        let data = normalise_lines(raw);
+        let data = normalize_line_ends(raw);
         let text = if siblings.eval_comments && data.contains('$') {
             self.eval_pieces(&data, Place { origin, is_attr: false }, cx).0
         } else {
@@ -207,14 +208,14 @@ impl Expander<'_> {
     /// What xacro never looks into.
     fn copy_verbatim(&mut self, node: Node<'_>, src: SrcId, out: XId, cx: Cx) {
         let (kind, text) = match node.kind() {
-            NodeKind::Comment => (XKind::Comment, normalise_lines(node.raw())),
-            NodeKind::CData => (XKind::CData, normalise_lines(node.raw())),
+            NodeKind::Comment => (XKind::Comment, normalize_line_ends(node.raw())),
+            NodeKind::CData => (XKind::CData, normalize_line_ends(node.raw())),
             NodeKind::Doctype => {
-                let text = normalise_lines(node.raw());
+                let text = normalize_line_ends(node.raw());
                 (XKind::Doctype, Cow::Owned(printed_doctype(&text, self.keeps_subset(src))))
             }
             NodeKind::Pi => {
-                let data = normalise_lines(node.raw());
+                let data = normalize_line_ends(node.raw());
                 (XKind::Pi, Cow::Owned(format!("{} {data}", node.name())))
             }
             _ => return,
@@ -306,13 +307,23 @@ impl Expander<'_> {
             Value::Unknown => return self.skip_unknown(tag, cx),
             Value::Str(name) if !name.is_empty() => name,
             Value::Str(_) | Value::None => {
-                self.error("XAC025", at, "empty name in `xacro:element`", "xacro:element: empty name");
+                self.error(
+                    ProblemKind::ExpressionError,
+                    at,
+                    "empty name in `xacro:element`",
+                    "xacro:element: empty name",
+                );
                 return;
             }
             other => {
                 let shown = display::repr(&other).unwrap_or_default();
                 let message = format!("name in `xacro:element` is {shown}, which is not a string");
-                self.error("XAC025", at, message, format!("xacro:element: invalid name {shown}"));
+                self.error(
+                    ProblemKind::ExpressionError,
+                    at,
+                    message,
+                    format!("xacro:element: invalid name {shown}"),
+                );
                 return;
             }
         };
@@ -333,7 +344,7 @@ impl Expander<'_> {
             Value::Unknown => {}
             name if literal::truth(&name) == Some(false) => {
                 let message = "empty name in `xacro:attribute`";
-                self.error("XAC025", at, message, "xacro:attribute: empty name");
+                self.error(ProblemKind::ExpressionError, at, message, "xacro:attribute: empty name");
             }
             name => {
                 let message = match display::repr(&name) {
@@ -341,7 +352,7 @@ impl Expander<'_> {
                     None => "name in `xacro:attribute` is not a string".to_owned(),
                 };
                 let reference = format!("'{}' object has no attribute 'split'", name.type_name());
-                self.error("XAC025", at, message, reference);
+                self.error(ProblemKind::ExpressionError, at, message, reference);
             }
         }
     }
@@ -385,13 +396,4 @@ fn behind_empty_cdata(node: Node<'_>) -> Option<Node<'_>> {
 fn no_entities() -> &'static Entities {
     static NONE: OnceLock<Entities> = OnceLock::new();
     NONE.get_or_init(Entities::default)
-}
-
-/// Line ends inside comments, CDATA sections and the like, as an XML parser reports them.
-fn normalise_lines(text: &str) -> Cow<'_, str> {
-    if text.contains('\r') {
-        Cow::Owned(text.replace("\r\n", "\n").replace('\r', "\n"))
-    } else {
-        Cow::Borrowed(text)
-    }
 }

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use ecow::EcoString;
 
+use super::kind::ProblemKind;
 use super::machine::{Expander, OpenFile};
 use super::record::Read;
 use super::symbols::UseKind;
@@ -93,7 +94,7 @@ impl Host for ExprHost<'_, '_, '_> {
         let reference = format!("Using {name}() directly is deprecated. Use {namespace}.{name}() instead.");
         let problem = self
             .machine
-            .problem("XAC029", at, message)
+            .problem(ProblemKind::DeprecatedBuiltinCall, at, message)
             .says(reference)
             .warning()
             .help(format!("write `{namespace}.{name}`"))

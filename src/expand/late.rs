@@ -2,6 +2,7 @@
 
 use ecow::EcoString;
 
+use super::kind::ProblemKind;
 use super::machine::Expander;
 use super::origin::Origin;
 use super::problem::{Outside, Problem, Step};
@@ -87,12 +88,12 @@ impl Expander<'_> {
     }
 
     /// Whether a problem is known or not to be reported at all; a further call that leads to it is noted.
-    pub fn is_repeated(&mut self, code: &'static str, at: Origin, message: &str) -> bool {
+    pub fn is_repeated(&mut self, kind: ProblemKind, at: Origin, message: &str) -> bool {
         if self.unwinding || self.idle {
             return true;
         }
         let Some(place) = self.result.place(at) else { return false };
-        let Some(known) = self.problems.find(code, place, message) else { return false };
+        let Some(known) = self.problems.find(kind, place, message) else { return false };
         if self.problems.wants_calls(known) {
             let call = self.trace(at, 1).pop();
             self.problems.add_call(known, call);
@@ -133,7 +134,7 @@ impl Expander<'_> {
         let step = Step { place, message: format!("{noun} `{name}` is defined here") };
         for Early { problem, .. } in early {
             let Some(problem) = self.problems.list.get_mut(problem) else { continue };
-            problem.code = "XAC037";
+            problem.kind = ProblemKind::UseBeforeDefinition;
             problem.message = format!("{noun} `{name}` is used before it is defined");
             problem.help = Some(match kind {
                 NameKind::Arg => format!(

@@ -1,18 +1,19 @@
 //! The state of one expansion, its entry point and its limits.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
-use std::time::Duration;
 
 use ecow::EcoString;
 
 use super::expansion::Expansion;
+use super::kind::ProblemKind;
 use super::late::Undefined;
 use super::memo::{Kept, Recorder};
 use super::origin::{FileIdx, Frame, FrameId, FrameKind, Origin};
-use super::problem::{Place as ProblemPlace, Problem, Problems, Severity, Step, step_message};
+use super::problem::{Problem, Problems, Severity};
 use super::record::Read;
 use super::replay::Before;
+use super::request::{Request, World};
 use super::resolve::{BindingInfo, LazyUse};
 use super::scope::{MacroDef, Macros, MacrosId, Scopes};
 use super::stack::with_stack;
@@ -20,126 +21,8 @@ use super::text::SplitText;
 use super::tree::{XAttr, XId, XKind};
 use base::clock::Instant;
 use base::limits::{self, EVAL_DEPTH};
-use base::{CancelFlag, FastMap, FastSet, TextRange};
+use base::{FastMap, FastSet};
 use expr::{Budget, ScopeId, Value};
-use vfs::{Environment, Vfs};
-use workspace::{Packages, config};
-
-/// Where an expansion reads from.
-#[derive(Clone, Copy)]
-pub struct World<'w> {
-    /// Files.
-    pub vfs: &'w Vfs,
-    /// `$(find)`.
-    pub packages: &'w Packages,
-    /// `$(env)` and the working directory.
-    pub env: &'w Environment,
-}
-
-/// Budgets of one expansion; the defaults are those of the configuration's `[limits]`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Limits {
-    /// Steps of expression evaluation.
-    pub eval_steps: u64,
-    /// Bytes of text made.
-    pub output_bytes: u64,
-    /// Nodes of the expanded document.
-    pub expand_nodes: u64,
-    /// Wall time.
-    pub expand_time: Duration,
-    /// Macro calls inside macro calls.
-    pub macro_depth: u32,
-    /// Includes inside includes.
-    pub include_depth: u32,
-}
-
-impl Default for Limits {
-    fn default() -> Self {
-        Self {
-            eval_steps: limits::EVAL_STEPS,
-            output_bytes: limits::OUTPUT_BYTES,
-            expand_nodes: limits::EXPAND_NODES,
-            expand_time: Duration::from_millis(limits::EXPAND_MS),
-            macro_depth: limits::MACRO_DEPTH,
-            include_depth: limits::INCLUDE_DEPTH,
-        }
-    }
-}
-
-impl Limits {
-    /// The budgets of a configuration.
-    pub fn configured(limits: &config::Limits) -> Self {
-        Self {
-            eval_steps: limits.eval_steps,
-            expand_nodes: limits.expand_nodes,
-            expand_time: Duration::from_millis(limits.expand_ms),
-            macro_depth: limits.macro_depth,
-            include_depth: limits.include_depth,
-            ..Self::default()
-        }
-    }
-}
-
-/// What to expand, and how.
-#[derive(Clone, Debug, Default)]
-pub struct Request {
-    /// The root file as the user named it, relative to the root directory.
-    pub file: String,
-    /// `name:=value` in order; later ones win.
-    pub args: Vec<(String, String)>,
-    /// `--root-dir`: what relative names are relative to; the working directory when absent.
-    pub root_dir: Option<String>,
-    /// Budgets.
-    pub limits: Limits,
-    /// Whether more is wanted than the document: macros that nothing calls are looked into, with parameters whose
-    /// values are unknown, and it is noted what names refer to and what expressions gave.
-    pub probe: bool,
-    /// Arguments that are given, nobody knows with which values; `args` win.
-    pub unknown_args: Vec<String>,
-    /// Whether variables that every shell of ROS has are set, as far as the environment does not say otherwise.
-    pub ros_shell: bool,
-    /// Whether the result is kept for long: it then takes no more room than it must.
-    pub keep: bool,
-    /// Whether the process ends behind this: what the expansion was made with is then left to the system.
-    pub last: bool,
-    /// Conditions whose outcome is given, whatever their values say.
-    pub forced: Vec<Forced>,
-    /// Set to stop early; the result is then incomplete.
-    pub cancel: CancelFlag,
-}
-
-impl Request {
-    /// Whether the same is asked for, whoever may cancel it.
-    pub(super) fn is_same(&self, other: &Self) -> bool {
-        let Self {
-            file,
-            args,
-            root_dir,
-            limits,
-            probe,
-            unknown_args,
-            ros_shell,
-            keep,
-            last: _,
-            forced,
-            cancel: _,
-        } = self;
-        (file, args, root_dir, limits) == (&other.file, &other.args, &other.root_dir, &other.limits)
-            && (*probe, *ros_shell, *keep) == (other.probe, other.ros_shell, other.keep)
-            && (unknown_args, forced) == (&other.unknown_args, &other.forced)
-    }
-}
-
-/// A condition (`xacro:if` or `xacro:unless`) whose outcome is given.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Forced {
-    /// The file, absolute.
-    pub file: PathBuf,
-    /// Where its tag begins: byte offset of the `<`.
-    pub at: u32,
-    /// Whether its content is taken.
-    pub taken: bool,
-}
 
 /// Expand a file. Never fails: what went wrong is in [`Expansion::problems`].
 ///
@@ -263,7 +146,7 @@ pub(super) struct Expander<'w> {
 
 impl<'w> Expander<'w> {
     /// Steps shown of the way to a problem.
-    const TRACE_STEPS: usize = 100;
+    pub(super) const TRACE_STEPS: usize = 100;
 
     fn new(world: World<'w>, request: &'w Request, before: Option<Before<'w>>) -> Self {
         let mut result = Expansion { complete: true, ..Expansion::default() };
@@ -331,7 +214,7 @@ impl<'w> Expander<'w> {
         self.result.arguments = self.argument_values();
         let broken = std::mem::take(&mut self.broken);
         // what the recovered tree of a broken file seems to say is not trusted
-        let trusted = |p: &Problem| p.code.starts_with("XML") || !broken.contains(&p.place.file);
+        let trusted = |p: &Problem| p.kind.is_about_text() || !broken.contains(&p.place.file);
         let (kept, doubtful) = std::mem::take(&mut self.problems.list).into_iter().partition(trusted);
         self.result.problems = kept;
         self.result.doubtful = doubtful;
@@ -378,7 +261,7 @@ impl<'w> Expander<'w> {
             Some(_) => "expression uses an unsupported Python feature",
             None => "an expression in this file uses an unsupported Python feature",
         };
-        self.error("XAC025", hole.unwrap_or(root), message, message);
+        self.error(ProblemKind::ExpressionError, hole.unwrap_or(root), message, message);
     }
 
     fn bind_arguments(&mut self) {
@@ -432,75 +315,11 @@ impl<'w> Expander<'w> {
             return;
         }
         self.stopped = true;
-        let mut problem = self.problem("XAC034", at, message);
+        let mut problem = self.problem(ProblemKind::InfiniteMacroRecursion, at, message);
         if let Some(key) = key {
             problem = problem.help(raise(key));
         }
         self.problems.push(problem);
-    }
-
-    /// A problem at `at`, with the way that led there.
-    pub fn problem(&self, code: &'static str, at: Origin, message: impl Into<String>) -> Problem {
-        let place =
-            self.result.place(at).unwrap_or(ProblemPlace { file: FileIdx(0), range: TextRange::default() });
-        Problem::new(code, place, message).via(self.trace(at, Self::TRACE_STEPS))
-    }
-
-    /// Report an error at `at`; `reference` is what xacro says.
-    pub fn error(
-        &mut self,
-        code: &'static str,
-        at: Origin,
-        message: impl Into<String>,
-        reference: impl Into<String>,
-    ) {
-        let problem = self.problem(code, at, message).says(reference);
-        self.push(problem);
-    }
-
-    /// Report a warning at `at`; `reference` is what xacro says.
-    pub fn warn(
-        &mut self,
-        code: &'static str,
-        at: Origin,
-        message: impl Into<String>,
-        reference: impl Into<String>,
-    ) {
-        let problem = self.problem(code, at, message).says(reference).warning();
-        self.push(problem);
-    }
-
-    /// How expansion came to `at`, in at most `most` steps: uses of lazy properties, then the frames around the
-    /// innermost use. Calls may be nested deeply: what is beyond is not worked out.
-    pub(super) fn trace(&self, at: Origin, most: usize) -> Vec<Step> {
-        let mut steps = Vec::new();
-        let mut from = at;
-        for used in self.lazy_uses.iter().rev() {
-            if steps.len() >= most {
-                break;
-            }
-            let outside: FastSet<*const Frame> =
-                self.result.frames_of(used.at).map(std::ptr::from_ref).collect();
-            let own = self
-                .result
-                .frames_of(from)
-                .take_while(|&frame| !outside.contains(&std::ptr::from_ref(frame)));
-            self.add_steps(own, most, &mut steps);
-            let message = format!("property `{}` is evaluated here", used.name);
-            steps.extend(self.result.place(used.at).map(|place| Step { place, message }));
-            from = used.at;
-        }
-        self.add_steps(self.result.frames_of(from), most, &mut steps);
-        steps.truncate(most);
-        steps
-    }
-
-    fn add_steps<'f>(&self, frames: impl Iterator<Item = &'f Frame>, most: usize, steps: &mut Vec<Step>) {
-        let placed = frames.filter_map(|frame| {
-            Some(Step { place: self.result.place(frame.call)?, message: step_message(frame) })
-        });
-        let left = most.saturating_sub(steps.len());
-        steps.extend(placed.take(left));
     }
 
     /// Enter a step: the frame for what the tag at `call` leads to.
@@ -523,31 +342,5 @@ impl<'w> Expander<'w> {
         let id = self.result.bindings.len() as u32;
         self.result.bindings.push(info);
         id
-    }
-
-    /// What the reference prints to say where it is.
-    pub fn location_lines(&self, at: Origin) -> Vec<String> {
-        let mut lines = Vec::new();
-        let mut lead = "when instantiating macro:";
-        for frame in self.result.frames_of(at).filter(|f| f.kind == FrameKind::Macro) {
-            let file = frame
-                .definition
-                .and_then(|origin| self.result.place(origin))
-                .and_then(|place| self.result.files.get(place.file.0 as usize))
-                .map_or("???", |file| file.name.as_str());
-            lines.push(format!("{lead} {} ({file})", frame.name));
-            lead = "instantiated from:";
-        }
-        let mut lead = if lines.is_empty() { "when processing file:" } else { "in file:" };
-        for file in self.open_files.iter().rev() {
-            lines.push(format!("{lead} {}", file.name));
-            lead = "included from:";
-        }
-        lines
-    }
-
-    /// The name of the file being processed now.
-    pub fn current_file(&self) -> &str {
-        self.open_files.last().map_or("", |f| f.name.as_str())
     }
 }

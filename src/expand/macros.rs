@@ -6,19 +6,16 @@ use ecow::EcoString;
 
 use super::binding::GivenBlock;
 use super::element::Tag;
+use super::kind::ProblemKind;
 use super::late::{Missing, NameKind};
 use super::machine::{Cx, Expander};
 use super::meant;
 use super::origin::{FrameKind, Origin};
-use super::params;
-use super::problem::Problem;
-use super::scope::{MacroDef, MacrosId, Param, Params, Place, SrcRef};
-use super::symbols::{DefinitionId, SymbolKind, UseKind};
-use super::text::TextSite;
+use super::scope::{MacroDef, MacrosId};
+use super::symbols::UseKind;
 use super::tree::{XId, XKind};
 use base::TextRange;
 use expr::{ScopeId, Value, display};
-use workspace::nearest;
 
 /// A macro and the scopes its body sees.
 struct Resolved {
@@ -28,178 +25,13 @@ struct Resolved {
 }
 
 impl Expander<'_> {
-    /// `xacro:macro`
-    pub fn define_macro(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
-        self.drop_comments(out, has_next);
-        let Some((name, place)) = self.required_attr(tag, "name", cx) else { return };
-        let mut name = name.as_ref();
-        if self.is_call_meant(tag, name, cx) {
-            let own = format!("xacro:{name}");
-            return self.call(Tag { name: &own, used: &["name"], ..tag }, name, has_next, out, cx);
-        }
-        let listed = self.parameter_attribute(tag, cx);
-        let attributes = self.params_in_attributes(tag, cx);
-        if attributes.is_empty() {
-            self.check_attrs(tag, &["name", listed], cx);
-        }
-        if name == "call" {
-            let message = "invalid macro name `call`: `xacro:call` is reserved";
-            return self.error("XAC041", place.origin, message, "Invalid use of macro name 'call'");
-        }
-        if name.contains('.') {
-            let message = format!("macro name `{name}` contains `.`, which is reserved for namespaces");
-            let reference = format!("macro names must not contain '.' (reserved for namespaces): {name}");
-            self.error("XAC041", place.origin, message, reference);
-        } else if let Some(bare) = name.strip_prefix("xacro:") {
-            let message = format!("macro name `{name}` has the prefix `xacro:`");
-            let reference = format!("macro names must not contain prefix 'xacro:': {name}");
-            let problem = self.problem("XAC030", place.origin, message).says(reference).warning();
-            self.push(problem.help(format!("rename it to `{bare}`")).replace_with(bare));
-            name = bare;
-        }
-        let name = EcoString::from(name);
-        let text = self.attr(tag, listed, cx).map(|(text, _)| text).unwrap_or_default();
-        let params = self.attr(tag, listed, cx).map(|(text, place)| (params::parse(&text), place));
-        let params = params
-            .map(|(list, place)| (list.map(|list| self.mended_params(&name, (&text, list), place)), place));
-        if let Some((None, place)) = &params {
-            let message = format!("`params` of macro `{name}` contains only whitespace");
-            self.error("XAC025", place.origin, message, "list index out of range");
-        }
-        self.defined(NameKind::Macro, &name, cx.scope, place.origin);
-        let definition = self.define(SymbolKind::Macro, &name, place.origin);
-        let params = params.and_then(|(list, place)| Some((list?, place)));
-        let params = params.map_or_else(
-            || Params::new(attributes),
-            |(list, place)| Params::new(self.define_params((&text, list), place, definition)),
-        );
-        let body = SrcRef { src: tag.src, node: tag.node.id() };
-        let def = MacroDef { name, body, origin: place.origin, definition, params };
-        let def = self.macros.define(cx.macros, def);
-        if self.request.probe && self.calls.is_empty() {
-            self.idle_macros.push((def, cx));
-        }
-    }
-
-    /// Whether the definition of a macro was meant to call it: it is empty, and gives parameters of the one that is there.
-    /// The reference takes it as it is.
-    fn is_call_meant(&mut self, tag: Tag<'_>, name: &str, cx: Cx) -> bool {
-        let others: Vec<&str> = tag.attrs().map(|attr| attr.name()).filter(|attr| *attr != "name").collect();
-        if !self.request.probe || others.contains(&"params") {
-            return false;
-        }
-        let Some(def) = self.macros.find(cx.macros, name) else { return false };
-        let blocks = def.params.iter().filter(|param| param.is_block()).count();
-        let children = tag.node.child_elements().count();
-        // the body of another definition would read parameters
-        let is_empty = children == 0;
-        if !is_empty && (children != blocks || others.is_empty()) {
-            return false;
-        }
-        if !others.iter().all(|attr| def.params.iter().any(|param| param.name == *attr)) {
-            return false;
-        }
-        let what = if is_empty { " with an empty body" } else { "" };
-        let message = format!("macro `{name}` is redefined{what} instead of called");
-        let at = self.tag_origin(tag, cx);
-        let first =
-            tag.node.attrs().next().filter(|attr| attr.name() == "name" && tag.node.end_tag().is_none());
-        let whole = first.map(|attr| TextRange::new(at.range.start, attr.range().end));
-        let problem = self
-            .problem("XAC017", Origin { range: whole.unwrap_or(at.range), ..at }, message)
-            .warning()
-            .help(format!("write <xacro:{name} ...> with the parameters as attributes to call the macro"));
-        let problem = if whole.is_some() { problem.replace_with(format!("<xacro:{name}")) } else { problem };
-        let problem = Problem { detail: (!is_empty).then(|| name.to_owned()), ..problem };
-        self.push_with_definition(problem, &def);
-        true
-    }
-
-    /// The attribute that lists the parameters: `params`, unless a misspelled one is there instead, which is reported.
-    fn parameter_attribute<'a>(&mut self, tag: Tag<'a>, cx: Cx) -> &'a str {
-        if !self.request.probe || tag.attr("params").is_some() {
-            return "params";
-        }
-        let Some(attr) = tag.attrs().find(|attr| nearest(attr.name(), ["params"]).is_some()) else {
-            return "params";
-        };
-        let at = Origin { src: tag.src, range: attr.name_range(), frame: cx.frame };
-        let message = format!("unknown attribute `{}` in `xacro:macro`", attr.name());
-        let problem = self.problem("XAC032", at, message).says(format!(
-            "{}: unknown attribute(s): {}",
-            tag.name,
-            attr.name()
-        ));
-        self.push(problem.help("did you mean `params`?").replace_with("params"));
-        attr.name()
-    }
-
-    /// The parameters that are meant where a name is none that a call can give: `a, b` has commas. The reference takes
-    /// them as they are, and refuses each call.
-    fn mended_params(&mut self, of: &str, (text, params): (&str, Vec<Param>), place: Place) -> Vec<Param> {
-        let is_bad = |param: &Param| meant::by_parameter(&param.name).is_some();
-        if !self.request.probe || !params.iter().any(is_bad) {
-            return params;
-        }
-        let mut mended = Vec::with_capacity(params.len());
-        for param in params {
-            let Some(names) = meant::by_parameter(&param.name) else {
-                mended.push(param);
-                continue;
-            };
-            let at = self.origin_in(TextSite { text, place }, param.range);
-            self.push(self.bad_parameter(of, &param, &names, at));
-            mended.extend(names.iter().enumerate().map(|(i, name)| param.part(name, i + 1 == names.len())));
-        }
-        mended
-    }
-
-    fn bad_parameter(&self, of: &str, param: &Param, names: &[&str], at: Origin) -> Problem {
-        let name = &param.name;
-        let (why, help) = if name.contains('$') {
-            ("contains an expression", "use plain parameter names")
-        } else {
-            ("contains a comma", "separate parameters with spaces")
-        };
-        let message = format!("parameter `{name}` of macro `{of}` {why}");
-        let help = match names {
-            [] => format!("{help}: remove the comma"),
-            names => format!("{help}: write `{}`", names.join(" ")),
-        };
-        self.problem("XAC022", at, message).help(help).replace_with(names.join(" "))
-    }
-
-    /// Note where the parameters of a macro stand.
-    fn define_params(
-        &mut self,
-        (text, mut params): (&str, Vec<Param>),
-        place: Place,
-        of: DefinitionId,
-    ) -> Vec<Param> {
-        // all places at once: to find one takes as long as the list is
-        let mut origin_of = self.origins_in(TextSite { text, place });
-        let mut places = Vec::with_capacity(params.len());
-        for param in &mut params {
-            let name = param.name.trim_start_matches('*');
-            places.push(origin_of(TextRange::new(param.range.end - name.len() as u32, param.range.end)));
-            param.default_at = param.default.as_ref().map(|(_, range)| origin_of(*range));
-        }
-        drop(origin_of);
-        for (param, at) in params.iter_mut().zip(places) {
-            let name = param.name.trim_start_matches('*');
-            let kind = if param.is_block() { SymbolKind::BlockParameter } else { SymbolKind::Parameter };
-            param.definition = Some((at, self.define_part(kind, &name.into(), at, Some(of))));
-        }
-        params
-    }
-
     /// `xacro:call`: the macro's name is computed.
     pub fn dynamic_call(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
         let Some((text, place)) = self.required_attr(tag, "macro", cx) else { return };
         if text.is_empty() {
             let message = "missing attribute `macro` in `xacro:call`";
             return self.error(
-                "XAC032",
+                ProblemKind::MissingXacroAttribute,
                 place.origin,
                 message,
                 "xacro:call is missing the 'macro' attribute",
@@ -330,8 +162,9 @@ impl Expander<'_> {
         let known = self.missing_name(NameKind::Macro, own, |machine| machine.macros.visible_names(table));
         if let Some(missing) = known.map(|missing| Missing { name, ..missing }) {
             let message = format!("macro `{name}` is not defined");
-            let mut problem =
-                self.problem("XAC002", at, message).says(format!("unknown macro name: {}", tag.name));
+            let mut problem = self
+                .problem(ProblemKind::UndefinedMacro, at, message)
+                .says(format!("unknown macro name: {}", tag.name));
             if let Some(keyword) = meant::by_tag(name) {
                 // what it would have included or defined is missing
                 self.include_missing |= ["include", "macro", "property"].contains(&keyword);
@@ -371,7 +204,7 @@ impl Expander<'_> {
         if conditions == self.conditions {
             let message = format!("macro `{}` calls itself without an end condition", def.name);
             let problem = self
-                .problem("XAC034", at, message)
+                .problem(ProblemKind::InfiniteMacroRecursion, at, message)
                 .says("maximum recursion depth exceeded")
                 .help("put the inner call in <xacro:if value=\"...\">");
             self.push_with_definition(problem, def);
@@ -407,7 +240,7 @@ impl Expander<'_> {
                         self.current_file()
                     );
                     let at = Origin { frame: cx.frame, ..attr.origin };
-                    self.warn("XAC042", at, message, reference);
+                    self.warn(ProblemKind::InconsistentNamespaceRedefinition, at, message, reference);
                 }
                 _ => self.result.tree.set_attr(to, attr),
             }

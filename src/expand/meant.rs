@@ -48,8 +48,8 @@ pub(super) fn by_expression(code: &str) -> Option<Meant> {
         let text = format!("$({})", code.split_whitespace().collect::<Vec<_>>().join(" "));
         return Some(Meant::new(format!("write `{text}` {what}")).with(text));
     }
-    SLIPS.iter().find_map(|(help, mend)| {
-        let text = mend(code).filter(|text| text != code && expr::parse(text).errors.is_empty())?;
+    SLIPS.iter().find_map(|(help, repair)| {
+        let text = repair(code).filter(|text| text != code && expr::parse(text).errors.is_empty())?;
         let text = format!("${{{text}}}");
         let meant = Meant::new(format!("{help}: `{text}`"));
         // other signs would have to be written as references

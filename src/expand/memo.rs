@@ -11,9 +11,10 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::element::Tag;
-use super::machine::{Cx, Expander, Request};
+use super::machine::{Cx, Expander};
 use super::origin::{FrameId, SrcId};
 use super::record::Read;
+use super::request::Request;
 use super::scope::{Binding, Macros, Scopes, SrcRef};
 use super::symbols::SymbolLog;
 use super::tree::{XId, XKind};

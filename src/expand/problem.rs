@@ -5,6 +5,7 @@ use std::cell::Cell;
 use ecow::EcoString;
 
 use super::advice;
+use super::kind::ProblemKind;
 use super::origin::Origin;
 use super::{Expansion, Frame, FrameKind};
 use base::{FastMap, TextRange};
@@ -49,11 +50,22 @@ pub enum Outside {
     File,
 }
 
+/// What a fix needs to know of a problem.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Detail {
+    /// The parameters that a call does not give.
+    MissingParams(Vec<EcoString>),
+    /// The path of the file that was looked for.
+    LookedFor(String),
+    /// The macro that was meant to be called.
+    Called(EcoString),
+}
+
 /// One cause, found once, however often expansion ran into it.
 #[derive(Clone, Debug)]
 pub struct Problem {
-    /// Code of the rule that speaks about this, e.g. `XAC001`.
-    pub code: &'static str,
+    /// What kind of problem it is.
+    pub kind: ProblemKind,
     /// Error or warning.
     pub severity: Severity,
     /// One line in our words: lower case, names the entity.
@@ -62,10 +74,10 @@ pub struct Problem {
     pub reference: String,
     /// What to do, where there is something to say.
     pub help: Option<String>,
-    /// Text that would mend it, in place of the text of `place`.
+    /// Text that would fix it, in place of the text of `place`.
     pub replacement: Option<String>,
-    /// What a fix needs to know beyond that: the attributes to add, the path that was looked for.
-    pub detail: Option<String>,
+    /// What a fix needs to know beyond that.
+    pub detail: Option<Detail>,
     /// What outside of this expansion may make it go away.
     pub outside: Option<Outside>,
     /// Found in a macro that nothing calls: the document does not suffer from it.
@@ -82,9 +94,9 @@ pub struct Problem {
 
 impl Problem {
     /// A problem at `place`; the builder methods add the rest.
-    pub fn new(code: &'static str, place: Place, message: impl Into<String>) -> Self {
+    pub fn new(kind: ProblemKind, place: Place, message: impl Into<String>) -> Self {
         Self {
-            code,
+            kind,
             severity: Severity::Error,
             message: message.into(),
             reference: String::new(),
@@ -137,8 +149,8 @@ impl Problem {
 
     /// With what a fix needs to know.
     #[must_use]
-    pub fn detail(mut self, detail: impl Into<String>) -> Self {
-        self.detail = Some(detail.into());
+    pub fn detail(mut self, detail: Detail) -> Self {
+        self.detail = Some(detail);
         self
     }
 
@@ -161,8 +173,8 @@ impl Problem {
 #[derive(Debug, Default)]
 pub(super) struct Problems {
     pub list: Vec<Problem>,
-    /// By code and place: the problems that were reported there.
-    seen: FastMap<(&'static str, super::FileIdx, TextRange), Vec<usize>>,
+    /// By kind and place: the problems that were reported there.
+    seen: FastMap<(ProblemKind, super::FileIdx, TextRange), Vec<usize>>,
     /// How often somebody reported something or asked what is reported.
     touched: Cell<u64>,
 }
@@ -177,9 +189,9 @@ impl Problems {
     }
 
     /// The number of a problem that was reported.
-    pub fn find(&self, code: &'static str, place: Place, message: &str) -> Option<usize> {
+    pub fn find(&self, kind: ProblemKind, place: Place, message: &str) -> Option<usize> {
         self.touched.set(self.touched.get() + 1);
-        let here = self.seen.get(&(code, place.file, place.range))?;
+        let here = self.seen.get(&(kind, place.file, place.range))?;
         let is_same = |i: &&usize| self.list.get(**i).is_some_and(|old| old.message == message);
         here.iter().find(is_same).copied()
     }
@@ -204,10 +216,10 @@ impl Problems {
         if problem.help.is_none() {
             problem.help = Some(advice::of(&problem));
         }
-        if let Some(known) = self.find(problem.code, problem.place, &problem.message) {
+        if let Some(known) = self.find(problem.kind, problem.place, &problem.message) {
             return self.add_call(known, problem.trace.into_iter().next());
         }
-        let here = self.seen.entry((problem.code, problem.place.file, problem.place.range)).or_default();
+        let here = self.seen.entry((problem.kind, problem.place.file, problem.place.range)).or_default();
         here.push(self.list.len());
         self.list.push(problem);
     }

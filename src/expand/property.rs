@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use ecow::EcoString;
 
 use super::element::Tag;
+use super::kind::ProblemKind;
 use super::machine::{Cx, Expander};
 use super::meant;
 use super::origin::Origin;
@@ -49,7 +50,7 @@ impl Expander<'_> {
                 let message = format!("`scope` of property `{name}` is ignored because it has a `default`");
                 let reference = format!("{name}: default property value can only be defined on local scope");
                 let at = scope.as_ref().map_or(place.origin, |(_, p)| p.origin);
-                self.warn("XAC040", at, message, reference);
+                self.warn(ProblemKind::DefaultWithScope, at, message, reference);
             }
             if known {
                 return;
@@ -118,7 +119,7 @@ impl Expander<'_> {
             let at = scope.map_or(at, |(_, place)| place.origin);
             let message = format!("property `{}` has scope=\"parent\" outside a macro", info.name);
             let problem = self
-                .problem("XAC039", at, message)
+                .problem(ProblemKind::ParentScopeAtTop, at, message)
                 .says("'dict' object has no attribute '_setitem'")
                 .help("remove scope=\"parent\"");
             return self.push(problem);
@@ -137,7 +138,7 @@ impl Expander<'_> {
     pub fn bind(&mut self, scope: ScopeId, key: EcoString, state: State, mut info: BindingInfo, at: Origin) {
         if is_global_symbol(&key) {
             let message = format!("property `{key}` shadows the built-in symbol `{key}`");
-            self.warn("XAC018", at, message, format!("redefining global symbol: {key}"));
+            self.warn(ProblemKind::ShadowedBuiltin, at, message, format!("redefining global symbol: {key}"));
         }
         self.defined(super::late::NameKind::Property, &key, scope, at);
         if let State::Ready(value) = &state {
@@ -166,7 +167,7 @@ impl Expander<'_> {
             if let Some(shown) = display::to_str(name) {
                 let message = format!("invalid property name `{shown}`");
                 let reference = format!("Property names must be valid python identifiers: {shown}");
-                self.error("XAC022", place.origin, message, reference);
+                self.error(ProblemKind::InvalidPropertyName, place.origin, message, reference);
             }
             return None;
         };
@@ -188,7 +189,8 @@ impl Expander<'_> {
         };
         let general = "use letters, digits and `_`; do not start with a digit or use a Python keyword";
         let help = help.unwrap_or_else(|| general.to_owned());
-        let problem = self.problem("XAC022", place.origin, message).says(reference).help(help);
+        let problem =
+            self.problem(ProblemKind::InvalidPropertyName, place.origin, message).says(reference).help(help);
         self.push(problem);
         // what reads the name that was meant is a consequence
         let words = name.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| is_identifier(word));
@@ -245,7 +247,11 @@ impl Expander<'_> {
         let range = given.last().map_or(tag.node.name_range(), |a| a.range());
         let at = Origin { src: tag.src, range, frame: cx.frame };
         let problem = self
-            .problem("XAC036", at, format!("property `{name}` has more than one of {}", names.join(" and ")))
+            .problem(
+                ProblemKind::ConflictingPropertyAttributes,
+                at,
+                format!("property `{name}` has more than one of {}", names.join(" and ")),
+            )
             .says(format!("Property attributes default, value, and remove are mutually exclusive: {name}"));
         self.push(problem);
         self.bind_lost(name.clone(), at, cx);
@@ -255,7 +261,12 @@ impl Expander<'_> {
         self.scopes.remove_everywhere(scope, name);
         if is_global_symbol(name) {
             let message = format!("cannot remove the built-in symbol `{name}`");
-            self.warn("XAC018", place.origin, message, format!("Cannot remove global symbol: {name}"));
+            self.warn(
+                ProblemKind::ShadowedBuiltin,
+                place.origin,
+                message,
+                format!("Cannot remove global symbol: {name}"),
+            );
         }
     }
 }

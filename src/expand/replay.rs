@@ -5,9 +5,10 @@ use std::sync::Arc;
 
 use super::element::Tag;
 use super::expansion::Expansion;
-use super::machine::{Cx, Expander, Request};
+use super::machine::{Cx, Expander};
 use super::memo::{Kept, Memo, StepMemo, StepReads};
 use super::origin::{Frame, SrcId};
+use super::request::Request;
 use super::scope::{Binding, Block, Scopes, State};
 use super::symbols::{Definition, DefinitionId};
 use super::tree::{XId, XKind};

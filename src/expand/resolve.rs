@@ -2,6 +2,7 @@
 
 use ecow::EcoString;
 
+use super::kind::ProblemKind;
 use super::late::{Missing, NameKind};
 use super::machine::Expander;
 use super::meant;
@@ -113,7 +114,7 @@ impl Expander<'_> {
         }
         if self.lazy_uses.len() >= LAZY_DEPTH {
             let message = format!("properties depend on each other more than {LAZY_DEPTH} levels deep");
-            self.error("XAC025", at, message, "maximum recursion depth exceeded");
+            self.error(ProblemKind::ExpressionError, at, message, "maximum recursion depth exceeded");
             return Value::Unknown;
         }
         scope.resolving.push(name.clone());
@@ -166,7 +167,7 @@ impl Expander<'_> {
         let message = format!("circular property definition: {}", names.join(" -> "));
         let origin = cycle.first().map_or(at, |&(_, origin)| origin);
         let mut problem = self
-            .problem("XAC023", origin, message)
+            .problem(ProblemKind::PropertyCycle, origin, message)
             .says(reference)
             .help("give one of them a constant value, or add lazy_eval=\"false\" to it");
         let others = cycle.iter().skip(1).filter_map(|&(name, origin)| {
@@ -184,7 +185,7 @@ impl Expander<'_> {
     pub fn undefined_property(&mut self, scope: ScopeId, name: &str, code: &str, at: Origin) {
         let message = format!("property `{name}` is not defined");
         // in a macro with many calls, looking for similar names each time would cost more than the calls
-        if self.is_repeated("XAC001", at, &message) {
+        if self.is_repeated(ProblemKind::UndefinedProperty, at, &message) {
             return;
         }
         let Some(missing) =
@@ -195,7 +196,7 @@ impl Expander<'_> {
         let is_block = self.holds_block(scope, name);
         let missing = Missing { is_misspelled: missing.is_misspelled || is_block, ..missing };
         let mut problem = self
-            .problem("XAC001", at, message)
+            .problem(ProblemKind::UndefinedProperty, at, message)
             .says(format!("name '{name}' is not defined \nwhen evaluating expression '{code}'"));
         if let Some(meant) = meant::by_name(name) {
             problem = meant.said_of(problem);
@@ -271,7 +272,9 @@ impl Expander<'_> {
         }) else {
             return;
         };
-        let mut problem = self.problem("XAC003", at, format!("argument `{name}` is not defined")).says(said);
+        let mut problem = self
+            .problem(ProblemKind::UndefinedArg, at, format!("argument `{name}` is not defined"))
+            .says(said);
         problem = match &missing.near {
             Some(near) => problem.help(format!("did you mean `{near}`?")).replace_with(near),
             None => problem.help(format!(

@@ -6,6 +6,7 @@ use std::path::Path;
 use ecow::EcoString;
 
 use super::element::Tag;
+use super::kind::ProblemKind;
 use super::machine::{Cx, Expander};
 use super::meant::Meant;
 use super::origin::Origin;
@@ -64,7 +65,7 @@ impl Expander<'_> {
             .unwrap_or_else(|| (format!("${{{text}}}"), "put the name of the property in `${...}`"));
         let message = format!("`{text}`, the value of `{name}`, is not a number");
         Some(
-            self.problem("XAC025", at, message)
+            self.problem(ProblemKind::ExpressionError, at, message)
                 .help(format!("{help}: write `{number}`"))
                 .replace_with(number),
         )
@@ -95,7 +96,7 @@ impl Expander<'_> {
         let list: Vec<String> = names.iter().take(MOST_SHOWN).map(|name| format!("`{name}`")).collect();
         let message = format!("no folder `{name}` in `{}` for argument `{given}`", vfs::slashed(around));
         let help = format!("pass {given}:=... with one of {}{more}", list.join(", "));
-        let problem = self.problem("XAC025", at, message).depends_on(Outside::File);
+        let problem = self.problem(ProblemKind::ExpressionError, at, message).depends_on(Outside::File);
         (!list.is_empty()).then(|| problem.help(help))
     }
 
@@ -107,7 +108,7 @@ impl Expander<'_> {
             return None;
         }
         let message = format!("`{text}`, the value of `{name}`, is used as a condition and is not a boolean");
-        Some(self.problem("XAC027", at, message).help("write `true` or `false`"))
+        Some(self.problem(ProblemKind::InvalidCondition, at, message).help("write `true` or `false`"))
     }
 
     /// What to write for an include that leads nowhere, where one file of that name is near: relative to the file with the
@@ -158,7 +159,10 @@ impl Expander<'_> {
         let what = if names.len() == 1 { "parameter" } else { "parameters" };
         let message = format!("{what} `{}` of `xacro:macro` given as attributes", names.join("`, `"));
         let unknown = format!("{}: unknown attribute(s): {}", tag.name, names.join(", "));
-        let problem = self.problem("XAC032", at, message).says(unknown).help(format!("write {list}"));
+        let problem = self
+            .problem(ProblemKind::MissingXacroAttribute, at, message)
+            .says(unknown)
+            .help(format!("write {list}"));
         self.push(if in_a_row { problem.replace_with(list) } else { problem });
         names.into_iter().map(Param::named).collect()
     }

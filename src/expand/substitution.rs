@@ -3,6 +3,7 @@
 use ecow::EcoString;
 
 use super::functions::text_argument;
+use super::kind::ProblemKind;
 use super::machine::Expander;
 use super::meant;
 use super::origin::Origin;
@@ -125,8 +126,10 @@ impl Expander<'_> {
                     format!("<class 'ament_index_python.packages.PackageNotFoundError'>: {text} {text}");
                 let message =
                     format!("package `{}` not found (searched {} folders)", name.text, places.len());
-                let mut problem =
-                    self.problem("PKG001", at, message).says(reference).depends_on(Outside::File);
+                let mut problem = self
+                    .problem(ProblemKind::PackageNotFound, at, message)
+                    .says(reference)
+                    .depends_on(Outside::File);
                 problem = match missing.nearest {
                     Some(near) => {
                         problem.help(format!("did you mean `{near}`?")).replace_with(near)
@@ -209,8 +212,9 @@ impl Expander<'_> {
             Some(word) => format!("unknown substitution command `{word}` in `$({inner})`"),
             None => format!("cannot evaluate `$({inner})`: {}", message.trim_end_matches('.')),
         };
-        let mut problem =
-            self.problem("XAC025", at, said).says(format!("<class '{class}'>: {message} {message}"));
+        let mut problem = self
+            .problem(ProblemKind::ExpressionError, at, said)
+            .says(format!("<class '{class}'>: {message} {message}"));
         if inner.starts_with("env ") {
             problem = problem.depends_on(Outside::Environment);
         } else if let Some(argument) = self.empty_argument(mark) {

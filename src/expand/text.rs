@@ -7,6 +7,7 @@ use ecow::EcoString;
 
 use super::advice;
 use super::functions::ExprHost;
+use super::kind::ProblemKind;
 use super::machine::{Cx, Expander, raise};
 use super::meant;
 use super::origin::Origin;
@@ -117,7 +118,7 @@ impl Expander<'_> {
         }
         let name = inner.slice(site.text).trim();
         let message = format!("property `{name}` is not defined; `{name}` is a Python function");
-        let problem = self.problem("XAC001", self.origin_in(site, *range), message);
+        let problem = self.problem(ProblemKind::UndefinedProperty, self.origin_in(site, *range), message);
         let help = format!("add <xacro:property name=\"{name}\" value=\"...\"/> before this expression");
         self.push(problem.help(help).depends_on(Outside::Includer));
         Value::Unknown
@@ -199,7 +200,11 @@ impl Expander<'_> {
             Some(open) => {
                 let close = if open == "${" { "}" } else { ")" };
                 let problem = self
-                    .problem("XAC026", at, format!("unclosed `{open}`: missing `{close}`"))
+                    .problem(
+                        ProblemKind::UnclosedExpression,
+                        at,
+                        format!("unclosed `{open}`: missing `{close}`"),
+                    )
                     .says(reference);
                 match meant::by_other_bracket(rest, open) {
                     Some(meant) => meant.said_of(problem),
@@ -207,7 +212,11 @@ impl Expander<'_> {
                 }
             }
             None => self
-                .problem("XAC024", at, format!("`{}` is not followed by `{{` or `(`", lead(rest)))
+                .problem(
+                    ProblemKind::InvalidExpression,
+                    at,
+                    format!("`{}` is not followed by `{{` or `(`", lead(rest)),
+                )
                 .says(reference)
                 .help("write a single `$` for a literal dollar sign"),
         };
@@ -281,11 +290,13 @@ impl Expander<'_> {
         let reference = format!("{} \nwhen evaluating expression '{}'", error.reference, at.code);
         let code = at.code.trim();
         let mut problem = match error.kind {
-            ExprErrorKind::ForbiddenName => self.problem("XAC024", whole, error.message.clone()),
-            _ if code.is_empty() => self.problem("XAC024", whole, "empty expression"),
+            ExprErrorKind::ForbiddenName => {
+                self.problem(ProblemKind::InvalidExpression, whole, error.message.clone())
+            }
+            _ if code.is_empty() => self.problem(ProblemKind::InvalidExpression, whole, "empty expression"),
             _ => {
                 let message = format!("invalid expression `{}`: {}", shortened(code), error.message);
-                self.problem("XAC024", whole, message)
+                self.problem(ProblemKind::InvalidExpression, whole, message)
             }
         }
         .says(reference);
@@ -305,18 +316,20 @@ impl Expander<'_> {
             return self.push(problem);
         }
         let reference = format!("{} \nwhen evaluating expression '{}'", error.message, at.code);
-        let (code, place) = match error.kind {
+        let (kind, place) = match error.kind {
             ErrorKind::Reported => return,
-            ErrorKind::YamlKey => ("XAC001", self.origin_of(at, error.range)),
-            ErrorKind::Syntax | ErrorKind::ForbiddenName => ("XAC024", self.origin_in(at.site, at.whole)),
-            _ => ("XAC025", self.origin_in(at.site, at.whole)),
+            ErrorKind::YamlKey => (ProblemKind::UndefinedProperty, self.origin_of(at, error.range)),
+            ErrorKind::Syntax | ErrorKind::ForbiddenName => {
+                (ProblemKind::InvalidExpression, self.origin_in(at.site, at.whole))
+            }
+            _ => (ProblemKind::ExpressionError, self.origin_in(at.site, at.whole)),
         };
-        let message = match code {
-            "XAC001" => advice::headline(error),
+        let message = match kind {
+            ProblemKind::UndefinedProperty => advice::headline(error),
             _ => format!("cannot evaluate `{}`: {}", shortened(at.code.trim()), advice::headline(error)),
         };
-        let mut problem = self.problem(code, place, message).says(reference);
-        if code == "XAC025" {
+        let mut problem = self.problem(kind, place, message).says(reference);
+        if kind == ProblemKind::ExpressionError {
             problem.outside = match error.kind {
                 ErrorKind::Io => Some(Outside::File),
                 _ => self.outside_of_reads(mark),

@@ -37,7 +37,7 @@ struct IterObject {
 
 impl Drop for IterObject {
     fn drop(&mut self) {
-        super::value::bury(self.take());
+        super::value::drop_iteratively(self.take());
     }
 }
 

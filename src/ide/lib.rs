@@ -42,8 +42,7 @@ mod values;
 
 pub use actions::{
     Action, ActionKind, MacroFile, NewFile, Refused, before_use, ignored_in_config, include_macro, inlinable,
-    inline_macro, missing_parameters, move_to_file, of_mesh, other_name, quick_fixes, refactorings,
-    suggested,
+    inline_macro, move_to_file, of_mesh, other_name, quick_fixes, refactorings, suggested,
 };
 pub use beside::{BesideName, names_in_settings, names_in_srdf};
 pub use calls::{Caller, Calls, caller_target, calls_of, incoming, macro_at, macros_of, outgoing};

@@ -14,7 +14,7 @@ const SAMPLES: usize = 3;
 const ROWS: usize = 32;
 
 /// Samples that are looked at for all triangles together, at most: some minutes.
-const MOST_LOOKS: f64 = 1e11;
+const MOST_COVERED_PIXELS: f64 = 1e11;
 
 /// A triangle in the picture.
 struct Facet {
@@ -27,7 +27,7 @@ struct Facet {
 
 impl Facet {
     /// The samples of the part of a picture with these sides that the triangle may lie in.
-    fn looks(&self, [width, height]: [f64; 2]) -> f64 {
+    fn covered_pixels(&self, [width, height]: [f64; 2]) -> f64 {
         let [a, b, c] = self.corners;
         let side = |a: f64, b: f64, c: f64, end: f64| {
             (a.max(b).max(c).min(end) - a.min(b).min(c).max(0.0)).max(0.0) + 1.0
@@ -42,10 +42,10 @@ impl Facet {
 /// When it would take too long.
 pub(super) fn pixels(scene: &Scene, shot: &Shot) -> Result<Vec<u8>, String> {
     let camera = Camera::around(scene.points(), shot, 0.0);
-    let (mut solid, mut glass): (Vec<Facet>, Vec<Facet>) = (Vec::new(), Vec::new());
+    let (mut solid, mut translucent): (Vec<Facet>, Vec<Facet>) = (Vec::new(), Vec::new());
     for part in &scene.parts {
         facets(part, &camera, &mut |facet| {
-            if facet.opacity < 1.0 { &mut glass } else { &mut solid }.push(facet);
+            if facet.opacity < 1.0 { &mut translucent } else { &mut solid }.push(facet);
         });
     }
     for part in &scene.skeleton {
@@ -55,9 +55,11 @@ pub(super) fn pixels(scene: &Scene, shot: &Shot) -> Result<Vec<u8>, String> {
     }
     // what can be seen through is drawn from the back to the front
     let nearness = |facet: &Facet| facet.corners.iter().map(|[_, _, key]| key).sum::<f64>();
-    glass.sort_by(|a, b| nearness(a).total_cmp(&nearness(b)));
+    translucent.sort_by(|a, b| nearness(a).total_cmp(&nearness(b)));
     let sides = shot.size.map(|side| f64::from(side) * SAMPLES as f64);
-    if solid.iter().chain(&glass).map(|facet| facet.looks(sides)).sum::<f64>() > MOST_LOOKS {
+    if solid.iter().chain(&translucent).map(|facet| facet.covered_pixels(sides)).sum::<f64>()
+        > MOST_COVERED_PIXELS
+    {
         return Err("too many overlapping shapes: choose a smaller size".to_owned());
     }
     let [_, height] = shot.size.map(|side| side as usize);
@@ -67,7 +69,7 @@ pub(super) fn pixels(scene: &Scene, shot: &Shot) -> Result<Vec<u8>, String> {
             let top = number * ROWS;
             let mut band = Band::new(shot, top, ROWS.min(height - top));
             solid.iter().for_each(|facet| band.draw::<true>(facet));
-            glass.iter().for_each(|facet| band.draw::<false>(facet));
+            translucent.iter().for_each(|facet| band.draw::<false>(facet));
             band.pixels(shot.background)
         })
         .collect();

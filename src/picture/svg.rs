@@ -6,6 +6,7 @@ use super::Shot;
 use super::camera::{Camera, ROOM};
 use super::color::{AXES, BONE, Background, hex};
 use super::scene::{Frame, Part, Scene};
+use base::escape_xml;
 
 /// Height of a line of text, and width of a letter in it, pixels.
 const LINE: f64 = 14.0;
@@ -36,7 +37,7 @@ pub fn picture_svg(scene: &Scene, robot: &str, shot: &Shot) -> String {
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
          viewBox=\"0 0 {width} {height}\">\n<title>{}</title>\n<style>{STYLE}</style>\n",
-        escape(robot)
+        escape_xml(robot)
     );
     if let Background::Solid([r, g, b]) = shot.background {
         let _ = writeln!(out, "<rect width=\"100%\" height=\"100%\" fill=\"#{r:02x}{g:02x}{b:02x}\"/>");
@@ -108,7 +109,7 @@ fn bones(scene: &Scene, camera: &Camera, out: &mut String) {
         let Some(parent) = scene.frames.get(*parent) else { continue };
         let (from, to) = (origin(parent, camera), origin(frame, camera));
         let class = if kind == "fixed" { "bone fixed" } else { "bone" };
-        let title = format!("{} ({})", escape(joint), escape(kind));
+        let title = format!("{} ({})", escape_xml(joint), escape_xml(kind));
         let _ = writeln!(out, "{}<title>{title}</title></line>", line(from, to, class, &hex(BONE)));
     }
 }
@@ -159,7 +160,7 @@ fn names(scene: &Scene, camera: &Camera, shot: &Shot, out: &mut String) {
         if middle - y > BELOW + LINE {
             let _ = writeln!(out, "{}</line>", line([x, y], [left - 2.0, middle], "leader", "#8a94a6"));
         }
-        let _ = writeln!(out, "<text x=\"{left:.1}\" y=\"{middle:.1}\">{}</text>", escape(&text));
+        let _ = writeln!(out, "<text x=\"{left:.1}\" y=\"{middle:.1}\">{}</text>", escape_xml(&text));
     }
 }
 
@@ -174,8 +175,4 @@ fn line(from: [f64; 2], to: [f64; 2], class: &str, color: &str) -> String {
     format!(
         "<line class=\"{class}\" stroke=\"{color}\" x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\">"
     )
-}
-
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -303,7 +303,7 @@ fn errors(names: &Names<'_>, analyzed: &Analyzed, root: &RootChoice) -> Vec<Mode
     let places = Places { names, expansion };
     let problems = expansion.problems.iter().filter(|p| p.severity == Severity::Error && !p.probed);
     let listed = problems.filter_map(|problem| {
-        let code = rules::by_code(problem.code).map_or(problem.code, |rule| rule.name);
+        let code = rules::rule_of(problem.kind).name;
         let location = places.place(problem.place)?;
         Some(ModelError { message: problem.message.clone(), code: code.to_owned(), location })
     });

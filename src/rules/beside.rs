@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 
 use ecow::EcoString;
 
-use super::finding::Finding;
+use super::finding::{Finding, Help};
 use super::grouping::Group;
 use super::registry::{Check, Severity, all};
 use super::run::Chosen;
@@ -226,13 +226,13 @@ impl<'a> BesideCx<'a> {
     }
 
     /// What to do about the name of a link, joint or group that is not there.
-    pub(super) fn advice(&self, kind: Kind, name: &str) -> String {
+    pub(super) fn advice(&self, kind: Kind, name: &str) -> Help {
         let names = self.names.of(kind).into_iter().flatten();
         match (nearest(name, names.map(EcoString::as_str)), kind) {
-            (Some(near), _) => format!("did you mean `{near}`?"),
-            (None, Kind::Link) => "use the name of a link of the robot, including its prefix".to_owned(),
-            (None, Kind::Joint) => "use the name of a joint of the robot, including its prefix".to_owned(),
-            (None, Kind::Group) => "use the name of a group of the SRDF".to_owned(),
+            (Some(near), _) => Help::did_you_mean(near),
+            (None, Kind::Link) => "use the name of a link of the robot, including its prefix".into(),
+            (None, Kind::Joint) => "use the name of a joint of the robot, including its prefix".into(),
+            (None, Kind::Group) => "use the name of a group of the SRDF".into(),
         }
     }
 

@@ -5,7 +5,7 @@ use ecow::EcoString;
 use super::grouping::Group;
 use super::registry::{Rule, Safety, Severity};
 use base::Span;
-use expand::Outside;
+use expand::{Outside, ProblemKind};
 
 /// A defect at its place.
 #[derive(Clone, Debug)]
@@ -22,12 +22,18 @@ pub struct Finding {
     pub related: Vec<Related>,
     /// What to do, where there is something to say.
     pub help: Option<String>,
-    /// Edits that mend it.
+    /// The known name that is probably meant, where the help suggests one.
+    pub similar: Option<String>,
+    /// Edits that fix it.
     pub fix: Option<Fix>,
+    /// A change that editors offer where there is no fix: a person has to complete it.
+    pub suggestion: Option<Fix>,
     /// The macro calls in which it holds, when the text that is wrong stands in the body of a macro.
     pub ways: Vec<Way>,
     /// Whether it holds in some calls of that macro only, because the text reads differently in others.
     pub partial: bool,
+    /// What expansion reported, where the finding comes from it.
+    pub problem: Option<ProblemKind>,
     /// What outside of the expansion may make it go away.
     pub outside: Option<Outside>,
     /// Whether it is in a macro that nothing calls.
@@ -63,14 +69,62 @@ impl Finding {
             span,
             related: Vec::new(),
             help: None,
+            similar: None,
             fix: None,
+            suggestion: None,
             ways: Vec::new(),
             partial: false,
+            problem: None,
             outside: None,
             probed: false,
             group: None,
             places: Vec::new(),
         }
+    }
+
+    /// With advice.
+    #[must_use]
+    pub fn advised(mut self, help: impl Into<Help>) -> Self {
+        let Help { text, similar } = help.into();
+        (self.help, self.similar) = (Some(text), similar);
+        self
+    }
+}
+
+/// What to do about a finding.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Help {
+    /// One line in the imperative.
+    pub text: String,
+    /// The known name that it suggests.
+    pub similar: Option<String>,
+}
+
+impl Help {
+    /// The suggestion of a known name.
+    pub fn did_you_mean(near: impl Into<String>) -> Self {
+        let near = near.into();
+        Self { text: format!("did you mean `{near}`?"), similar: Some(near) }
+    }
+
+    /// With another sentence.
+    #[must_use]
+    pub fn and(mut self, sentence: &str) -> Self {
+        self.text.push(' ');
+        self.text.push_str(sentence);
+        self
+    }
+}
+
+impl From<String> for Help {
+    fn from(text: String) -> Self {
+        Self { text, similar: None }
+    }
+}
+
+impl From<&str> for Help {
+    fn from(text: &str) -> Self {
+        text.to_owned().into()
     }
 }
 
@@ -115,7 +169,7 @@ pub struct Related {
     pub is_call: bool,
 }
 
-/// A way to mend a finding.
+/// A way to fix a finding.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fix {
     /// Whether the meaning can change.

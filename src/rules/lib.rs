@@ -1,7 +1,7 @@
 //! Rules: what can be wrong with a description, one file a rule.
 //!
-//! A rule is a file here, a line in the list of its category and a page in `docs/rules/`. Rules that the
-//! expander finds on its way have no file: they are lines of a table and a page.
+//! A rule is a file here, a line in the list of its category and a page in `docs/rules/`. What expansion finds on its
+//! way becomes a finding in `problems`; rules about it that need nothing else are lines of `xacro/found.rs`.
 
 mod arms;
 mod beside;
@@ -18,11 +18,12 @@ mod grouping;
 mod inertia;
 mod joint;
 mod linter;
-mod mend;
 mod moveit;
+pub mod named;
 mod numbers;
 mod package;
 mod place;
+mod problems;
 mod registry;
 mod run;
 pub mod schema;
@@ -33,6 +34,7 @@ mod srdf;
 mod structure;
 mod style;
 mod thresholds;
+mod traits;
 mod vocabulary;
 mod xacro;
 mod xml;
@@ -40,7 +42,7 @@ mod xml;
 pub use beside::{BesideCx, Content, Names, PairedRobot, check_beside};
 pub use catalogue::{catalogue, catalogue_of};
 pub use context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings, is_plain_urdf};
-pub use finding::{Edit, Finding, Fix, Related, Way};
+pub use finding::{Edit, Finding, Fix, Help, Related, Way};
 pub use geometry::{FileTarget, factors, link_bounds, resolve_file};
 pub use grouping::Group;
 pub use linter::{
@@ -54,16 +56,16 @@ pub use package::{
     missing_launch_argument, missing_packages, unknown_launch_argument, value_never_compared,
     value_outside_choices,
 };
+pub use problems::{rejections, rule_of};
 pub use registry::{
     Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector,
     unknown_selector,
 };
-pub use run::{
-    Chosen, check_expansion, check_files, check_recovered, is_whole, losses, needs_whole, rejections,
-};
+pub use run::{Chosen, check_expansion, check_files, check_recovered, is_whole, losses, needs_whole};
 pub use selection::{Selection, SelectionOptions};
 pub use semantic::{holds_for_semantic, is_semantic, is_semantic_file, is_semantic_name};
 pub use sink::{Sink, calls, span_of};
 pub use thresholds::{THRESHOLDS, Threshold};
+pub use traits::Trait;
 pub use xacro::include_tags;
 pub use xml::missing_robot_name;

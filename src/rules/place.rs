@@ -4,16 +4,6 @@ use super::finding::Related;
 use base::{FileId, Span, TextRange};
 use xml::{Document, Node, SyntaxErrorKind};
 
-/// The range to report for a problem of `code` that the expander places at `range`.
-pub(super) fn fit(code: &str, document: &Document, range: TextRange) -> TextRange {
-    match code {
-        "XML002" => whole_name(document, range),
-        "XAC023" => name_of_element(document, range),
-        "XAC039" | "XAC040" | "XAC042" => whole_attribute(document, range),
-        _ => range,
-    }
-}
-
 /// Of a syntax error: the token in the way, and what it belongs to.
 pub(super) fn syntax(document: &Document, file: FileId) -> Option<(TextRange, Option<Related>)> {
     let errors = document.errors();
@@ -36,7 +26,7 @@ pub(super) fn syntax(document: &Document, file: FileId) -> Option<(TextRange, Op
 }
 
 /// The tag start or attribute name that begins with the prefix at `range`.
-fn whole_name(document: &Document, range: TextRange) -> TextRange {
+pub(super) fn whole_name(document: &Document, range: TextRange) -> TextRange {
     let place = document.item_at(range.start);
     let inside = (range.start - place.start) as usize;
     let (before, behind) = place.item.text().split_at_checked(inside).unwrap_or_default();
@@ -47,7 +37,7 @@ fn whole_name(document: &Document, range: TextRange) -> TextRange {
 }
 
 /// The value of the `name` of the element that has an attribute with its value at `range`.
-fn name_of_element(document: &Document, range: TextRange) -> TextRange {
+pub(super) fn name_of_element(document: &Document, range: TextRange) -> TextRange {
     let place = document.item_at(range.start);
     let has_value = |node: &Node<'_>| node.attrs().any(|attr| attr.value_range().shift(place.start) == range);
     let name = place.item.all_nodes().find(has_value).and_then(|node| node.attr("name"));

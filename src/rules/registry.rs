@@ -129,6 +129,14 @@ pub enum Check {
 /// The page of a rule.
 pub(super) use docs::rule as page;
 
+impl PartialEq for Rule {
+    fn eq(&self, other: &Self) -> bool {
+        self.code == other.code
+    }
+}
+
+impl Eq for Rule {}
+
 impl Rule {
     /// A rule that the expander finds.
     pub(super) const fn found(

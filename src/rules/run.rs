@@ -6,30 +6,25 @@ use std::cell::OnceCell;
 use ecow::EcoString;
 
 use super::consumers::{Tally, tally};
-use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings, elements, is_plain_urdf};
-use super::finding::{Edit, Finding, Fix, Related};
-use super::mend;
-use super::package::{is_news, warn_once};
-use super::place;
-use super::registry::{Check, Rule, Safety, Severity, all, by_code};
-use super::sink::{Sink, limit_calls, span};
+use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings, elements};
+use super::finding::Finding;
+use super::package::warn_once;
+use super::problems;
+use super::registry::{Check, Rule, all};
+use super::sink::{Sink, span};
 use super::vocabulary::{is_urdf_element, outside_free_zones};
-use super::xacro::{is_unprefixed, shadowing_is_harmless, shadowing_is_news};
+use super::xacro::is_unprefixed;
 use super::xml::is_xacro_uri;
-use base::{CancelFlag, FastMap, FastSet, FileId, Span, TextRange};
-use expand::{Expansion, FileIdx, FileUse, Problem, Step};
+use base::{CancelFlag, FastSet, FileId, Span, TextRange};
+use expand::{Expansion, FileIdx, FileUse, Problem, ProblemKind};
 use facts::is_keyword;
 use model::{Kinematics, Robot};
 use vfs::Vfs;
-use xml::{Node, SyntaxError, SyntaxErrorKind};
-
-/// Problems after which links and joints may be missing from the expansion.
-const LOSES_CONTENT: [&str; 8] =
-    ["XML001", "XML002", "XAC002", "XAC004", "XAC009", "XAC032", "XAC034", "XAC041"];
+use xml::Node;
 
 /// Whether all elements of an expansion are there.
 pub fn is_whole(expansion: &Expansion) -> bool {
-    let loses = |problem: &Problem| !problem.probed && LOSES_CONTENT.contains(&problem.code);
+    let loses = |problem: &Problem| !problem.probed && problem.kind.loses_content();
     expansion.whole && !expansion.problems.iter().any(loses)
 }
 
@@ -41,7 +36,7 @@ pub fn needs_whole(rule: &Rule) -> bool {
 /// The places of what left out a part of the robot, in the order of the expansion.
 pub fn losses(expansion: &Expansion) -> Vec<Span> {
     let loses = |problem: &&Problem| {
-        !problem.probed && (LOSES_CONTENT.contains(&problem.code) || problem.code == "PKG001")
+        !problem.probed && (problem.kind.loses_content() || problem.kind == ProblemKind::PackageNotFound)
     };
     expansion.problems.iter().filter(loses).filter_map(|problem| span(expansion, problem.place)).collect()
 }
@@ -67,19 +62,8 @@ pub fn check_expansion(
     chosen: Chosen<'_>,
 ) -> Vec<Finding> {
     let unprefixed = Unprefixed::of(expansion);
-    let problems = expansion.problems.iter().filter(|problem| !unprefixed.explains(expansion, problem));
-    let root = expansion.files.first().map(|file| &*file.source.path);
-    let mut findings: Vec<Finding> = problems
-        .filter_map(|problem| {
-            let mut found = finding(expansion, problem, world.vfs)?;
-            let generation = || root.and_then(|root| world.packages.generation(root));
-            if found.rule.code == "XAC018" && shadowing_is_harmless(expansion, problem, generation()) {
-                found.severity = Severity::Info;
-            }
-            Some(found)
-        })
-        .collect();
-    excuse_packages(&mut findings, world);
+    let explained = |problem: &Problem| unprefixed.explains(expansion, problem);
+    let mut findings = problems::findings(expansion, explained, world);
     let Some(first) = all().next() else { return findings };
     let mut sink = Sink::new(expansion, first);
     let complete = is_whole(expansion);
@@ -147,12 +131,12 @@ pub fn check_recovered(expansion: &Expansion, vfs: &Vfs) -> Vec<Finding> {
         let document = &file.source.document;
         let place = document.item_at(problem.place.range.start);
         let own = TextRange::new(place.start, place.start + place.item.len());
-        matches!(problem.code, "XAC001" | "XAC003")
+        matches!(problem.kind, ProblemKind::UndefinedProperty | ProblemKind::UndefinedArg)
             && !given.contains(document.slice(problem.place.range).as_str())
             && !document.errors().iter().any(|error| own.touches(error.range.start))
     };
     let sure = expansion.doubtful.iter().filter(sure);
-    sure.filter_map(|problem| finding(expansion, problem, vfs)).collect()
+    sure.filter_map(|problem| problems::finding(expansion, problem, vfs)).collect()
 }
 
 /// What rules say about the source files of an expansion. Of a file that is not well-formed, only that
@@ -218,14 +202,13 @@ impl Unprefixed {
     }
 
     fn explains(&self, expansion: &Expansion, problem: &Problem) -> bool {
-        if !problem.code.starts_with("XAC") || self.names.is_empty() && !self.structure {
+        if !problem.kind.is_undefined_name() || self.names.is_empty() && !self.structure {
             return false;
         }
         let Some(file) = expansion.files.get(problem.place.file.0 as usize) else { return false };
         let text = file.source.document.slice(problem.place.range);
         let name = text.trim_start_matches("<xacro:");
-        let undefined = ["XAC001", "XAC002", "XAC003", "XAC004"].contains(&problem.code);
-        undefined && (self.names.contains(name) || self.structure)
+        self.names.contains(name) || self.structure
     }
 }
 
@@ -258,94 +241,4 @@ fn lacks_calls(expansion: &Expansion) -> bool {
     let macros = named_macros(expansion);
     let mut tags = documents().flat_map(|document| outside_free_zones(elements(document)));
     tags.any(|(_, node)| unknown(node.name()) && macros.contains(node.name()))
-}
-
-/// A missing package is reported once for each name and file; where no ROS is, as a note.
-fn excuse_packages(findings: &mut Vec<Finding>, world: Surroundings<'_>) {
-    let mut first: FastMap<(FileId, String), usize> = FastMap::default();
-    let mut kept: Vec<Finding> = Vec::with_capacity(findings.len());
-    for mut finding in findings.drain(..) {
-        if finding.rule.code == "PKG001" {
-            let known = first.entry((finding.span.file, finding.message.clone())).or_insert(kept.len());
-            if let Some(known) = kept.get_mut(*known) {
-                let message = "also used here".to_owned();
-                known.related.push(Related { span: finding.span, message, is_call: false });
-                if let (Some(fix), Some(more)) = (&mut known.fix, finding.fix) {
-                    fix.edits.extend(more.edits);
-                }
-                continue;
-            }
-            // the expander offers a replacement when another package seems to be meant
-            if !is_news(world, finding.fix.as_ref().map(|_| "")) {
-                finding.severity = Severity::Info;
-            }
-        }
-        kept.push(finding);
-    }
-    *findings = kept;
-}
-
-/// What makes xacro reject a file.
-pub fn rejections(expansion: &Expansion, vfs: &Vfs) -> Vec<Finding> {
-    let is_error = |problem: &&Problem| !problem.probed && problem.severity == expand::Severity::Error;
-    let errors = expansion.problems.iter().filter(is_error);
-    let found = errors.filter_map(|problem| finding(expansion, problem, vfs));
-    found.map(|found| Finding { severity: Severity::Error, ..found }).collect()
-}
-
-/// A problem of the expander as a finding.
-fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Option<Finding> {
-    let rule = by_code(problem.code)?;
-    if rule.code == "XAC018" && !shadowing_is_news(expansion, problem) {
-        return None;
-    }
-    let Span { file, range } = span(expansion, problem.place)?;
-    let document = &expansion.files.get(problem.place.file.0 as usize)?.source.document;
-    let steps = problem.trace.iter().chain(&problem.more_calls);
-    let related = |step: &Step| {
-        // calls and includes are given by their tags, definitions by their names
-        let text = expansion.files.get(step.place.file.0 as usize)?.source.document.slice(step.place.range);
-        let (message, is_call) = (step.message.clone(), text.starts_with('<') || text.starts_with('$'));
-        Some(Related { span: span(expansion, step.place)?, message, is_call })
-    };
-    let mut calls: Vec<Related> = steps.filter_map(related).collect();
-    let mut place = Span { file, range: place::fit(rule.code, document, range) };
-    if let Some((range, opened)) = place::syntax(document, file).filter(|_| rule.code == "XML001") {
-        place.range = range;
-        // of the steps, only those in other files led here: the includes
-        let includes = calls.into_iter().filter(|step| step.span.file != file);
-        calls = opened.into_iter().chain(includes).collect();
-    }
-    let fix = problem.replacement.as_ref().map(|content| Fix {
-        safety: rule.fix.unwrap_or(Safety::Unsafe),
-        message: format!("replace with `{}`", content.trim_start_matches('<')),
-        edits: vec![Edit { span: Span { file, range }, content: content.clone() }],
-    });
-    let fix = fix.or_else(|| mend::fix(problem, document, place, vfs));
-    let severity = match problem.excused {
-        true => Severity::Info,
-        false if is_read_anyway(rule, expansion, file) => Severity::Warning,
-        // xacro does not read the body of a macro that nothing calls
-        false if problem.probed && rule.code == "XAC024" => Severity::Warning,
-        false => rule.severity,
-    };
-    let mut finding = Finding {
-        severity,
-        help: problem.help.clone(),
-        fix,
-        outside: problem.outside.clone(),
-        probed: problem.probed,
-        ..Finding::new(rule, place, problem.message.clone())
-    };
-    limit_calls(&mut finding, calls);
-    Some(finding)
-}
-
-/// Whether a file that is not well-formed has only prefixes that nothing declares, in a name that calls it plain URDF:
-/// readers of URDF do not mind.
-fn is_read_anyway(rule: &Rule, expansion: &Expansion, file: FileId) -> bool {
-    let used = expansion.files.iter().find(|used| used.source.id == file);
-    let Some(used) = used.filter(|_| rule.code == "XML001") else { return false };
-    let is_prefix = |error: &SyntaxError| error.kind == SyntaxErrorKind::UnboundPrefix;
-    is_plain_urdf(&used.source.path) && used.source.document.errors().iter().all(is_prefix)
 }

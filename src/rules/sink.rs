@@ -2,7 +2,7 @@
 
 use std::hash::{Hash, Hasher};
 
-use super::finding::{Edit, Finding, Fix, Related, Way};
+use super::finding::{Edit, Finding, Fix, Help, Related, Way};
 use super::grouping::Group;
 use super::registry::{Rule, Safety, Severity};
 use base::limits::FINDINGS_OF_A_RULE;
@@ -219,8 +219,8 @@ impl Reported<'_, '_> {
 
     /// With advice.
     #[must_use]
-    pub fn help(mut self, help: impl Into<String>) -> Self {
-        self.draft.finding.help = Some(help.into());
+    pub fn help(mut self, help: impl Into<Help>) -> Self {
+        self.draft.finding = self.draft.finding.advised(help);
         self
     }
 

@@ -27,7 +27,7 @@ use crate::state::{Cause, State};
 use analysis::Report;
 use base::CancelFlag;
 use base::limits::{DIAGNOSTICS, RELATED};
-use rules::{Finding, Severity};
+use rules::{Finding, Rule, Severity, Trait};
 
 /// Make and publish diagnostics; given up when a job comes in meanwhile, and tried again later.
 pub fn make_diagnostics(state: &mut State) {
@@ -205,7 +205,7 @@ pub fn diagnostic(places: &mut Places<'_>, finding: &Finding) -> Option<Diagnost
         source: Some("xacro".to_owned()),
         message,
         related_information: (!related.is_empty()).then_some(related),
-        tags: tags(finding.rule.name),
+        tags: tags(finding.rule),
         data: fix_data(places, finding),
     })
 }
@@ -245,17 +245,15 @@ fn severity(severity: Severity) -> DiagnosticSeverity {
     }
 }
 
-fn tags(rule: &str) -> Option<Vec<DiagnosticTag>> {
-    if rule.starts_with("unused-") {
-        return Some(vec![DiagnosticTag::UNNECESSARY]);
-    }
-    let deprecated = [
-        "unprefixed-xacro-tag",
-        "unprefixed-macro-call",
-        "deprecated-builtin-call",
-        "nonstandard-xacro-namespace",
-    ];
-    deprecated.contains(&rule).then(|| vec![DiagnosticTag::DEPRECATED])
+fn tags(rule: &Rule) -> Option<Vec<DiagnosticTag>> {
+    let tag = if rule.has(Trait::Unnecessary) {
+        DiagnosticTag::UNNECESSARY
+    } else if rule.has(Trait::Deprecated) {
+        DiagnosticTag::DEPRECATED
+    } else {
+        return None;
+    };
+    Some(vec![tag])
 }
 
 /// The page of a rule.

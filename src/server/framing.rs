@@ -41,7 +41,7 @@ pub(super) fn framed(body: &[u8]) -> Vec<u8> {
     message
 }
 
-/// Hand on the bodies of messages, mended where they can be, and whether they are replies.
+/// Hand on the bodies of messages, repaired where they can be, and whether they are replies.
 pub(super) fn bodies(mut input: impl BufRead, mut take: impl FnMut(Cow<'_, [u8]>, bool) -> bool) {
     while let Some(length) = next_length(&mut input) {
         let mut body = Vec::new();
@@ -111,10 +111,10 @@ fn is_there<'de, D: Deserializer<'de>>(field: D) -> Result<bool, D::Error> {
     IgnoredAny::deserialize(field).map(|_| true)
 }
 
-/// The body, mended where it can be, and whether it is a reply; a note about it where it is no message.
+/// The body, repaired where it can be, and whether it is a reply; a note about it where it is no message.
 fn checked(body: &[u8]) -> (Cow<'_, [u8]>, bool) {
     // what is no UTF-8 would be refused later, without an answer
-    let mended = match String::from_utf8_lossy(body) {
+    let repaired = match String::from_utf8_lossy(body) {
         Cow::Borrowed(text) => without_lone_surrogates(text.as_bytes()),
         Cow::Owned(text) => Cow::Owned(without_lone_surrogates(text.as_bytes()).into_owned()),
     };
@@ -122,7 +122,7 @@ fn checked(body: &[u8]) -> (Cow<'_, [u8]>, bool) {
     let bad = |reason: String| {
         written(json!({ "jsonrpc": "2.0", "method": BAD_MESSAGE, "params": { "reason": reason } }))
     };
-    let head = match serde_json::from_slice::<Head<'_>>(&mended) {
+    let head = match serde_json::from_slice::<Head<'_>>(&repaired) {
         Ok(head) => head,
         Err(error) => return bad(error.to_string()),
     };
@@ -134,14 +134,14 @@ fn checked(body: &[u8]) -> (Cow<'_, [u8]>, bool) {
     match (head.method.as_deref(), &head.id) {
         // some clients send `null` for no parameters, which the service would refuse
         (Some("shutdown"), Some(id)) => written(json!({ "jsonrpc": "2.0", "id": id, "method": "shutdown" })),
-        (Some("initialize"), Some(_)) => (with_our_name_of_diagnostics(mended), false),
-        (Some(EDIT | "textDocument/didOpen"), None) => (with_a_version(mended), false),
+        (Some("initialize"), Some(_)) => (with_our_name_of_diagnostics(repaired), false),
+        (Some(EDIT | "textDocument/didOpen"), None) => (with_a_version(repaired), false),
         (Some("exit"), _) => written(json!({ "jsonrpc": "2.0", "method": "exit" })),
         // requests with `$/` that are not known must be answered all the same
         (Some(method), Some(id)) if method.starts_with("$/") => {
             written(json!({ "jsonrpc": "2.0", "id": id, "method": format!("unknown{method}") }))
         }
-        _ => (mended, is_reply),
+        _ => (repaired, is_reply),
     }
 }
 
@@ -188,7 +188,7 @@ fn with_a_version(body: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
 /// JSON in which halves of surrogate pairs that stand alone are replaced: editors cut text anywhere.
 fn without_lone_surrogates(body: &[u8]) -> Cow<'_, [u8]> {
     const REPLACEMENT: &[u8; 6] = br"\ufffd";
-    let mut mended: Option<Vec<u8>> = None;
+    let mut repaired: Option<Vec<u8>> = None;
     let mut at = 0;
     while let Some(found) = memchr::memchr(b'\\', body.get(at..).unwrap_or_default()) {
         let start = at + found;
@@ -197,15 +197,15 @@ fn without_lone_surrogates(body: &[u8]) -> Cow<'_, [u8]> {
         at = match unit(body, start) {
             Some(_) if high.is_some() && follows => start + 12,
             Some(unit) if (0xD800..0xE000).contains(&unit) => {
-                let mended = mended.get_or_insert_with(|| body.to_vec());
-                mended.splice(start..start + 6, REPLACEMENT.iter().copied());
+                let repaired = repaired.get_or_insert_with(|| body.to_vec());
+                repaired.splice(start..start + 6, REPLACEMENT.iter().copied());
                 start + 6
             }
             Some(_) => start + 6,
             None => start + 2,
         };
     }
-    mended.map_or(Cow::Borrowed(body), Cow::Owned)
+    repaired.map_or(Cow::Borrowed(body), Cow::Owned)
 }
 
 /// The unit that an escape `\uXXXX` at `at` stands for.
@@ -269,9 +269,9 @@ mod tests {
 
     #[test]
     fn lone_surrogates_are_replaced() {
-        let mend =
+        let repair =
             |text: &str| String::from_utf8(without_lone_surrogates(text.as_bytes()).into_owned()).unwrap();
-        assert_eq!(mend(r#""a\ud800b""#), r#""a\ufffdb""#);
-        assert_eq!(mend(r#""\ude00\ud83d\ude00\\ud800""#), r#""\ufffd\ud83d\ude00\\ud800""#);
+        assert_eq!(repair(r#""a\ud800b""#), r#""a\ufffdb""#);
+        assert_eq!(repair(r#""\ude00\ud83d\ude00\\ud800""#), r#""\ufffd\ud83d\ude00\\ud800""#);
     }
 }

@@ -23,7 +23,7 @@ pub use document::{Document, Part, Place};
 pub use entities::Entities;
 pub use error::{SyntaxError, SyntaxErrorKind};
 pub use item::Item;
-pub use node::{Attr, Node, NodeId, NodeKind, Siblings};
+pub use node::{Attr, Node, NodeId, NodeKind, Siblings, normalize_line_ends};
 
 #[cfg(test)]
 mod edit_tests;

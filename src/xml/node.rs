@@ -287,7 +287,8 @@ impl<'a> Node<'a> {
     }
 }
 
-fn normalize_line_ends(raw: &str) -> Cow<'_, str> {
+/// Text with line ends as an XML parser reports them.
+pub fn normalize_line_ends(raw: &str) -> Cow<'_, str> {
     if memchr::memchr(b'\r', raw.as_bytes()).is_none() {
         return Cow::Borrowed(raw);
     }

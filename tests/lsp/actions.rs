@@ -90,7 +90,7 @@ fn a_typo_is_replaced_by_the_suggestion() {
 }
 
 #[test]
-fn names_of_unsaved_includes_are_mended_too() {
+fn names_of_unsaved_includes_are_fixed_too() {
     let mut client = Client::start();
     client.open(ROBOT);
     client.open(UNIT);
@@ -159,7 +159,7 @@ fn missing_things_are_created_where_they_are_missed() {
 }
 
 #[test]
-fn broken_syntax_is_mended() {
+fn broken_syntax_is_fixed() {
     let mut client = Client::start();
     for (content, title, expected) in [
         ("<link name=\"a\"></lnk>", "Change end tag to `link`", "<link name=\"a\"></link>"),

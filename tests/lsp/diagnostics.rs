@@ -39,7 +39,7 @@ fn an_undefined_name_is_marked_and_a_near_one_suggested() {
 }
 
 #[test]
-fn a_mended_file_is_told_to_be_clean_at_its_new_version() {
+fn a_fixed_file_is_told_to_be_clean_at_its_new_version() {
     let mut client = Client::start();
     client.open(ROBOT);
     client.edit(ROBOT, "${m0 / 3}", "${m1 / 3}");
@@ -133,7 +133,7 @@ fn a_wrong_argument_is_marked_at_the_call() {
     assert_eq!(undefined[0]["severity"], 1);
     assert_eq!(related(undefined[0]), ["unit.xacro:6 here in macro `unit`"]);
     assert_eq!(client.findings(UNIT), Vec::<String>::new());
-    // the fix mends the call
+    // the fix corrects the call
     let params = json!({
         "textDocument": { "uri": client.uri(ROBOT) },
         "range": undefined[0]["range"],

@@ -82,9 +82,9 @@ fn broken_text_keeps_the_last_good_robot() {
         "axis=\"0 1 0\"><origin xyz=\"0 0 ${m0 / 3}\"/></xacro:unit>\n<",
         "axis=\"1 0 0\"><origin xyz=\"0 0 0\"/></xacro:unit></robot>",
     );
-    let mended = model_with(&mut client, &id, |model| model["ok"] == true);
-    assert_eq!(mended["model"]["joints"][1]["axis"], json!([1.0, 0.0, 0.0]));
-    assert!(mended["lastGood"].is_null() && mended["errors"] == json!([]));
+    let fixed = model_with(&mut client, &id, |model| model["ok"] == true);
+    assert_eq!(fixed["model"]["joints"][1]["axis"], json!([1.0, 0.0, 0.0]));
+    assert!(fixed["lastGood"].is_null() && fixed["errors"] == json!([]));
 }
 
 #[test]

@@ -142,7 +142,7 @@ return function(test)
     assert(child:text():find('<xacro:property name="weight"', 1, true), child:text())
   end)
 
-  test('a quick fix mends the text', function(child)
+  test('a quick fix corrects the text', function(child)
     child:edit(fixture.robot)
     child:change('${m0 / 3}', '${m_0 / 3}')
     child:wait('#vim.diagnostic.get(0) == 1')

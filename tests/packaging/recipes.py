@@ -7,7 +7,7 @@ from fixture import BROKEN_MAST, LIFTER, MAST, PACKAGE
 
 
 def workspace():
-    """`colcon test` fails on a broken robot, and passes when it is mended."""
+    """`colcon test` fails on a broken robot, and passes when it is fixed."""
     recipe = snippet("ci.md", "colcon")
     folder = fresh("workspace")
     package = folder / "src/lifter_description"

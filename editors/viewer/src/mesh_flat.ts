@@ -49,7 +49,7 @@ function put<T>(list: T[], one: T): number {
 }
 
 function shapeOf(geometry: THREE.BufferGeometry, handed: Set<Transferable>): Shape {
-  mendNormals(geometry);
+  repairNormals(geometry);
   geometry.computeBoundingBox();
   geometry.computeBoundingSphere();
   const attributes: Shape['attributes'] = {};
@@ -75,7 +75,7 @@ function whole(array: THREE.TypedArray, handed: Set<Transferable>): THREE.TypedA
 }
 
 /** Files without normals, or with zeros for them, would be drawn black. */
-function mendNormals(geometry: THREE.BufferGeometry): void {
+function repairNormals(geometry: THREE.BufferGeometry): void {
   const normals = geometry.getAttribute('normal') as THREE.BufferAttribute | undefined;
   if (!normals || normals.array.every((value) => value === 0)) geometry.computeVertexNormals();
 }

@@ -2,10 +2,10 @@
  * The extension: puts the parts together.
  */
 import * as vscode from "vscode";
-import { Companions } from "./companions";
+import { AuxiliaryDocuments } from "./auxiliaryDocuments";
 import { Contexts } from "./contexts";
 import { ExpandedDocuments } from "./expanded";
-import { Follower } from "./follow";
+import { CursorSync } from "./cursorSync";
 import { IncludeGraph } from "./includeGraph";
 import { isRobotDescription } from "./languages";
 import { Pickers, plain } from "./pickers";
@@ -37,7 +37,7 @@ export function activate(context: vscode.ExtensionContext): void {
   for (const [name, handler] of serverCommands(server)) commands.set(name, handler);
   context.subscriptions.push(
     server,
-    new Companions(server),
+    new AuxiliaryDocuments(server),
     registerSettingsFiles(server),
     registerRulePages(),
     contexts,
@@ -45,7 +45,7 @@ export function activate(context: vscode.ExtensionContext): void {
     graph,
     tree,
     preview,
-    new Follower(server, documents),
+    new CursorSync(server, documents),
     new RootsView(contexts),
     new Status(server, contexts),
     vscode.workspace.onDidChangeConfiguration((event) => {

@@ -8,7 +8,7 @@ import * as vscode from "vscode";
 import { NotificationType, RequestType } from "vscode-languageclient";
 import { rootLabel, sameRoot } from "./contexts";
 import type { Contexts } from "./contexts";
-import { toRange } from "./follow";
+import { toRange } from "./cursorSync";
 import { isRobotDescription } from "./languages";
 import { plain } from "./pickers";
 import type { FromViewer, Place } from "./previewMessages";
@@ -150,7 +150,7 @@ export class Preview implements vscode.WebviewPanelSerializer, vscode.Disposable
     panel.iconPath = vscode.Uri.joinPath(this.extensionUri, "images", "file.svg");
     panel.webview.onDidReceiveMessage((message: unknown) => {
       const known = fromViewer(message);
-      if (known) void this.heard(known);
+      if (known) void this.onMessage(known);
       else this.server.output.warn("the preview sent an invalid message");
     });
     panel.onDidDispose(() => {
@@ -170,7 +170,7 @@ export class Preview implements vscode.WebviewPanelSerializer, vscode.Disposable
     if (this.panel && this.root) this.panel.title = `Preview ${rootLabel(this.root)}`;
   }
 
-  private async heard(message: FromViewer): Promise<void> {
+  private async onMessage(message: FromViewer): Promise<void> {
     switch (message.type) {
       case "ready":
         this.sendSettings();

@@ -2,7 +2,7 @@
  * Commands that the server puts into code lenses. It answers them with data; here they become what the user wants.
  */
 import * as vscode from "vscode";
-import { toRange } from "./follow";
+import { toRange } from "./cursorSync";
 import type { CommandHandler, Server } from "./server";
 
 interface Argument {

@@ -6,7 +6,7 @@ import { argumentsText, isSameRun, rootLabel } from "./contexts";
 import type { Contexts } from "./contexts";
 import type { ExpandedDocuments } from "./expanded";
 import { firstLink, linkOfLine } from "./expandedText";
-import { toRange } from "./follow";
+import { toRange } from "./cursorSync";
 import { isRobotDescription } from "./languages";
 import { plain } from "./pickers";
 import * as protocol from "./protocol";

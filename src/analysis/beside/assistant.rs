@@ -10,15 +10,12 @@ use super::files::Beside;
 use super::judge::Robots;
 use super::pairing::stem;
 use base::{CancelFlag, Span, TextRange};
-use expand::{Expansion, Problem, Severity};
+use expand::{Expansion, Problem, ProblemKind, Severity};
 use project::{Assistant, Named};
 use rules::{
     Finding, setup_assistant_file_not_found, setup_assistant_robot_fails, setup_assistant_unknown_argument,
 };
 use workspace::nearest;
-
-/// What errors about a package that is not there are reported as: what follows from it is nobody's fault.
-const NO_PACKAGE: &str = "PKG001";
 
 impl Session {
     /// What there is to say about a `.setup_assistant`.
@@ -86,13 +83,13 @@ impl Session {
         let (arguments, args) = (assistant.arguments.as_ref()?, assistant.given());
         let with = robots.get(&RootChoice { args, ..RootChoice::plain(file) })?;
         let errors = errors(&with.expansion);
-        if errors.is_empty() || errors.iter().any(|error| error.code == NO_PACKAGE) {
+        if errors.is_empty() || errors.iter().any(|error| error.kind == ProblemKind::PackageNotFound) {
             return None;
         }
         let options = CheckOptions { cancel: cancel.clone(), ..CheckOptions::default() };
         let plain = Analyzed::of(self, &RootChoice::plain(file), &options).expansion;
-        let before: Vec<_> = plain.problems.iter().map(|error| (error.code, place(&plain, error))).collect();
-        let is_new = |error: &&&Problem| !before.contains(&(error.code, place(&with.expansion, error)));
+        let before: Vec<_> = plain.problems.iter().map(|error| (error.kind, place(&plain, error))).collect();
+        let is_new = |error: &&&Problem| !before.contains(&(error.kind, place(&with.expansion, error)));
         let error = errors.iter().find(is_new).filter(|_| !cancel.is_cancelled())?;
         let span = Span { file: own.file, range: arguments.range };
         let name = file.file_name()?.to_string_lossy();

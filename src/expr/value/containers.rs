@@ -9,7 +9,7 @@ use ecow::EcoVec;
 use indexmap::{IndexMap, IndexSet};
 use rustc_hash::FxBuildHasher;
 
-use super::bury::{bury, is_nested};
+use super::iterative_drop::{drop_iteratively, is_nested};
 use super::{Key, Value};
 
 /// The entries of a dict in insertion order.
@@ -35,7 +35,7 @@ impl Drop for ListObject {
     fn drop(&mut self) {
         let items = std::mem::take(self.items.get_mut().unwrap_or_else(PoisonError::into_inner));
         if items.iter().any(is_nested) {
-            bury(items);
+            drop_iteratively(items);
         }
     }
 }
@@ -106,7 +106,7 @@ struct TupleObject(EcoVec<Value>);
 impl Drop for TupleObject {
     fn drop(&mut self) {
         if self.0.iter().any(is_nested) {
-            bury(std::mem::take(&mut self.0));
+            drop_iteratively(std::mem::take(&mut self.0));
         }
     }
 }
@@ -146,7 +146,7 @@ impl Drop for DictObject {
     fn drop(&mut self) {
         let map = self.map.get_mut().unwrap_or_else(PoisonError::into_inner);
         if map.iter().any(|(key, value)| is_nested(key.value()) || is_nested(value)) {
-            bury(std::mem::take(map));
+            drop_iteratively(std::mem::take(map));
         }
     }
 }
@@ -221,7 +221,7 @@ impl Drop for SetObject {
     fn drop(&mut self) {
         let items = self.items.get_mut().unwrap_or_else(PoisonError::into_inner);
         if items.iter().any(|key| is_nested(key.value())) {
-            bury(std::mem::take(items));
+            drop_iteratively(std::mem::take(items));
         }
     }
 }

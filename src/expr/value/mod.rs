@@ -1,8 +1,8 @@
 //! The values of expressions.
 
-mod bury;
 mod containers;
 mod date;
+mod iterative_drop;
 mod key;
 mod object;
 mod types;
@@ -15,11 +15,11 @@ use num_traits::ToPrimitive;
 
 use super::host::ScopeId;
 use super::stop::{Eval, Stop};
-pub(crate) use bury::bury;
 pub use containers::{Dict, List, Set, Tuple};
 pub(crate) use containers::{DictMap, SetMap};
 pub use date::DateValue;
 pub(crate) use date::{date_repr, date_text};
+pub(crate) use iterative_drop::drop_iteratively;
 pub(crate) use key::{Key, hash_value};
 pub(crate) use object::{Bound, Closure, Frame};
 pub use object::{Module, Range, Slice, View, ViewKind};

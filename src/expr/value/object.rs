@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use super::bury::{bury, is_nested};
+use super::iterative_drop::{drop_iteratively, is_nested};
 use super::{Dict, Str, Value};
 use crate::ast;
 use crate::builtins::Function;
@@ -116,7 +116,7 @@ pub struct Bound {
 impl Drop for Bound {
     fn drop(&mut self) {
         if is_nested(&self.receiver) {
-            bury(std::mem::take(&mut self.receiver));
+            drop_iteratively(std::mem::take(&mut self.receiver));
         }
     }
 }
@@ -136,7 +136,7 @@ pub struct Closure {
 
 impl Drop for Closure {
     fn drop(&mut self) {
-        bury((std::mem::take(&mut self.defaults), self.env.take()));
+        drop_iteratively((std::mem::take(&mut self.defaults), self.env.take()));
     }
 }
 
@@ -182,6 +182,6 @@ impl Frame {
 impl Drop for Frame {
     fn drop(&mut self) {
         let vars = std::mem::take(&mut *self.vars());
-        bury((vars, self.parent.take()));
+        drop_iteratively((vars, self.parent.take()));
     }
 }

@@ -8,32 +8,49 @@ use expr::is_identifier;
 use vfs::SourceFile;
 use xml::{Document, Node};
 
-/// What is missing according to a finding.
-pub(super) fn missing(source: &SourceFile, rule: &str, range: TextRange) -> Vec<Action> {
+/// A property of the name, or a parameter of the macro around.
+pub(super) fn undefined_property(source: &SourceFile, range: TextRange) -> Vec<Action> {
     let name = source.document.slice(range);
-    match rule {
-        "undefined-property" if is_identifier(&name) => {
-            let parameter = parameter(source, range, &name);
-            property(source, range, &name).into_iter().chain(parameter).collect()
-        }
-        "undefined-arg" if is_plain(&name) => argument(source, &name).into_iter().collect(),
-        "undefined-macro" => new_macro(source, range).into_iter().collect(),
-        "undefined-link" if is_plain(&name) => {
-            element(source, range, format!("add link `{name}`"), format!("<link name=\"{name}\"/>"))
-        }
-        "undefined-material" if is_plain(&name) => element(
-            source,
-            range,
-            format!("add material `{name}`"),
-            format!("<material name=\"{name}\"><color rgba=\"0.5 0.5 0.5 1\"/></material>"),
-        ),
-        "missing-joint-limit" => {
-            let limit = "<limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>";
-            child(source, range, "joint", "add `limit`", limit)
-        }
-        "missing-attribute" | "missing-limit-attribute" => attributes(source, range),
-        _ => Vec::new(),
+    if !is_identifier(&name) {
+        return Vec::new();
     }
+    let parameter = parameter(source, range, &name);
+    property(source, range, &name).into_iter().chain(parameter).collect()
+}
+
+/// A declaration of the argument.
+pub(super) fn undefined_arg(source: &SourceFile, range: TextRange) -> Vec<Action> {
+    let name = source.document.slice(range);
+    if is_plain(&name) { argument(source, &name).into_iter().collect() } else { Vec::new() }
+}
+
+/// A macro that takes what the call gives.
+pub(super) fn undefined_macro(source: &SourceFile, range: TextRange) -> Vec<Action> {
+    new_macro(source, range).into_iter().collect()
+}
+
+/// A link of the name.
+pub(super) fn undefined_link(source: &SourceFile, range: TextRange) -> Vec<Action> {
+    let name = source.document.slice(range);
+    let text = || format!("<link name=\"{name}\"/>");
+    if is_plain(&name) { element(source, range, format!("add link `{name}`"), text()) } else { Vec::new() }
+}
+
+/// A gray material of the name.
+pub(super) fn undefined_material(source: &SourceFile, range: TextRange) -> Vec<Action> {
+    let name = source.document.slice(range);
+    let text = || format!("<material name=\"{name}\"><color rgba=\"0.5 0.5 0.5 1\"/></material>");
+    if is_plain(&name) {
+        element(source, range, format!("add material `{name}`"), text())
+    } else {
+        Vec::new()
+    }
+}
+
+/// A limit of the joint, to be filled in.
+pub(super) fn missing_joint_limit(source: &SourceFile, range: TextRange) -> Vec<Action> {
+    let limit = "<limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>";
+    child(source, range, "joint", "add `limit`", limit)
 }
 
 /// Whether a name can be written into an attribute as it is.
@@ -138,7 +155,7 @@ fn child(source: &SourceFile, range: TextRange, parent: &str, title: &str, text:
 }
 
 /// The attributes that parsers insist on, to be filled in.
-fn attributes(source: &SourceFile, range: TextRange) -> Vec<Action> {
+pub(super) fn missing_attributes(source: &SourceFile, range: TextRange) -> Vec<Action> {
     let Some((base, node)) = element_at(&source.document, range.start) else { return Vec::new() };
     let specs = schema::element(node);
     let [spec] = specs.as_slice() else { return Vec::new() };

@@ -11,27 +11,27 @@ mod inertia;
 mod inline;
 mod inline_macro;
 mod joint;
-mod mend;
-mod mend_xacro;
 mod mesh_inertia;
 mod place;
 mod prefix;
 mod split;
 mod suppress;
+mod syntax;
 mod vector;
 mod wrap;
+mod xacro;
 
 pub use create::{MacroFile, include_macro};
 pub use extract_macro::{NewFile, move_to_file};
 pub use inline::inlinable;
 pub use inline_macro::inline_macro;
-pub use mend_xacro::{before_use, missing_parameters, other_name, suggested};
 pub use mesh_inertia::{Refused, of_mesh};
 pub use suppress::ignored_in_config;
+pub use xacro::{before_use, other_name, suggested};
 
 use super::context::Cx;
 use base::{Span, TextRange};
-use rules::{Edit, Surroundings};
+use rules::{Edit, Rule, Surroundings, named};
 use vfs::SourceFile;
 
 /// Something that can be done.
@@ -48,7 +48,7 @@ pub struct Action {
 /// Kinds of changes, as editors sort them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ActionKind {
-    /// Mends a finding.
+    /// Fixes a finding.
     Fix,
     /// Gives a value a name.
     Extract,
@@ -58,20 +58,34 @@ pub enum ActionKind {
     Rewrite,
 }
 
+/// What makes the quick fixes of a finding at a range.
+type QuickFix = fn(&SourceFile, TextRange) -> Vec<Action>;
+
+/// Rules with quick fixes that only an editor can offer: a person chooses one of them, or completes it.
+const QUICK_FIXES: [(&Rule, QuickFix); 15] = [
+    (named::XML_SYNTAX_ERROR, syntax::fixes),
+    (named::UNKNOWN_MACRO_PARAM, xacro::without_attribute),
+    (named::UNKNOWN_XACRO_ATTRIBUTE, xacro::without_attribute),
+    (named::UNKNOWN_ATTRIBUTE, xacro::without_attribute),
+    (named::WRONG_VECTOR_LENGTH, |source, range| Vec::from_iter(vector::length(source, range))),
+    (named::ZERO_AXIS, vector::axis),
+    (named::DUPLICATE_JOINT_NAME, |source, range| Vec::from_iter(vector::other_joint_name(source, range))),
+    (named::UNDEFINED_PROPERTY, create::undefined_property),
+    (named::UNDEFINED_ARG, create::undefined_arg),
+    (named::UNDEFINED_MACRO, create::undefined_macro),
+    (named::UNDEFINED_LINK, create::undefined_link),
+    (named::UNDEFINED_MATERIAL, create::undefined_material),
+    (named::MISSING_JOINT_LIMIT, create::missing_joint_limit),
+    (named::MISSING_ATTRIBUTE, create::missing_attributes),
+    (named::MISSING_LIMIT_ATTRIBUTE, create::missing_attributes),
+];
+
 /// Quick fixes of a finding of `rule` at `range` that its rule does not offer by itself.
-pub fn quick_fixes(source: &SourceFile, rule: &str, range: TextRange) -> Vec<Action> {
-    let mut found = match rule {
-        "xml-syntax-error" => mend::mend_syntax(source, range),
-        "unknown-macro-param" | "unknown-xacro-attribute" | "unknown-attribute" => {
-            mend_xacro::without_attribute(source, range).into_iter().collect()
-        }
-        "wrong-vector-length" => vector::length(source, range).into_iter().collect(),
-        "zero-axis" => vector::axis(source, range),
-        "duplicate-joint-name" => vector::other_joint_name(source, range).into_iter().collect(),
-        _ => create::missing(source, rule, range),
-    };
-    if rule != "xml-syntax-error" {
-        found.extend(suppress::suppress(source, rule, range));
+pub fn quick_fixes(source: &SourceFile, rule: &Rule, range: TextRange) -> Vec<Action> {
+    let own = QUICK_FIXES.iter().find(|(known, _)| *known == rule);
+    let mut found = own.map_or_else(Vec::new, |(_, make)| make(source, range));
+    if rule != named::XML_SYNTAX_ERROR {
+        found.extend(suppress::suppress(source, rule.name, range));
     }
     found
 }

@@ -7,11 +7,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use tokio::sync::watch;
 
-use super::crowd::Crowd;
+use super::limiter::ConnectionLimiter;
 use super::serve;
 use crate::Files;
 use crate::messages::{FromViewer, ModelMessage, Selection, Side};
-use base::limits::{CONNECTIONS, PAGES, STRANGERS};
+use base::limits::{CONNECTIONS, PAGES, UNAUTHENTICATED};
 use vfs::Vfs;
 
 /// A message of a page about its view.
@@ -25,7 +25,7 @@ pub struct Received {
 
 /// What a page is to know; newer texts take the place of older ones that were not sent yet.
 #[derive(Clone, Debug, Default)]
-pub(super) struct News {
+pub(super) struct ViewState {
     pub main: Option<Arc<str>>,
     pub compare: Option<Arc<str>>,
     pub selection: Option<Arc<str>>,
@@ -35,13 +35,13 @@ pub(super) struct News {
 pub struct Hub {
     token: String,
     port: u16,
-    views: Mutex<BTreeMap<u32, watch::Sender<News>>>,
+    views: Mutex<BTreeMap<u32, watch::Sender<ViewState>>>,
     pub(super) files: Arc<Files>,
     pub(super) vfs: Arc<Vfs>,
     pub(super) receive: Box<dyn Fn(Received) + Send + Sync>,
-    pub(super) connections: Arc<Crowd>,
-    pub(super) strangers: Arc<Crowd>,
-    pub(super) pages: Arc<Crowd>,
+    pub(super) connections: Arc<ConnectionLimiter>,
+    pub(super) unauthenticated: Arc<ConnectionLimiter>,
+    pub(super) pages: Arc<ConnectionLimiter>,
 }
 
 impl Hub {
@@ -70,9 +70,9 @@ impl Hub {
             files,
             vfs,
             receive: Box::new(receive),
-            connections: Crowd::new(CONNECTIONS),
-            strangers: Crowd::new(STRANGERS),
-            pages: Crowd::new(PAGES),
+            connections: ConnectionLimiter::new(CONNECTIONS),
+            unauthenticated: ConnectionLimiter::new(UNAUTHENTICATED),
+            pages: ConnectionLimiter::new(PAGES),
         });
         let served = hub.clone();
         let thread = std::thread::Builder::new().name("preview".to_owned());
@@ -95,7 +95,7 @@ impl Hub {
 
     /// A view may be looked at.
     pub fn open(&self, id: u32) {
-        self.views().entry(id).or_insert_with(|| watch::Sender::new(News::default()));
+        self.views().entry(id).or_insert_with(|| watch::Sender::new(ViewState::default()));
     }
 
     /// A view is no more: its pages are told.
@@ -117,34 +117,34 @@ impl Hub {
     pub fn tell(&self, message: &ModelMessage) {
         let text = || serde_json::to_string(message).ok().map(Arc::from);
         let side = message.side;
-        self.change(message.id, |news| match side {
-            Side::Main => news.main = text(),
-            Side::Compare => news.compare = text(),
+        self.change(message.id, |updates| match side {
+            Side::Main => updates.main = text(),
+            Side::Compare => updates.compare = text(),
         });
     }
 
     /// Tell the pages of a view what is selected.
     pub fn select(&self, selection: &Selection) {
         let text = || serde_json::to_string(selection).ok().map(Arc::from);
-        self.change(selection.id, |news| news.selection = text());
+        self.change(selection.id, |updates| updates.selection = text());
     }
 
     /// Nothing is compared any more.
     pub fn end_compare(&self, id: u32) {
-        self.change(id, |news| news.compare = None);
+        self.change(id, |updates| updates.compare = None);
     }
 
-    fn change(&self, id: u32, change: impl FnOnce(&mut News)) {
+    fn change(&self, id: u32, change: impl FnOnce(&mut ViewState)) {
         if let Some(view) = self.views().get(&id) {
             view.send_modify(change);
         }
     }
 
-    pub(super) fn news(&self, id: u32) -> Option<watch::Receiver<News>> {
+    pub(super) fn updates(&self, id: u32) -> Option<watch::Receiver<ViewState>> {
         self.views().get(&id).map(watch::Sender::subscribe)
     }
 
-    fn views(&self) -> std::sync::MutexGuard<'_, BTreeMap<u32, watch::Sender<News>>> {
+    fn views(&self) -> std::sync::MutexGuard<'_, BTreeMap<u32, watch::Sender<ViewState>>> {
         self.views.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -4,9 +4,9 @@
 //! ours, and says something only to who knows the token, which is in no address that is ever sent anywhere. Files
 //! are named by the ids of a model, never by paths.
 
-mod crowd;
 mod guard;
 mod hub;
+mod limiter;
 mod page;
 mod serve;
 mod socket;

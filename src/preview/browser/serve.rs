@@ -15,8 +15,8 @@ use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
 use tokio::runtime::Builder;
 
-use super::crowd::Pass;
 use super::hub::Hub;
+use super::limiter::Permit;
 use super::{guard, page, socket};
 use base::limits::{REQUEST_HEAD, SENT_BYTES};
 
@@ -49,8 +49,8 @@ async fn accept(hub: Arc<Hub>, router: Router, listener: TcpListener) {
         if !peer.ip().is_loopback() {
             continue;
         }
-        let pass = Arc::new(hub.connections.enter());
-        let service = TowerToHyperService::new(router.clone().layer(Extension(pass.clone())));
+        let permit = Arc::new(hub.connections.enter());
+        let service = TowerToHyperService::new(router.clone().layer(Extension(permit.clone())));
         tokio::spawn(async move {
             let connection = http1::Builder::new()
                 .timer(TokioTimer::new())
@@ -61,7 +61,7 @@ async fn accept(hub: Arc<Hub>, router: Router, listener: TcpListener) {
                 .with_upgrades();
             tokio::select! {
                 _ = connection => {}
-                () = pass.lost() => {}
+                () = permit.lost() => {}
                 () = tokio::time::sleep(ANSWER_TIME) => {}
             }
         });
@@ -82,7 +82,7 @@ fn routes(hub: Arc<Hub>) -> Router {
 /// `/mesh/ID`: the bytes of a file of a model.
 async fn mesh(
     State(hub): State<Arc<Hub>>,
-    Extension(pass): Extension<Arc<Pass>>,
+    Extension(permit): Extension<Arc<Permit>>,
     Path(id): Path<String>,
     headers: HeaderMap,
 ) -> Response {
@@ -91,7 +91,7 @@ async fn mesh(
         return (StatusCode::FORBIDDEN, "the token is missing or wrong").into_response();
     }
     // a page of ours: others that come and say nothing do not end its download
-    pass.leave();
+    permit.leave();
     let Some(path) = hub.files.path(&id) else {
         return (StatusCode::NOT_FOUND, "no open preview uses this file").into_response();
     };

@@ -14,7 +14,7 @@ use serde::Deserialize;
 use tokio::sync::watch::Receiver;
 
 use super::guard;
-use super::hub::{Hub, News, Received};
+use super::hub::{Hub, Received, ViewState};
 use crate::messages::FromViewer;
 use base::limits::SOCKET_MESSAGE;
 
@@ -52,21 +52,21 @@ pub(super) async fn open(
 }
 
 async fn talk(socket: WebSocket, hub: Arc<Hub>) {
-    let Some((mut socket, id, mut news)) = greet(socket, &hub).await else { return };
+    let Some((mut socket, id, mut updates)) = greet(socket, &hub).await else { return };
     (hub.receive)(Received { id, message: FromViewer::Ready });
     let page = hub.pages.enter();
-    let mut known = News::default();
-    // what there is already is news to it
-    news.mark_changed();
+    let mut known = ViewState::default();
+    // the page does not know yet what there is already
+    updates.mark_changed();
     let mut seen = Instant::now();
     let mut ping = tokio::time::interval(PING);
     loop {
         tokio::select! {
-            changed = news.changed() => {
+            changed = updates.changed() => {
                 if changed.is_err() {
                     return close(socket, NO_VIEW, "this view is closed").await;
                 }
-                let now = news.borrow_and_update().clone();
+                let now = updates.borrow_and_update().clone();
                 if tell(&mut socket, &mut known, now).await.is_break() {
                     return;
                 }
@@ -88,11 +88,11 @@ async fn talk(socket: WebSocket, hub: Arc<Hub>) {
 }
 
 /// Wait for the token; the view that the page shows.
-async fn greet(mut socket: WebSocket, hub: &Hub) -> Option<(WebSocket, u32, Receiver<News>)> {
-    let stranger = hub.strangers.enter();
+async fn greet(mut socket: WebSocket, hub: &Hub) -> Option<(WebSocket, u32, Receiver<ViewState>)> {
+    let permit = hub.unauthenticated.enter();
     let hello = tokio::select! {
         hello = tokio::time::timeout(HELLO_TIME, socket.recv()) => hello,
-        () = stranger.lost() => return None,
+        () = permit.lost() => return None,
     };
     let hello = match hello {
         Ok(Some(Ok(Message::Text(text)))) => serde_json::from_str::<Hello>(&text).ok(),
@@ -102,8 +102,8 @@ async fn greet(mut socket: WebSocket, hub: &Hub) -> Option<(WebSocket, u32, Rece
         close(socket, WRONG_TOKEN, "the token is missing or wrong").await;
         return None;
     };
-    match hub.news(hello.id) {
-        Some(news) => Some((socket, hello.id, news)),
+    match hub.updates(hello.id) {
+        Some(updates) => Some((socket, hello.id, updates)),
         None => {
             close(socket, NO_VIEW, "this view is closed").await;
             None
@@ -111,7 +111,7 @@ async fn greet(mut socket: WebSocket, hub: &Hub) -> Option<(WebSocket, u32, Rece
     }
 }
 
-/// Pass on what a page says; what makes no sense is passed over.
+/// Forward what a page sends; what makes no sense is ignored.
 fn listen(hub: &Hub, id: u32, message: &Message) {
     if let Message::Text(text) = message
         && let Ok(message) = serde_json::from_str::<FromViewer>(text)
@@ -121,7 +121,7 @@ fn listen(hub: &Hub, id: u32, message: &Message) {
 }
 
 /// Send what a page does not know yet.
-async fn tell(socket: &mut WebSocket, known: &mut News, now: News) -> ControlFlow<()> {
+async fn tell(socket: &mut WebSocket, known: &mut ViewState, now: ViewState) -> ControlFlow<()> {
     let differs = |a: &Option<Arc<str>>, b: &Option<Arc<str>>| match (a, b) {
         (Some(a), Some(b)) => !Arc::ptr_eq(a, b),
         (a, b) => a.is_some() != b.is_some(),

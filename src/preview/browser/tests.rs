@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver};
 use std::time::{Duration, Instant};
 
-use super::crowd::Crowd;
+use super::limiter::ConnectionLimiter;
 use super::{Hub, Received};
 use crate::Files;
 use crate::messages::{FromViewer, Selection};
@@ -345,7 +345,7 @@ fn sockets_that_say_nothing_keep_nobody_out() {
     let silent: Vec<TcpStream> = (0..60).map(|_| rig.own_socket()).collect();
     let _page = rig.hello(rig.hub.token(), 1);
     assert!(rig.said.recv_timeout(Duration::from_secs(20)).is_ok());
-    assert!(rig.hub.strangers.len() <= 32);
+    assert!(rig.hub.unauthenticated.len() <= 32);
     drop(silent);
 }
 
@@ -378,13 +378,13 @@ fn connections_that_say_nothing_end_no_download() {
 
 #[tokio::test]
 async fn who_waits_longest_makes_room() {
-    let crowd = Crowd::new(2);
-    let (first, second) = (crowd.enter(), crowd.enter());
-    let _third = crowd.enter();
+    let limiter = ConnectionLimiter::new(2);
+    let (first, second) = (limiter.enter(), limiter.enter());
+    let _third = limiter.enter();
     first.lost().await;
     assert!(tokio::time::timeout(Duration::from_millis(20), second.lost()).await.is_err());
     drop(first);
-    assert_eq!(crowd.len(), 2);
+    assert_eq!(limiter.len(), 2);
 }
 
 #[test]

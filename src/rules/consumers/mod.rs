@@ -36,6 +36,11 @@ use facts::{Facts, Found};
 /// The rules.
 pub(super) static RULES: &[Rule] = &[verdict::REJECTS, verdict::CHANGES];
 
+/// The rule that says that a program rejects or changes something.
+pub fn rule_of(outcome: Outcome) -> &'static Rule {
+    if outcome == Outcome::Rejects { &verdict::REJECTS } else { &verdict::CHANGES }
+}
+
 /// The constructs of a robot that the table knows, by detector and in document order.
 pub fn constructs(expansion: &Expansion, robot: Option<&Robot>, world: Surroundings<'_>) -> Vec<Met> {
     let Some(root) = expansion.tree.root() else { return Vec::new() };

@@ -1,6 +1,7 @@
 //! A controller without parameters, or parameters of no controller.
 
 use super::super::beside::BesideCx;
+use super::super::finding::Help;
 use super::super::registry::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastSet;
@@ -58,7 +59,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         let near = nearest(name, lacking).filter(|_| !listed.contains(name));
         if let Some(near) = near {
             let message = format!("parameters of `{name}`, which no controller manager lists");
-            cx.report(out, &controller.name, message).help(format!("did you mean `{near}`?")).done();
+            cx.report(out, &controller.name, message).help(Help::did_you_mean(near)).done();
         }
     }
 }

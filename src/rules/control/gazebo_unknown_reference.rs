@@ -2,6 +2,7 @@
 
 use super::super::context::RobotCx;
 use super::super::edits::rename;
+use super::super::finding::Help;
 use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
@@ -10,7 +11,7 @@ use facts::{Fact, FactKind, facts};
 use model::Gazebo;
 use workspace::nearest;
 
-pub(super) const RULE: Rule = Rule {
+pub(in super::super) const RULE: Rule = Rule {
     code: "CTL014",
     name: "gazebo-unknown-reference",
     category: Category::Control,
@@ -39,7 +40,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         match near {
             Some(near) => {
                 let report =
-                    report.help(format!("did you mean `{near}`? SDFormat ignores an element with an unknown reference"));
+                    report.help(Help::did_you_mean(near).and("SDFormat ignores an element with an unknown reference"));
                 rename(report, cx.expansion, text, near).done();
             }
             None => report

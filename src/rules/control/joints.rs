@@ -2,6 +2,7 @@
 
 use super::super::context::{DocumentCx, RobotCx};
 use super::super::edits::{rename, source_text};
+use super::super::finding::Help;
 use super::super::registry::Severity;
 use super::super::sink::Sink;
 use base::{FastMap, FastSet, TextRange};
@@ -51,7 +52,7 @@ pub(super) fn unknown_joints<'t>(
         let report = out.report(text.origin, message).severity(severity);
         match nearest(name, cx.robot.joints.iter().map(|joint| joint.shown())) {
             Some(near) => {
-                let report = report.help(format!("did you mean `{near}`?"));
+                let report = report.help(Help::did_you_mean(near));
                 rename(report, cx.expansion, text, near).done();
             }
             None => report.help("use the full name of a joint of this robot, including its prefix").done(),

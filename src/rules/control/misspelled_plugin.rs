@@ -1,6 +1,7 @@
 //! A plugin whose name is almost that of a well-known one.
 
 use super::super::context::DocumentCx;
+use super::super::finding::Help;
 use super::super::numbers::rewrite;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
@@ -77,7 +78,6 @@ fn report(text: &Text, known: &[&'static str], out: &mut Sink<'_>) {
     else {
         return;
     };
-    let report =
-        out.report(text.origin, format!("unknown plugin `{name}`")).help(format!("did you mean `{near}`?"));
+    let report = out.report(text.origin, format!("unknown plugin `{name}`")).help(Help::did_you_mean(near));
     rewrite(report, Safety::Unsafe, text, near.to_owned()).done();
 }

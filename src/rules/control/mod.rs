@@ -8,7 +8,7 @@ mod gazebo_classic_plugin;
 mod gazebo_lumped_reference;
 mod gazebo_missing_reference;
 mod gazebo_plugin_missing_filename;
-mod gazebo_unknown_reference;
+pub(super) mod gazebo_unknown_reference;
 mod hardware;
 mod joints;
 mod misspelled_plugin;
@@ -30,7 +30,7 @@ mod ros2_control_unknown_joint;
 mod ros2_control_unknown_tag;
 mod transmission_missing_actuator;
 mod transmission_missing_hardware_interface;
-mod transmission_unknown_joint;
+pub(super) mod transmission_unknown_joint;
 mod transmission_unknown_type;
 mod transmissions;
 

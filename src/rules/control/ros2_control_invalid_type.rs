@@ -1,6 +1,7 @@
 //! A ros2_control of an unknown type.
 
 use super::super::context::DocumentCx;
+use super::super::finding::Help;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::super::vocabulary::is_simulator_plugin;
@@ -35,15 +36,17 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         };
         if kind.is_known() && !KNOWN.contains(&kind.value.as_str()) {
-            let near = nearest(&kind.value, KNOWN).map(|near| format!("did you mean `{near}`?"));
+            let near = nearest(&kind.value, KNOWN).map(Help::did_you_mean);
             let is_known = KNOWN.contains(&kind.value.to_lowercase().as_str());
             let severity =
                 if is_known && is_simulated(cx, control) { Severity::Warning } else { RULE.severity };
             out.report(kind.origin, format!("ros2_control `{name}` has unknown type `{}`", kind.value))
                 .severity(severity)
-                .help(near.unwrap_or_else(|| {
-                    "write type=\"system\", type=\"actuator\" or type=\"sensor\"".to_owned()
-                }))
+                .help(
+                    near.unwrap_or_else(|| {
+                        "write type=\"system\", type=\"actuator\" or type=\"sensor\"".into()
+                    }),
+                )
                 .done();
         }
     }

@@ -1,6 +1,7 @@
 //! An interface whose name looks misspelt.
 
 use super::super::context::DocumentCx;
+use super::super::finding::Help;
 use super::super::numbers::rewrite;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
@@ -40,8 +41,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if let Some(near) = nearest(name, KNOWN) {
             let message = format!("joint `{}` has unknown interface `{name}`", joint.shown());
             let severity = if misspelled(name, KNOWN).is_some() { Severity::Warning } else { RULE.severity };
-            let report =
-                out.report(text.origin, message).severity(severity).help(format!("did you mean `{near}`?"));
+            let report = out.report(text.origin, message).severity(severity).help(Help::did_you_mean(near));
             rewrite(report, Safety::Unsafe, text, near.to_owned()).done();
         }
     }

@@ -1,6 +1,7 @@
 //! An element that ros2_control does not know.
 
 use super::super::context::DocumentCx;
+use super::super::finding::Help;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use expand::XId;
@@ -53,14 +54,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// What to do with an unknown element: the name that is meant, or the element that it belongs in.
-fn outer_help(name: &str) -> String {
+fn outer_help(name: &str) -> Help {
     match (nearest(name, KNOWN), name) {
-        (Some(near), _) => format!("did you mean `{near}`?"),
-        (None, "plugin" | "param") => format!("put <{name}> in <hardware>"),
+        (Some(near), _) => Help::did_you_mean(near),
+        (None, "plugin" | "param") => format!("put <{name}> in <hardware>").into(),
         (None, "command_interface" | "state_interface") => {
-            format!("put <{name}> in <joint name=\"...\">, <sensor> or <gpio>")
+            format!("put <{name}> in <joint name=\"...\">, <sensor> or <gpio>").into()
         }
-        (None, _) => "use <hardware>, <joint>, <sensor>, <gpio> or <transmission>".to_owned(),
+        (None, _) => "use <hardware>, <joint>, <sensor>, <gpio> or <transmission>".into(),
     }
 }
 
@@ -69,6 +70,6 @@ fn check_inner(cx: &DocumentCx<'_>, (outer, known): (&str, &[&str]), id: XId, ou
     let name = cx.expansion.tree.get(id).text.as_str();
     let Some(near) = nearest(name, known.iter().copied()).filter(|near| *near != name) else { return };
     out.report(tag_start(cx.expansion, id), format!("unknown element `{name}` in `{outer}` of ros2_control"))
-        .help(format!("did you mean `{near}`?"))
+        .help(Help::did_you_mean(near))
         .done();
 }

@@ -1,6 +1,7 @@
 //! A transmission whose type looks misspelt.
 
 use super::super::context::DocumentCx;
+use super::super::finding::Help;
 use super::super::numbers::rewrite;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
@@ -35,7 +36,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let report = out
             .report(text.origin, format!("unknown transmission type `{kind}`"))
             .severity(severity(cx))
-            .help(format!("did you mean `{near}`?"));
+            .help(Help::did_you_mean(near));
         rewrite(report, Safety::Unsafe, &text, near.to_owned()).done();
     }
 }

@@ -1,25 +1,25 @@
 //! Geometry, meshes and materials.
 
 mod absolute_mesh_path;
-mod ascii_stl;
-mod binary_stl_solid_header;
+pub(super) mod ascii_stl;
+pub(super) mod binary_stl_solid_header;
 mod bodies;
 mod collision_left_out;
-mod collision_mesh_too_detailed;
+pub(super) mod collision_mesh_too_detailed;
 mod collision_same_as_visual;
 mod collision_smaller_than_visual;
 mod color_out_of_range;
 mod corrupt_mesh;
 mod dae_unit;
 mod dae_up_axis;
-mod duplicate_material;
+pub(super) mod duplicate_material;
 mod empty_geometry;
 mod malformed_resource_uri;
 mod material_redefinition;
 mod material_without_color;
 mod mesh_case_mismatch;
 mod mesh_far_from_link;
-mod mesh_inconsistent_normals;
+pub(super) mod mesh_inconsistent_normals;
 mod mesh_inverted_normals;
 mod mesh_missing_dependency;
 mod mesh_not_found;
@@ -35,10 +35,10 @@ mod relative_mesh_path;
 mod resources;
 mod shapes;
 mod texture_not_found;
-mod undefined_material;
-mod unknown_geometry_type;
+pub(super) mod undefined_material;
+pub(super) mod unknown_geometry_type;
 mod unsupported_mesh_format;
-mod unused_material;
+pub(super) mod unused_material;
 mod visual_collision_apart;
 mod zero_mesh_scale;
 

@@ -1,6 +1,7 @@
 //! A material that is defined nowhere.
 
 use super::super::context::RobotCx;
+use super::super::finding::Help;
 use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
@@ -8,7 +9,7 @@ use super::shapes::{is_defined, is_replaceable, visual_materials};
 use base::FastSet;
 use workspace::nearest;
 
-pub(super) const RULE: Rule = Rule {
+pub(in super::super) const RULE: Rule = Rule {
     code: "GEO026",
     name: "undefined-material",
     category: Category::Geometry,
@@ -37,7 +38,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             .group(Group::Name(name.clone()));
         match nearest(name, defined.iter().copied()).filter(|near| is_replaceable(text, near)) {
             Some(near) => {
-                let report = report.help(format!("did you mean `{near}`?"));
+                let report = report.help(Help::did_you_mean(near));
                 report.replace_with(Safety::Unsafe, format!("rename to `{near}`"), near).done();
             }
             None => report.help(format!("add <material name=\"{name}\"><color rgba=\"...\"/></material> to <robot>, or a <color> here")).done(),

@@ -14,7 +14,7 @@ mod placeholder_inertia;
 mod root_link_inertia;
 mod tiny_inertia;
 mod zero_inertia;
-mod zero_mass;
+pub(super) mod zero_mass;
 
 use super::registry::Rule;
 

@@ -2,6 +2,7 @@
 
 use super::super::context::RobotCx;
 use super::super::edits::rename;
+use super::super::finding::Help;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use base::FastSet;
@@ -29,7 +30,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let names = cx.robot.joints.iter().map(|joint| joint.shown()).filter(|name| *name != joint.shown());
         match nearest(target, names) {
             Some(near) => {
-                let report = report.help(format!("did you mean `{near}`?"));
+                let report = report.help(Help::did_you_mean(near));
                 rename(report, cx.expansion, text, near).done();
             }
             None => report.help("use the name of a joint of this robot").done(),

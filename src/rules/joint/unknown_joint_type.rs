@@ -1,13 +1,14 @@
 //! A type of joint that URDF does not know.
 
 use super::super::context::DocumentCx;
+use super::super::finding::Help;
 use super::super::numbers::rewrite;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use model::JointType;
 use workspace::nearest;
 
-pub(super) const RULE: Rule = Rule {
+pub(in super::super) const RULE: Rule = Rule {
     code: "JNT001",
     name: "unknown-joint-type",
     category: Category::Joint,
@@ -39,7 +40,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 )
                 .done();
             }
-            (None, Some(near)) => report.help(format!("did you mean `{near}`?")).done(),
+            (None, Some(near)) => report.help(Help::did_you_mean(near)).done(),
             (None, None) => report.help(advice(&kind.value)).done(),
         }
     }

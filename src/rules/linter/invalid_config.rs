@@ -1,11 +1,11 @@
 //! Something in the configuration that has no effect.
 
-use super::super::finding::Finding;
+use super::super::finding::{Finding, Help};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use base::{FileId, Span};
 use workspace::config::ConfigWarning;
 
-pub(super) const RULE: Rule = Rule {
+pub(in super::super) const RULE: Rule = Rule {
     code: "LNT004",
     name: "invalid-config",
     category: Category::Linter,
@@ -20,11 +20,11 @@ pub(super) const RULE: Rule = Rule {
 /// The finding about a warning of the configuration in `file`.
 pub fn invalid_config(file: FileId, warning: &ConfigWarning) -> Finding {
     let span = Span { file, range: warning.place.range };
-    let help = warning
-        .nearest
-        .as_ref()
-        .map_or_else(|| advice(&warning.message).to_owned(), |near| format!("did you mean `{near}`?"));
-    Finding { help: Some(help), ..Finding::new(&RULE, span, warning.message.clone()) }
+    let help = match &warning.nearest {
+        Some(near) => Help::did_you_mean(near),
+        None => advice(&warning.message).into(),
+    };
+    Finding::new(&RULE, span, warning.message.clone()).advised(help)
 }
 
 /// What to do about a setting that resembles no valid one.

@@ -1,11 +1,11 @@
 //! The linter itself: suppressions and configuration.
 
-mod invalid_config;
+pub(super) mod invalid_config;
 mod malformed_suppression;
 mod reach;
 mod suppression;
 mod unknown_rule_in_suppression;
-mod unused_suppression;
+pub(super) mod unused_suppression;
 
 use super::registry::Rule;
 

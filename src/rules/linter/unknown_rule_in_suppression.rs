@@ -1,6 +1,7 @@
 //! A suppression that names no rule there is.
 
 use super::super::context::FileCx;
+use super::super::finding::Help;
 use super::super::registry::{
     Activation, Category, Check, Rule, Safety, Severity, find, nearest_selector, page,
 };
@@ -29,8 +30,8 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         }
         let near = nearest_selector(name);
         let help = match near {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => "run `xacro-lint rules` to list all rules".to_owned(),
+            Some(near) => Help::did_you_mean(near),
+            None => "run `xacro-lint rules` to list all rules".into(),
         };
         let finding = out.report_in(cx.file, selector.range, format!("unknown rule `{name}`")).help(help);
         match near.filter(|near| edit_distance(&name.to_lowercase(), &near.to_lowercase()) <= 1) {

@@ -1,6 +1,7 @@
 //! A controller of MoveIt that no controller manager of the robot lists.
 
 use super::super::beside::BesideCx;
+use super::super::finding::Help;
 use super::super::registry::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastSet;
@@ -35,8 +36,10 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         let is_of_driver = controller.is_gripper && near.is_none();
         let severity = if is_of_driver { Severity::Info } else { RULE.severity };
         let help = match near {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => format!("add `{name}` with its `type` to the parameters of the controller manager"),
+            Some(near) => Help::did_you_mean(near),
+            None => {
+                format!("add `{name}` with its `type` to the parameters of the controller manager").into()
+            }
         };
         cx.report(out, &controller.name, message).severity(severity).help(help).done();
     }

@@ -1,6 +1,6 @@
 //! An argument of `.setup_assistant` that the robot does not know.
 
-use super::super::finding::Finding;
+use super::super::finding::{Finding, Help};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;
 
@@ -18,10 +18,9 @@ pub(super) const RULE: Rule = Rule {
 
 /// The finding about an argument that no file of the robot declares or reads.
 pub fn setup_assistant_unknown_argument(span: Span, name: &str, file: &str, near: Option<&str>) -> Finding {
-    let mut finding = Finding::new(&RULE, span, format!("unknown argument `{name}` of `{file}`"));
-    finding.help = Some(match near {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => format!("remove it, or declare it in `{file}`; xacro ignores an unknown argument"),
-    });
-    finding
+    let help = match near {
+        Some(near) => Help::did_you_mean(near),
+        None => format!("remove it, or declare it in `{file}`; xacro ignores an unknown argument").into(),
+    };
+    Finding::new(&RULE, span, format!("unknown argument `{name}` of `{file}`")).advised(help)
 }

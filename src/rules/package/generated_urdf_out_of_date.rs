@@ -4,7 +4,7 @@ use super::super::finding::Finding;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use base::Span;
 
-pub(super) const RULE: Rule = Rule {
+pub(in super::super) const RULE: Rule = Rule {
     code: "PKG011",
     name: "generated-urdf-out-of-date",
     category: Category::Package,

@@ -6,7 +6,7 @@ use std::path::Path;
 use indexmap::IndexMap;
 
 use super::super::context::{DocumentCx, Surroundings};
-use super::super::finding::Finding;
+use super::super::finding::{Finding, Help};
 use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
@@ -15,7 +15,7 @@ use base::TextRange;
 use expand::{Expansion, FileIdx, Origin, Read, XAttr, XId};
 use workspace::NotFound;
 
-pub(super) const RULE: Rule = Rule {
+pub(in super::super) const RULE: Rule = Rule {
     code: "PKG001",
     name: "package-not-found",
     category: Category::Package,
@@ -89,7 +89,7 @@ pub(in super::super) fn warn_once(findings: &mut [Finding], expansion: &Expansio
     {
         return;
     }
-    let first = findings.iter_mut().find(|finding| finding.rule.code == RULE.code);
+    let first = findings.iter_mut().find(|finding| *finding.rule == RULE);
     let Some(first) = first.filter(|first| first.severity == Severity::Info) else { return };
     let names =
         missing.iter().take(MOST_PLACES).map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
@@ -178,7 +178,7 @@ fn report(cx: &DocumentCx<'_>, missing: &NotFound, places: &[Origin], out: &mut 
     }
     match &missing.nearest {
         Some(near) => report
-            .help(format!("did you mean `{near}`?"))
+            .help(Help::did_you_mean(near))
             .replace_with(Safety::Unsafe, format!("rename to `{near}`"), near)
             .done(),
         None => report.help("pass its folder with --package-path, or source its workspace").done(),

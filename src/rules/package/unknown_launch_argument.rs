@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::super::finding::Finding;
+use super::super::finding::{Finding, Help};
 use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;
@@ -30,13 +30,13 @@ pub fn unknown_launch_argument(
 ) -> Finding {
     let file = file.file_name().unwrap_or_default().to_string_lossy();
     let help = match near {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => format!(
+        Some(near) => Help::did_you_mean(near),
+        None => Help::from(format!(
             "remove it, or declare it in `{file}` with <xacro:arg name=\"{name}\" default=\"\"/>; xacro ignores an unknown argument"
-        ),
+        )),
     };
-    let mut finding = Finding::new(&RULE, span, format!("unknown argument `{name}` of `{file}`"));
-    finding.help = Some(help);
+    let mut finding =
+        Finding::new(&RULE, span, format!("unknown argument `{name}` of `{file}`")).advised(help);
     if near.is_none() {
         // what a call passes in vain was written for another robot
         finding.group = Some(Group::Name(file.into()));

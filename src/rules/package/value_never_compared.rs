@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::super::finding::Finding;
+use super::super::finding::{Finding, Help};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::value_outside_choices::listed;
 use base::Span;
@@ -29,10 +29,9 @@ pub fn value_never_compared(
 ) -> Finding {
     let file = file.file_name().unwrap_or_default().to_string_lossy();
     let message = format!("`{file}` never compares argument `{name}` with `{value}`");
-    let mut finding = Finding::new(&RULE, span, message);
-    finding.help = Some(match near {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => format!("write one of {}", listed(compared)),
-    });
-    finding
+    let help = match near {
+        Some(near) => Help::did_you_mean(near),
+        None => format!("write one of {}", listed(compared)).into(),
+    };
+    Finding::new(&RULE, span, message).advised(help)
 }

@@ -1,6 +1,6 @@
 //! A value of an argument of a launch file that its choices rule out.
 
-use super::super::finding::Finding;
+use super::super::finding::{Finding, Help};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;
 
@@ -25,12 +25,11 @@ pub fn value_outside_choices(
     near: Option<&str>,
 ) -> Finding {
     let message = format!("value `{value}` of argument `{name}` is not one of its choices");
-    let mut finding = Finding::new(&RULE, span, message);
-    finding.help = Some(match near {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => format!("write one of {}; the launch fails", listed(choices)),
-    });
-    finding
+    let help = match near {
+        Some(near) => Help::did_you_mean(near),
+        None => format!("write one of {}; the launch fails", listed(choices)).into(),
+    };
+    Finding::new(&RULE, span, message).advised(help)
 }
 
 /// The first of some words, in backticks.

@@ -1,7 +1,7 @@
 //! The kinematic tree, judged on the expansion and reported at the source.
 
 mod duplicate_geometry_name;
-mod duplicate_joint_name;
+pub(super) mod duplicate_joint_name;
 mod duplicate_link_name;
 mod joint_self_loop;
 mod link_cycle;
@@ -14,7 +14,7 @@ mod no_links;
 mod orphan_link;
 mod repeated_calls;
 mod rust_consumer_cannot_load;
-mod undefined_link;
+pub(super) mod undefined_link;
 
 use super::registry::Rule;
 

@@ -1,12 +1,12 @@
 //! A joint that names a link which does not exist.
 
 use super::super::context::RobotCx;
-use super::super::finding::Edit;
+use super::super::finding::{Edit, Help};
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::missing_links::missing_links;
 
-pub(super) const RULE: Rule = Rule {
+pub(in super::super) const RULE: Rule = Rule {
     code: "STR003",
     name: "undefined-link",
     category: Category::Structure,
@@ -31,11 +31,11 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         }
         match &missing.nearest {
             Some(near) if first.literal => {
-                let (rename, help) = (format!("rename to `{near}`"), format!("did you mean `{near}`?"));
+                let (rename, help) = (format!("rename to `{near}`"), Help::did_you_mean(near));
                 report = report.help(help).replace_with(Safety::Unsafe, rename, near.as_str());
             }
             Some(near) => {
-                report = report.help(format!("did you mean `{near}`?"));
+                report = report.help(Help::did_you_mean(near));
                 if let Some(span) = argument {
                     let edits = vec![Edit { span, content: near.to_string() }];
                     report = report.edits(Safety::Unsafe, format!("change argument to `{near}`"), edits);

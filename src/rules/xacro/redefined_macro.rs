@@ -3,14 +3,16 @@
 use std::collections::BTreeMap;
 
 use super::super::context::DocumentCx;
+use super::super::finding::{Edit, Fix};
+use super::super::problems::ProblemCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::source::{self, Inclusion};
-use base::{FastMap, FastSet};
-use expand::{FileIdx, Place, SymbolKind, UseKind};
+use base::{FastMap, FastSet, Span, TextRange};
+use expand::{Detail, FileIdx, Place, SymbolKind, UseKind};
 use xml::{Node, NodeKind};
 
-pub(super) const RULE: Rule = Rule {
+pub(in super::super) const RULE: Rule = Rule {
     code: "XAC017",
     name: "redefined-macro",
     category: Category::Xacro,
@@ -105,4 +107,23 @@ fn namespaces(inclusions: &[Inclusion<'_>]) -> FastMap<FileIdx, String> {
     }
     spaces.retain(|file, _| !doubtful.contains(file));
     spaces
+}
+
+/// Where a call was meant, the name of the macro goes into the tags.
+pub(in super::super) fn fix(cx: &ProblemCx<'_>) -> Option<Fix> {
+    let Some(Detail::Called(called)) = &cx.problem.detail else { return None };
+    let (document, span) = (cx.document, cx.span);
+    let call = format!("xacro:{called}");
+    let place = document.item_at(span.range.start);
+    let at = |node: &Node<'_>| node.start_tag_range().shift(place.start).start == span.range.start;
+    let node = place.item.all_nodes().find(at)?;
+    let name = node.attrs().next().filter(|attr| attr.name() == "name")?;
+    let tag = TextRange::new(node.name_range().start, name.range().end).shift(place.start);
+    let end = node.end_name_range()?.shift(place.start);
+    let edit = |range| Edit { span: Span { range, ..span }, content: call.clone() };
+    Some(Fix {
+        safety: Safety::Unsafe,
+        message: format!("call macro `{called}`"),
+        edits: vec![edit(tag), edit(end)],
+    })
 }

@@ -1,11 +1,15 @@
 //! A property that hides a built-in symbol: whether that is news.
 
+use super::super::registry::{Category, Rule, Severity, page};
 use super::source;
 use expand::{Expansion, Place, Problem};
 use expr::{Value, global_symbol};
 use model::decimal;
 use workspace::Target;
 use xml::Node;
+
+pub(in super::super) const RULE: Rule =
+    Rule::found("XAC018", "shadowed-builtin", Category::Xacro, Severity::Warning, page("shadowed-builtin"));
 
 /// Whether a name that hides a built-in symbol means something else from there on. A parameter does so in its macro
 /// only, where everybody sees it, and a property with the very value of the symbol changes nothing.

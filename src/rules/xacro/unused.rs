@@ -3,7 +3,7 @@
 use super::super::context::{DocumentCx, RootKind};
 use super::source;
 use base::{FastSet, TextRange};
-use expand::{Definition, DefinitionId, FileIdx, Place, SymbolKind, UseKind};
+use expand::{Definition, DefinitionId, FileIdx, Place, ProblemKind, SymbolKind, UseKind};
 
 /// The definitions of some kinds in the root file of a robot that nothing uses in this expansion. None, when
 /// something of the robot could not be resolved.
@@ -15,7 +15,12 @@ pub(super) fn in_root<'a>(
         return Vec::new();
     }
     // an undefined name may be a definition misspelt
-    if cx.expansion.problems.iter().any(|problem| matches!(problem.code, "XAC001" | "XAC003")) {
+    if cx
+        .expansion
+        .problems
+        .iter()
+        .any(|problem| matches!(problem.kind, ProblemKind::UndefinedProperty | ProblemKind::UndefinedArg))
+    {
         return Vec::new();
     }
     let used = used(cx);

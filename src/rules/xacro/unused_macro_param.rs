@@ -8,10 +8,10 @@ use super::super::sink::Sink;
 use super::mentions::Mentions;
 use super::{source, unused};
 use base::{FastMap, FastSet};
-use expand::{Definition, DefinitionId, Problem, SymbolKind, UseKind};
+use expand::{Definition, DefinitionId, Problem, ProblemKind, SymbolKind, UseKind};
 use xml::{Node, NodeKind};
 
-pub(super) const RULE: Rule = Rule {
+pub(in super::super) const RULE: Rule = Rule {
     code: "XAC015",
     name: "unused-macro-param",
     category: Category::Xacro,
@@ -49,7 +49,7 @@ fn body(cx: &DocumentCx<'_>, of: DefinitionId, forwards: &Forwards) -> Option<Me
     let (base, node) = source::tag(cx.expansion, place)?;
     let (file, range) = (source::place(cx.expansion, place)?.file, node.range().shift(base));
     let misspelt = |found: &Problem| {
-        let undefined = matches!(found.code, "XAC001" | "XAC004");
+        let undefined = matches!(found.kind, ProblemKind::UndefinedProperty | ProblemKind::UndefinedBlock);
         undefined && found.place.file == file && range.contains_range(found.place.range)
     };
     if cx.expansion.problems.iter().any(misspelt) {

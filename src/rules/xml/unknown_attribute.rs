@@ -2,6 +2,7 @@
 
 use super::super::context::DocumentCx;
 use super::super::edits::source_text;
+use super::super::finding::Help;
 use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::schema::{self, ElementSpec};
@@ -11,7 +12,7 @@ use expand::{Origin, XAttr, XId};
 use model::Version;
 use xml::Node;
 
-pub(super) const RULE: Rule = Rule {
+pub(in super::super) const RULE: Rule = Rule {
     code: "XML007",
     name: "unknown-attribute",
     category: Category::Xml,
@@ -152,7 +153,7 @@ fn report(
             let safety = if sure { Safety::Safe } else { Safety::Unsafe };
             report
                 .severity(if is_needed(cx, id, spec, near) { Severity::Error } else { Severity::Warning })
-                .help(format!("did you mean `{near}`? Parsers silently ignore `{name}`"))
+                .help(Help::did_you_mean(near).and(&format!("Parsers silently ignore `{name}`")))
                 .replace_with(safety, format!("rename to `{near}`"), near)
                 .done();
         }

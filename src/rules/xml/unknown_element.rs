@@ -1,6 +1,7 @@
 //! An element that URDF does not know at its place.
 
 use super::super::context::{DocumentCx, RootKind};
+use super::super::finding::Help;
 use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::schema::{self, ElementSpec};
@@ -11,7 +12,7 @@ use base::{FastMap, TextRange};
 use expand::{FileIdx, XId};
 use model::{Text, tag_start};
 
-pub(super) const RULE: Rule = Rule {
+pub(in super::super) const RULE: Rule = Rule {
     code: "XML006",
     name: "unknown-element",
     category: Category::Xml,
@@ -71,8 +72,9 @@ fn report(
         false if is_identity(cx, id, near) => Severity::Hint,
         false => Severity::Warning,
     };
-    let report =
-        report.severity(severity).help(format!("did you mean `{near}`? Parsers silently ignore `{name}`"));
+    let report = report
+        .severity(severity)
+        .help(Help::did_you_mean(near).and(&format!("Parsers silently ignore `{name}`")));
     let Some((file, names)) = names(cx, id) else { return report.done() };
     let safety = if sure { Safety::Safe } else { Safety::Unsafe };
     let edits = names.into_iter().map(|range| (range, near.to_owned()));

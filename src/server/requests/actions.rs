@@ -30,9 +30,10 @@ use crate::state::State;
 use analysis::{Report, apply};
 use base::limits::{PROOF_EXPANSIONS, QUICK_PROOF_EXPANSIONS};
 use base::{CancelFlag, Span, TextRange};
+use expand::ProblemKind;
 use facts::{FactKind, facts};
 use ide::{self, Action, ActionKind, MacroFile};
-use rules::{Edit, Finding};
+use rules::{Edit, Finding, Fix, Rule, named};
 use vfs::SourceFile;
 use workspace::config::find_config;
 use xml::Document;
@@ -176,7 +177,7 @@ fn quick_fixes(
     let mut found: Vec<CodeAction> = Vec::new();
     for (number, diagnostic) in asked_about_in(state, params, &report, path, source) {
         let Some(finding) = report.findings.get(number) else { continue };
-        let (rule, range) = (finding.rule.name, finding.span.range);
+        let (rule, range) = (finding.rule, finding.span.range);
         found.extend(set_argument(state, params, path, finding, &diagnostic));
         let mut actions: Vec<(Action, bool)> = Vec::new();
         if let Some(fix) = &finding.fix {
@@ -188,12 +189,12 @@ fn quick_fixes(
         let more = further_fixes(state, params, path, source, finding, cancel)?;
         actions.extend(more.into_iter().map(|action| (action, false)));
         found.extend(mesh_rewritten(state, params, &diagnostic, rule, cancel)?);
-        if rule == "xacro-tags-in-urdf" {
+        if rule == named::XACRO_TAGS_IN_URDF {
             found.extend(renamed_to_xacro(state, params, path, &diagnostic));
         }
         let more = ide::quick_fixes(source, rule, range);
         actions.extend(more.into_iter().map(|action| (action, false)));
-        actions.extend(ignored_in_project(state, path, rule).map(|action| (action, false)));
+        actions.extend(ignored_in_project(state, path, rule.name).map(|action| (action, false)));
         for (action, preferred) in actions {
             let made = code_action(state, action, Some(&diagnostic));
             found.extend(made.map(|made| CodeAction { is_preferred: preferred.then_some(true), ..made }));
@@ -256,13 +257,15 @@ fn further_fixes(
     let range = finding.span.range;
     let mut actions = Vec::new();
     if finding.fix.is_none() {
-        actions.extend(finding.help.as_deref().and_then(|help| ide::suggested(source, range, help)));
+        actions.extend(finding.similar.as_deref().and_then(|near| ide::suggested(source, range, near)));
+        let suggestion = finding.suggestion.clone();
+        actions.extend(suggestion.map(|Fix { message: title, edits, .. }| Action {
+            title,
+            kind: ActionKind::Fix,
+            edits,
+        }));
     }
-    if finding.rule.name == "missing-macro-param" && finding.fix.is_none() {
-        let help = finding.help.as_deref();
-        actions.extend(help.and_then(|help| ide::missing_parameters(source, range, help)));
-    }
-    if finding.rule.name == "undefined-macro" {
+    if finding.problem == Some(ProblemKind::UndefinedMacro) {
         state.world.scan(|| cancel.is_cancelled());
         actions.extend(ide::include_macro(source, range, |name| files_with_macro(state, path, name)));
     }
@@ -275,13 +278,15 @@ fn mesh_rewritten(
     state: &mut State,
     params: &CodeActionParams,
     diagnostic: &Diagnostic,
-    rule: &str,
+    rule: &Rule,
     cancel: &CancelFlag,
 ) -> Result<Option<CodeAction>, Failure> {
-    let title = match rule {
-        "ascii-stl" => "Convert mesh to binary STL",
-        "binary-stl-solid-header" => "Change header of the mesh",
-        _ => return Ok(None),
+    let title = if rule == named::ASCII_STL {
+        "Convert mesh to binary STL"
+    } else if rule == named::BINARY_STL_SOLID_HEADER {
+        "Change header of the mesh"
+    } else {
+        return Ok(None);
     };
     let at = TextDocumentPositionParams::new(params.text_document.clone(), diagnostic.range.start);
     let asked = asked(state, &at, cancel)?;
@@ -308,12 +313,13 @@ fn with_meaning(
     finding: &Finding,
     cancel: &CancelFlag,
 ) -> Result<Option<Action>, Failure> {
-    if !matches!(finding.rule.name, "shadowed-builtin" | "use-before-definition") {
+    let is_shadowed = finding.problem == Some(ProblemKind::ShadowedBuiltin);
+    if !is_shadowed && finding.problem != Some(ProblemKind::UseBeforeDefinition) {
         return Ok(None);
     }
     let at = TextDocumentPositionParams::new(params.text_document.clone(), params.range.start);
     let asked = asked(state, &at, cancel)?;
-    if finding.rule.name == "shadowed-builtin" {
+    if is_shadowed {
         return Ok(ide::other_name(&asked.cx(), &asked.names(state), finding.span.range));
     }
     let given = finding.related.iter().find(|related| related.span.file == finding.span.file);

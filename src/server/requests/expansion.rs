@@ -124,7 +124,7 @@ pub fn errors(state: &State, expansion: &Expansion) -> Vec<ExpandError> {
             .trace
             .iter()
             .filter_map(|step| Some(StackEntry { name: step.message.clone(), location: place(step.place)? }));
-        let code = rules::by_code(problem.code).map_or(problem.code, |rule| rule.name);
+        let code = rules::rule_of(problem.kind).name;
         Some(ExpandError {
             message: problem.message.clone(),
             code: code.to_owned(),

@@ -7,7 +7,7 @@ local new = vim.fn.has('nvim-0.11') == 1
 
 ---@param message string
 ---@param level? integer
-function M.say(message, level)
+function M.show(message, level)
   vim.notify('xacro: ' .. message, level or vim.log.levels.INFO)
 end
 
@@ -21,10 +21,10 @@ end
 --- The server of a buffer; without one the user is told.
 ---@param bufnr? integer
 ---@return vim.lsp.Client?
-function M.need(bufnr)
+function M.get_or_warn(bufnr)
   local client = M.of(bufnr)
   if not client then
-    M.say('no server for this file; see :checkhealth xacro', vim.log.levels.WARN)
+    M.show('no server for this file; see :checkhealth xacro', vim.log.levels.WARN)
   end
   return client
 end
@@ -56,7 +56,7 @@ end
 ---@param quiet? boolean
 ---@return fun()? cancel
 function M.ask(bufnr, method, params, on_answer, quiet)
-  local client = quiet and M.of(bufnr) or not quiet and M.need(bufnr) or nil
+  local client = quiet and M.of(bufnr) or not quiet and M.get_or_warn(bufnr) or nil
   if not client then
     return
   end
@@ -69,9 +69,9 @@ function M.ask(bufnr, method, params, on_answer, quiet)
       on_answer(answer, client)
     elseif not quiet and not CANCELLED[err.code] then
       if err.code == METHOD_NOT_FOUND then
-        M.say(('%s does not know `%s`; a newer one may'):format(version(client), method), vim.log.levels.WARN)
+        M.show(('%s does not know `%s`; a newer one may'):format(version(client), method), vim.log.levels.WARN)
       else
-        M.say(err.message, vim.log.levels.ERROR)
+        M.show(err.message, vim.log.levels.ERROR)
       end
     end
   end
@@ -98,13 +98,13 @@ end
 ---@param argument table
 ---@param on_answer fun(answer: any, client: vim.lsp.Client)
 function M.command(bufnr, command, argument, on_answer)
-  local client = M.need(bufnr)
+  local client = M.get_or_warn(bufnr)
   if not client then
     return
   end
   local offered = vim.tbl_get(client.server_capabilities, 'executeCommandProvider', 'commands') or {}
   if not vim.tbl_contains(offered, command) then
-    M.say(('%s has no `%s`; a newer one may'):format(version(client), command), vim.log.levels.WARN)
+    M.show(('%s has no `%s`; a newer one may'):format(version(client), command), vim.log.levels.WARN)
     return
   end
   M.ask(bufnr, 'workspace/executeCommand', { command = command, arguments = { argument } }, on_answer)
@@ -187,7 +187,7 @@ end
 --- File and position under the cursor of the current window.
 ---@param client vim.lsp.Client
 ---@return { textDocument: { uri: string }, position: lsp.Position }
-function M.here(client)
+function M.position_params(client)
   return { textDocument = M.document(0), position = M.cursor(0, client) }
 end
 

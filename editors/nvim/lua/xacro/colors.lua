@@ -1,6 +1,6 @@
 --- Colours of `rgba`, on versions without vim.lsp.document_color.
 local scratch = require('xacro.scratch')
-local talk = require('xacro.client')
+local lsp = require('xacro.client')
 
 local M = {}
 
@@ -20,13 +20,13 @@ end
 
 ---@param bufnr integer
 local function show(bufnr)
-  talk.ask(bufnr, 'textDocument/documentColor', { textDocument = talk.document(bufnr) }, function(answer, client)
+  lsp.ask(bufnr, 'textDocument/documentColor', { textDocument = lsp.document(bufnr) }, function(answer, client)
     if not vim.api.nvim_buf_is_loaded(bufnr) then
       return
     end
     vim.api.nvim_buf_clear_namespace(bufnr, marks, 0, -1)
     for _, found in ipairs(answer or {}) do
-      local row, column = talk.place(bufnr, found.range.start, client)
+      local row, column = lsp.place(bufnr, found.range.start, client)
       vim.api.nvim_buf_set_extmark(bufnr, marks, row, column, {
         virt_text = { { '■ ', group_of(found.color) } },
         virt_text_pos = 'inline',

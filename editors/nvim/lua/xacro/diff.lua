@@ -1,6 +1,6 @@
 --- `:XacroDiff`: the expanded robot of the saved files, or of a git revision, beside that of the buffers.
 local scratch = require('xacro.scratch')
-local talk = require('xacro.client')
+local lsp = require('xacro.client')
 
 local M = {}
 
@@ -72,7 +72,7 @@ end
 ---@param revision string empty: the files on the disk
 function M.open(revision)
   local source = vim.api.nvim_get_current_buf()
-  if not talk.need(source) then
+  if not lsp.get_or_warn(source) then
     return
   end
   local texts, problem = vim.empty_dict(), nil
@@ -80,14 +80,14 @@ function M.open(revision)
     texts, problem = texts_of(source, revision)
   end
   if not texts then
-    return talk.say(problem, vim.log.levels.WARN)
+    return lsp.show(problem, vim.log.levels.WARN)
   end
-  local document = { textDocument = talk.document(source) }
-  talk.ask(source, 'xacro/expand', document, function(now)
+  local document = { textDocument = lsp.document(source) }
+  lsp.ask(source, 'xacro/expand', document, function(now)
     local params = vim.tbl_extend('error', document, { root = now.root, texts = texts })
-    talk.ask(source, 'xacro/expand', params, function(before)
+    lsp.ask(source, 'xacro/expand', params, function(before)
       if not before.ok or not now.ok then
-        talk.say(
+        lsp.show(
           ('%s has errors: only a part of the robot is compared'):format(
             now.ok and 'the earlier version' or 'the robot'
           ),

@@ -1,7 +1,7 @@
 --- `:XacroExpand`: the expanded robot beside its source, both ways in step.
 local config = require('xacro.config')
 local scratch = require('xacro.scratch')
-local talk = require('xacro.client')
+local lsp = require('xacro.client')
 
 local M = {}
 
@@ -103,8 +103,8 @@ function M.refresh()
   if view.cancel then
     view.cancel()
   end
-  local params = { textDocument = talk.document(view.source) }
-  view.cancel = talk.ask(view.source, 'xacro/expand', params, function(answer)
+  local params = { textDocument = lsp.document(view.source) }
+  view.cancel = lsp.ask(view.source, 'xacro/expand', params, function(answer)
     if view then
       view.cancel = nil
       take(answer)
@@ -128,7 +128,7 @@ local function move_to(ranges, client)
         best = range
       end
     end
-    local row, column = talk.place(view.bufnr, best.start, client)
+    local row, column = lsp.place(view.bufnr, best.start, client)
     vim.api.nvim_win_set_cursor(window, { row + 1, column })
     vim.api.nvim_win_call(window, function()
       if row + 1 < vim.fn.line('w0') or row + 1 > vim.fn.line('w$') then
@@ -143,9 +143,9 @@ end
 ---@return { textDocument: { uri: string }, position: lsp.Position }?
 local function tag_of_line(client)
   local before = vim.api.nvim_get_current_line():match('^(.-<)[%a]')
-  local place = talk.here(client)
+  local place = lsp.position_params(client)
   if before then
-    place.position.character = talk.units(before, #before, client)
+    place.position.character = lsp.units(before, #before, client)
     return place
   end
 end
@@ -179,7 +179,7 @@ local function ask_instances(bufnr, client, place, otherwise)
   local args = shown.args and next(shown.args) and shown.args or vim.empty_dict()
   local root = { uri = shown.uri, preset = shown.preset, args = args }
   local params = vim.tbl_extend('error', place, { root = root })
-  view.cancel_cursor = talk.ask(bufnr, 'xacro/toExpanded', params, function(answer)
+  view.cancel_cursor = lsp.ask(bufnr, 'xacro/toExpanded', params, function(answer)
     if not view or not view.fresh then
       return
     end
@@ -196,7 +196,7 @@ end
 --- The cursor of a source moved: show what it made.
 function M.from_source()
   local bufnr = vim.api.nvim_get_current_buf()
-  local client = view and talk.of(bufnr)
+  local client = view and lsp.of(bufnr)
   if not view or not client or not view.fresh or bufnr == view.bufnr then
     return
   end
@@ -205,20 +205,20 @@ function M.from_source()
     view.cancel_cursor()
   end
   scratch.unmark(bufnr)
-  ask_instances(bufnr, client, talk.here(client), tag_of_line(client))
+  ask_instances(bufnr, client, lsp.position_params(client), tag_of_line(client))
 end
 
 ---@param on_places fun(places: table[], client: vim.lsp.Client)
 local function places_of_cursor(on_places)
-  local client = view and talk.of(view.source)
+  local client = view and lsp.of(view.source)
   if not view or not client then
     return
   end
   if view.cancel_cursor then
     view.cancel_cursor()
   end
-  local params = { root = talk.document(view.source).uri, position = talk.cursor(0, client) }
-  view.cancel_cursor = talk.ask(view.source, 'xacro/toSource', params, function(answer)
+  local params = { root = lsp.document(view.source).uri, position = lsp.cursor(0, client) }
+  view.cancel_cursor = lsp.ask(view.source, 'xacro/toSource', params, function(answer)
     if view then
       view.cancel_cursor = nil
       on_places(answer.locations, client)
@@ -251,7 +251,7 @@ function M.jump(role)
     return
   end
   if not view.fresh then
-    talk.say('the text is out of date; fix the error first', vim.log.levels.WARN)
+    lsp.show('the text is out of date; fix the error first', vim.log.levels.WARN)
     return
   end
   places_of_cursor(function(places, client)
@@ -261,7 +261,7 @@ function M.jump(role)
         return
       end
     end
-    talk.say(role == 'call' and 'no macro call for this text' or 'no source for this text')
+    lsp.show(role == 'call' and 'no macro call for this text' or 'no source for this text')
   end)
 end
 
@@ -315,7 +315,7 @@ function M.open()
   if view and source == view.bufnr then
     return M.refresh()
   end
-  if not talk.need(source) then
+  if not lsp.get_or_warn(source) then
     return
   end
   if not view then

@@ -1,5 +1,5 @@
 --- `:XacroExpandAt`: what the macro call, expression or include under the cursor becomes.
-local talk = require('xacro.client')
+local lsp = require('xacro.client')
 
 local M = {}
 
@@ -28,19 +28,19 @@ end
 ---@param at? { textDocument: table, position: table }
 function M.open(number, at)
   local bufnr = vim.api.nvim_get_current_buf()
-  local client = talk.need(bufnr)
+  local client = lsp.get_or_warn(bufnr)
   if not client then
     return
   end
-  local params = vim.deepcopy(at or talk.here(client)) ---@type table<string, any>
+  local params = vim.deepcopy(at or lsp.position_params(client)) ---@type table<string, any>
   if number and number > 0 then
     params.instance = number - 1
   end
-  talk.ask(bufnr, 'xacro/expandAt', params, function(answer)
+  lsp.ask(bufnr, 'xacro/expandAt', params, function(answer)
     if not answer or answer == vim.NIL then
-      talk.say('nothing to expand here')
+      lsp.show('nothing to expand here')
     elseif vim.trim(answer.expanded) == '' then
-      talk.say(('%s expands to nothing'):format(answer.title))
+      lsp.show(('%s expands to nothing'):format(answer.title))
     else
       show(answer, math.max(number or 1, 1))
     end

@@ -1,5 +1,5 @@
 --- `:XacroExplain`: the page of a rule.
-local talk = require('xacro.client')
+local lsp = require('xacro.client')
 
 local M = {}
 
@@ -24,9 +24,9 @@ end
 function M.open(rule)
   rule = rule ~= '' and rule or at_cursor()
   if not rule then
-    return talk.say('no diagnostic of xacro in this line', vim.log.levels.WARN)
+    return lsp.show('no diagnostic of xacro in this line', vim.log.levels.WARN)
   end
-  talk.command(vim.api.nvim_get_current_buf(), 'xacro.explain', { rule = rule }, function(page)
+  lsp.command(vim.api.nvim_get_current_buf(), 'xacro.explain', { rule = rule }, function(page)
     local lines = vim.split(vim.trim(page), '\n')
     vim.lsp.util.open_floating_preview(
       lines,

@@ -1,5 +1,5 @@
 --- Start and end tag change together, on versions without vim.lsp.linked_editing_range.
-local talk = require('xacro.client')
+local lsp = require('xacro.client')
 
 local M = {}
 
@@ -61,19 +61,19 @@ local function look(bufnr)
   end
   forget(bufnr)
   local before = vim.api.nvim_get_current_line():sub(1, vim.api.nvim_win_get_cursor(0)[2] + 1)
-  local client = talk.of(bufnr)
+  local client = lsp.of(bufnr)
   if not client or not before:find('</?[%w_:.-]*$') then
     return
   end
   local tick = vim.api.nvim_buf_get_changedtick(bufnr)
-  talk.ask(bufnr, 'textDocument/linkedEditingRange', talk.here(client), function(answer)
+  lsp.ask(bufnr, 'textDocument/linkedEditingRange', lsp.position_params(client), function(answer)
     if type(answer) ~= 'table' or not answer.ranges or vim.api.nvim_buf_get_changedtick(bufnr) ~= tick then
       return
     end
     forget(bufnr)
     for _, range in ipairs(answer.ranges) do
-      local row, from = talk.place(bufnr, range.start, client)
-      local last, to = talk.place(bufnr, range['end'], client)
+      local row, from = lsp.place(bufnr, range.start, client)
+      local last, to = lsp.place(bufnr, range['end'], client)
       vim.api.nvim_buf_set_extmark(bufnr, marks, row, from, {
         end_row = last,
         end_col = to,

@@ -1,5 +1,5 @@
 --- `gx` on an include, a mesh or a YAML file.
-local talk = require('xacro.client')
+local lsp = require('xacro.client')
 
 local M = {}
 
@@ -26,7 +26,7 @@ local function open(uri)
   if not path or elsewhere[(path:match('%.(%w+)$') or ''):lower()] then
     local _, problem = vim.ui.open(path or uri)
     if problem then
-      talk.say(problem, vim.log.levels.ERROR)
+      lsp.show(problem, vim.log.levels.ERROR)
     end
     return
   end
@@ -47,15 +47,15 @@ end
 --- Open the link under the cursor; what is no link is opened as without us.
 function M.open()
   local bufnr = vim.api.nvim_get_current_buf()
-  local client = talk.of(bufnr)
+  local client = lsp.of(bufnr)
   local function otherwise()
     vim.ui.open(vim.fn.expand('<cfile>'))
   end
   if not client then
     return otherwise()
   end
-  local at = talk.cursor(0, client)
-  talk.ask(bufnr, 'textDocument/documentLink', { textDocument = talk.document(bufnr) }, function(links)
+  local at = lsp.cursor(0, client)
+  lsp.ask(bufnr, 'textDocument/documentLink', { textDocument = lsp.document(bufnr) }, function(links)
     for _, link in ipairs(links or {}) do
       if link.target and holds(link.range, at) then
         return open(link.target)

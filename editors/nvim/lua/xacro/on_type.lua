@@ -1,22 +1,22 @@
 --- `>` adds the end tag, `</` completes it, and Enter between tags indents. vim.lsp.on_type_formatting of newer versions
 --- does the same, but leaves the cursor in front of the indentation.
-local talk = require('xacro.client')
+local lsp = require('xacro.client')
 
 local M = {}
 
 ---@param bufnr integer
 ---@param typed string
 local function ask(bufnr, typed)
-  local client = talk.of(bufnr)
+  local client = lsp.of(bufnr)
   if not client or vim.api.nvim_get_current_buf() ~= bufnr then
     return
   end
-  local params = talk.here(client) ---@type table<string, any>
+  local params = lsp.position_params(client) ---@type table<string, any>
   params.ch = typed
   params.options = { tabSize = vim.fn.shiftwidth(), insertSpaces = vim.bo[bufnr].expandtab }
   local tick = vim.api.nvim_buf_get_changedtick(bufnr)
   local cursor = vim.api.nvim_win_get_cursor(0)
-  talk.ask(bufnr, 'textDocument/onTypeFormatting', params, function(edits)
+  lsp.ask(bufnr, 'textDocument/onTypeFormatting', params, function(edits)
     local same = vim.api.nvim_buf_get_changedtick(bufnr) == tick and vim.api.nvim_get_current_buf() == bufnr
     if type(edits) ~= 'table' or #edits == 0 or not same then
       return

@@ -1,5 +1,5 @@
 --- What the user picked: robots with their arguments. It holds for all files of a robot, and in later sessions too.
-local talk = require('xacro.client')
+local lsp = require('xacro.client')
 
 local M = {}
 
@@ -71,17 +71,17 @@ end
 --- Show a buffer under the robot that was picked for it, if one was.
 ---@param bufnr integer
 function M.apply(bufnr)
-  local client = vim.api.nvim_buf_is_loaded(bufnr) and talk.of(bufnr)
+  local client = vim.api.nvim_buf_is_loaded(bufnr) and lsp.of(bufnr)
   local picks = client and read()[workspace(client)]
   if not picks then
     return
   end
-  local document = talk.document(bufnr)
-  talk.ask(bufnr, 'xacro/roots', { textDocument = document }, function(roots)
+  local document = lsp.document(bufnr)
+  lsp.ask(bufnr, 'xacro/roots', { textDocument = document }, function(roots)
     for _, pick in ipairs(picks) do
       if M.reaches(roots, pick.uri) then
         if not same(pick, roots.active) then
-          talk.ask(bufnr, 'xacro/setRoot', { root = pick, textDocument = document }, function() end, true)
+          lsp.ask(bufnr, 'xacro/setRoot', { root = pick, textDocument = document }, function() end, true)
         end
         return
       end

@@ -1,5 +1,5 @@
 --- `:XacroPreview`: the robot in three dimensions, in a browser.
-local talk = require('xacro.client')
+local lsp = require('xacro.client')
 
 local M = {}
 
@@ -7,16 +7,16 @@ local M = {}
 ---@param only_say? boolean
 function M.open(only_say)
   local bufnr = vim.api.nvim_get_current_buf()
-  talk.command(bufnr, 'xacro.preview', { textDocument = talk.document(bufnr) }, function(answer)
+  lsp.command(bufnr, 'xacro.preview', { textDocument = lsp.document(bufnr) }, function(answer)
     local url = type(answer) == 'table' and answer.url
     if type(url) ~= 'string' then
-      return talk.say('the server returned no URL for the preview', vim.log.levels.ERROR)
+      return lsp.show('the server returned no URL for the preview', vim.log.levels.ERROR)
     end
     vim.g.xacro_preview_url = url
     local opened = not only_say and vim.ui.open(url)
     if not opened then
       pcall(vim.fn.setreg, '+', url)
-      talk.say('open this in a browser: ' .. url)
+      lsp.show('open this in a browser: ' .. url)
     end
   end)
 end

@@ -1,14 +1,14 @@
 --- `:XacroRoot`, `:XacroArgs` and `:XacroInstance`: under which robot a file is shown.
 local status = require('xacro.status')
 local picks = require('xacro.picks')
-local talk = require('xacro.client')
+local lsp = require('xacro.client')
 
 local M = {}
 
 ---@param bufnr integer
 ---@param on_answer fun(roots: table, client: vim.lsp.Client)
 local function ask(bufnr, on_answer)
-  talk.ask(bufnr, 'xacro/roots', { textDocument = talk.document(bufnr) }, on_answer)
+  lsp.ask(bufnr, 'xacro/roots', { textDocument = lsp.document(bufnr) }, on_answer)
 end
 
 --- The server's own buffers, but for the one that is asked about.
@@ -28,19 +28,19 @@ local function set(bufnr, root)
   ask(bufnr, function(roots, client)
     local previous = roots.active
     picks.keep(client, root, previous)
-    local params = { root = root or vim.NIL, textDocument = talk.document(bufnr) }
-    talk.ask(bufnr, 'xacro/setRoot', params, function()
+    local params = { root = root or vim.NIL, textDocument = lsp.document(bufnr) }
+    lsp.ask(bufnr, 'xacro/setRoot', params, function()
       status.ask(bufnr, function(text)
-        talk.say('root: ' .. text)
+        lsp.show('root: ' .. text)
       end)
     end)
     for _, other in ipairs(others(client, bufnr)) do
-      local document = talk.document(other)
-      talk.ask(other, 'xacro/roots', { textDocument = document }, function(known)
+      local document = lsp.document(other)
+      lsp.ask(other, 'xacro/roots', { textDocument = document }, function(known)
         local is_shown = known.active and previous and known.active.uri == previous.uri
         if root and picks.reaches(known, root.uri) or not root and is_shown then
           local given = { root = root or vim.NIL, textDocument = document }
-          talk.ask(other, 'xacro/setRoot', given, function() end, true)
+          lsp.ask(other, 'xacro/setRoot', given, function() end, true)
         end
       end, true)
     end
@@ -79,7 +79,7 @@ function M.root(path, automatic)
   end
   ask(bufnr, function(roots)
     if #roots.candidates == 0 then
-      return talk.say(roots.reason, vim.log.levels.WARN)
+      return lsp.show(roots.reason, vim.log.levels.WARN)
     end
     local items = vim.list_extend({ { automatic = true } }, roots.candidates)
     vim.ui.select(items, {
@@ -173,7 +173,7 @@ function M.argument(name, values)
   local bufnr = vim.api.nvim_get_current_buf()
   ask(bufnr, function(roots)
     if not roots.active then
-      return talk.say(roots.reason, vim.log.levels.WARN)
+      return lsp.show(roots.reason, vim.log.levels.WARN)
     end
     local arg = vim.iter(roots.args):find(function(known)
       return known.name == name
@@ -207,7 +207,7 @@ function M.args(words, reset)
   local bufnr = vim.api.nvim_get_current_buf()
   ask(bufnr, function(roots)
     if not roots.active then
-      return talk.say(roots.reason, vim.log.levels.WARN)
+      return lsp.show(roots.reason, vim.log.levels.WARN)
     end
     local preset = wrong
       and #words == 1
@@ -219,11 +219,11 @@ function M.args(words, reset)
     elseif preset then
       set(bufnr, { uri = preset.uri, args = preset.args, preset = preset.preset })
     elseif not changes then
-      talk.say(('`%s` is not of the form name:=value, and no preset'):format(wrong), vim.log.levels.ERROR)
+      lsp.show(('`%s` is not of the form name:=value, and no preset'):format(wrong), vim.log.levels.ERROR)
     elseif next(changes) then
       set_args(bufnr, roots.active, changes)
     elseif #roots.args == 0 then
-      talk.say(('`%s` has no arguments'):format(shown(roots.active)))
+      lsp.show(('`%s` has no arguments'):format(shown(roots.active)))
     else
       pick_arg(bufnr, roots)
     end
@@ -234,20 +234,20 @@ end
 ---@param all? boolean
 function M.instance(all)
   local bufnr = vim.api.nvim_get_current_buf()
-  local client = talk.need(bufnr)
+  local client = lsp.get_or_warn(bufnr)
   if not client then
     return
   end
-  local here = talk.here(client)
+  local here = lsp.position_params(client)
   local function pin(number)
     local params = vim.tbl_extend('force', here, { instance = number or vim.NIL })
     -- the server tells what is shown then
-    talk.ask(bufnr, 'xacro/setInstance', params, function() end)
+    lsp.ask(bufnr, 'xacro/setInstance', params, function() end)
   end
   if all then
     return pin(nil)
   end
-  talk.ask(bufnr, 'xacro/toExpanded', here, function(answer)
+  lsp.ask(bufnr, 'xacro/toExpanded', here, function(answer)
     local items, seen = { { label = 'all calls' } }, {}
     for _, instance in ipairs(answer.instances) do
       if not seen[instance.label] then
@@ -256,7 +256,7 @@ function M.instance(all)
       end
     end
     if #items == 1 then
-      return talk.say('no macro call at the cursor', vim.log.levels.WARN)
+      return lsp.show('no macro call at the cursor', vim.log.levels.WARN)
     end
     vim.ui.select(items, {
       prompt = 'Macro call for values',

@@ -139,7 +139,7 @@ local mark = vim.api.nvim_create_namespace('xacro_place')
 ---@param client vim.lsp.Client
 ---@param options { focus?: boolean, window?: integer }
 function M.show_location(location, client, options)
-  local talk = require('xacro.client')
+  local lsp = require('xacro.client')
   local bufnr = vim.uri_to_bufnr(location.uri)
   vim.fn.bufload(bufnr)
   vim.bo[bufnr].buflisted = true
@@ -153,7 +153,7 @@ function M.show_location(location, client, options)
       vim.cmd(('keepalt keepjumps buffer %d'):format(bufnr))
     end)
   end
-  local row, column = talk.place(bufnr, location.range.start, client)
+  local row, column = lsp.place(bufnr, location.range.start, client)
   vim.api.nvim_win_set_cursor(window, { row + 1, column })
   vim.api.nvim_win_call(window, function()
     vim.cmd('normal! zv')
@@ -167,11 +167,11 @@ end
 ---@param client vim.lsp.Client
 ---@param namespace integer
 function M.mark(bufnr, ranges, client, namespace)
-  local talk = require('xacro.client')
+  local lsp = require('xacro.client')
   vim.api.nvim_buf_clear_namespace(bufnr, namespace, 0, -1)
   for _, range in ipairs(ranges) do
-    local row, from = talk.place(bufnr, range.start, client)
-    local last, to = talk.place(bufnr, range['end'], client)
+    local row, from = lsp.place(bufnr, range.start, client)
+    local last, to = lsp.place(bufnr, range['end'], client)
     if last > row then
       to = #vim.api.nvim_buf_get_lines(bufnr, row, row + 1, false)[1]
     end

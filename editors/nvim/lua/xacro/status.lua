@@ -1,5 +1,5 @@
 --- Under which robot each file is shown, for the status line.
-local talk = require('xacro.client')
+local lsp = require('xacro.client')
 
 local M = {}
 
@@ -37,8 +37,8 @@ end
 ---@param bufnr integer
 ---@param on_text? fun(text: string)
 function M.ask(bufnr, on_text)
-  local document = talk.document(bufnr)
-  talk.ask(bufnr, 'xacro/roots', { textDocument = document }, function(roots)
+  local document = lsp.document(bufnr)
+  lsp.ask(bufnr, 'xacro/roots', { textDocument = document }, function(roots)
     M.set(document.uri, roots.text)
     if on_text then
       on_text(roots.text)

@@ -1,6 +1,6 @@
 --- `:XacroTree`: links, joints and masses of the robot.
 local scratch = require('xacro.scratch')
-local talk = require('xacro.client')
+local lsp = require('xacro.client')
 
 local M = {}
 
@@ -75,14 +75,14 @@ end
 --- Ask for the tree again.
 function M.refresh()
   if tree and vim.api.nvim_buf_is_loaded(tree.source) then
-    local params = { textDocument = talk.document(tree.source) }
-    talk.ask(tree.source, 'xacro/tree', params, take, true)
+    local params = { textDocument = lsp.document(tree.source) }
+    lsp.ask(tree.source, 'xacro/tree', params, take, true)
   end
 end
 
 --- Go to the link of the line.
 function M.jump()
-  local client = tree and talk.of(tree.source)
+  local client = tree and lsp.of(tree.source)
   local place = tree and tree.places[vim.api.nvim_win_get_cursor(0)[1]]
   if tree and client and place then
     scratch.show_location(place, client, { focus = true, window = tree.window })
@@ -106,7 +106,7 @@ end
 --- Show the tree of the robot of the current file.
 function M.open()
   local source = vim.api.nvim_get_current_buf()
-  if not talk.need(tree and source == tree.bufnr and tree.source or source) then
+  if not lsp.get_or_warn(tree and source == tree.bufnr and tree.source or source) then
     return
   end
   if not tree then

@@ -1,4 +1,4 @@
-//! Mistakes of syntax that have an obvious remedy.
+//! Fixes of syntax errors.
 
 use super::{Action, edit, fix};
 use base::TextRange;
@@ -6,8 +6,8 @@ use rules::Edit;
 use vfs::SourceFile;
 use xml::{Document, NodeKind, SyntaxError, SyntaxErrorKind};
 
-/// The remedies of the mistake at a range.
-pub fn mend_syntax(source: &SourceFile, range: TextRange) -> Vec<Action> {
+/// The fixes of the error at a range.
+pub(super) fn fixes(source: &SourceFile, range: TextRange) -> Vec<Action> {
     let errors = source.document.errors();
     // a finding may stand at either place of a mistake
     let here = |error: &&SyntaxError| {
@@ -22,11 +22,11 @@ pub fn mend_syntax(source: &SourceFile, range: TextRange) -> Vec<Action> {
         SyntaxErrorKind::BadReference => escape(source, error, '&', "&amp;"),
         _ => Vec::new(),
     };
-    // what does not mend it is no remedy
-    found.into_iter().filter(|action| mends(&source.document, &action.edits, errors.len())).collect()
+    // what leaves as many errors is no fix
+    found.into_iter().filter(|action| helps(&source.document, &action.edits, errors.len())).collect()
 }
 
-fn mends(document: &Document, edits: &[Edit], errors: usize) -> bool {
+fn helps(document: &Document, edits: &[Edit], errors: usize) -> bool {
     let mut text = document.text();
     for edit in edits.iter().rev() {
         let (start, end) = (edit.span.range.start as usize, edit.span.range.end as usize);

@@ -11,7 +11,7 @@ import type { Server } from "./server";
 
 const DELAY_MS = 60;
 
-export class Follower implements vscode.DefinitionProvider, vscode.Disposable {
+export class CursorSync implements vscode.DefinitionProvider, vscode.Disposable {
   private readonly mark = vscode.window.createTextEditorDecorationType({
     backgroundColor: new vscode.ThemeColor("editor.wordHighlightStrongBackground"),
     overviewRulerColor: new vscode.ThemeColor("editorOverviewRuler.wordHighlightStrongForeground"),

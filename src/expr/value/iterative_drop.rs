@@ -8,62 +8,62 @@ use super::Value;
 const MAX_NESTED_DROPS: u32 = 32;
 
 #[derive(Default)]
-struct Yard {
+struct DropQueue {
     depth: u32,
-    waiting: Vec<Grave>,
+    waiting: Vec<Contents>,
 }
 
 /// The contents of a container that is being dropped.
-type Grave = Box<dyn std::any::Any>;
+type Contents = Box<dyn std::any::Any>;
 
 thread_local! {
-    static YARD: RefCell<Yard> = RefCell::default();
+    static QUEUE: RefCell<DropQueue> = RefCell::default();
 }
 
 /// Drop `contents`, which may hold other containers, with bounded recursion.
 ///
 /// Called from the `drop` of every container. Beyond a certain nesting the contents only join a
 /// queue that the outermost drop works off.
-pub(crate) fn bury<T: 'static>(contents: T) {
-    let deep = YARD.try_with(|yard| {
-        let mut yard = yard.borrow_mut();
-        yard.depth += 1;
-        yard.depth > MAX_NESTED_DROPS
+pub(crate) fn drop_iteratively<T: 'static>(contents: T) {
+    let deep = QUEUE.try_with(|queue| {
+        let mut queue = queue.borrow_mut();
+        queue.depth += 1;
+        queue.depth > MAX_NESTED_DROPS
     });
     match deep {
         Ok(true) => put_aside(Box::new(contents)),
         _ => drop(contents),
     }
-    let outermost = YARD.try_with(|yard| {
-        let mut yard = yard.borrow_mut();
-        yard.depth -= 1;
-        yard.depth == 0 && !yard.waiting.is_empty()
+    let outermost = QUEUE.try_with(|queue| {
+        let mut queue = queue.borrow_mut();
+        queue.depth -= 1;
+        queue.depth == 0 && !queue.waiting.is_empty()
     });
     if outermost == Ok(true) {
         work_off();
     }
 }
 
-fn put_aside(grave: Grave) {
-    let mut grave = Some(grave);
-    let stored = YARD.try_with(|yard| {
-        if let Some(grave) = grave.take() {
-            yard.borrow_mut().waiting.push(grave);
+fn put_aside(contents: Contents) {
+    let mut contents = Some(contents);
+    let stored = QUEUE.try_with(|queue| {
+        if let Some(contents) = contents.take() {
+            queue.borrow_mut().waiting.push(contents);
         }
     });
-    // Without a yard (the thread is ending) the contents are dropped right here.
+    // Without a queue (the thread is ending) the contents are dropped right here.
     if stored.is_err() {
-        drop(grave);
+        drop(contents);
     }
 }
 
 fn work_off() {
-    let next = || YARD.try_with(|yard| yard.borrow_mut().waiting.pop()).ok().flatten();
-    while let Some(grave) = next() {
+    let next = || QUEUE.try_with(|queue| queue.borrow_mut().waiting.pop()).ok().flatten();
+    while let Some(contents) = next() {
         // Counts as nested, so that drops inside it queue up here instead of starting another loop.
-        let _ = YARD.try_with(|yard| yard.borrow_mut().depth += 1);
-        drop(grave);
-        let _ = YARD.try_with(|yard| yard.borrow_mut().depth -= 1);
+        let _ = QUEUE.try_with(|queue| queue.borrow_mut().depth += 1);
+        drop(contents);
+        let _ = QUEUE.try_with(|queue| queue.borrow_mut().depth -= 1);
     }
 }
 

@@ -11,7 +11,7 @@ import {
 import { isCompanion } from "./languages";
 import type { Server } from "./server";
 
-export class Companions implements vscode.Disposable {
+export class AuxiliaryDocuments implements vscode.Disposable {
   /** Documents that the server has been told of. */
   private readonly told = new Set<string>();
   private readonly subscriptions: vscode.Disposable[];

@@ -1,34 +1,34 @@
-//! How many may wait at the same time: who comes when it is full takes the place of who waits longest.
+//! How many connections may be open at the same time: a new one closes the oldest when there is no room.
 //!
-//! So nobody can keep others out by opening connections and saying nothing.
+//! So nobody can keep others out by opening connections and sending nothing.
 
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use tokio::sync::Notify;
 
-/// Those who are there.
+/// The connections that are open.
 #[derive(Debug)]
-pub(super) struct Crowd {
+pub(super) struct ConnectionLimiter {
     most: usize,
     inside: Mutex<VecDeque<Arc<Notify>>>,
 }
 
-/// A place among them; leaves when dropped.
+/// One of them; makes room when dropped.
 #[derive(Debug)]
-pub(super) struct Pass {
-    crowd: Arc<Crowd>,
+pub(super) struct Permit {
+    limiter: Arc<ConnectionLimiter>,
     own: Arc<Notify>,
 }
 
-impl Crowd {
+impl ConnectionLimiter {
     /// Room for so many.
     pub fn new(most: usize) -> Arc<Self> {
         Arc::new(Self { most, inside: Mutex::default() })
     }
 
-    /// Come in; who is there longest has to go when there is no room.
-    pub fn enter(self: &Arc<Self>) -> Pass {
+    /// Admit a connection; the oldest has to go when there is no room.
+    pub fn enter(self: &Arc<Self>) -> Permit {
         let own = Arc::new(Notify::new());
         let mut inside = self.inside.lock().unwrap_or_else(PoisonError::into_inner);
         while inside.len() >= self.most {
@@ -36,7 +36,7 @@ impl Crowd {
             oldest.notify_one();
         }
         inside.push_back(own.clone());
-        Pass { crowd: self.clone(), own }
+        Permit { limiter: self.clone(), own }
     }
 
     #[cfg(test)]
@@ -45,20 +45,20 @@ impl Crowd {
     }
 }
 
-impl Pass {
-    /// Leave for good: the place is no longer needed, and nobody sends its owner away.
+impl Permit {
+    /// Make room for good: nobody closes the owner from here on.
     pub fn leave(&self) {
-        let mut inside = self.crowd.inside.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut inside = self.limiter.inside.lock().unwrap_or_else(PoisonError::into_inner);
         inside.retain(|other| !Arc::ptr_eq(other, &self.own));
     }
 
-    /// Comes back when the place is needed for somebody else.
+    /// Returns when the room is needed for another connection.
     pub async fn lost(&self) {
         self.own.notified().await;
     }
 }
 
-impl Drop for Pass {
+impl Drop for Permit {
     fn drop(&mut self) {
         self.leave();
     }

@@ -21,25 +21,20 @@ pub fn other_name(cx: &Cx<'_>, all: &TextNames, range: TextRange) -> Option<Acti
     })
 }
 
-/// Replace the text of a finding by the one that its help suggests.
-pub fn suggested(source: &SourceFile, range: TextRange, help: &str) -> Option<Action> {
-    let (near, _) = help.split_once("did you mean `")?.1.split_once("`?")?;
+/// Replace the text of a finding by the known name that its help suggests.
+pub fn suggested(source: &SourceFile, range: TextRange, near: &str) -> Option<Action> {
     let old = source.document.slice(range);
     let plain = |text: &str| !text.is_empty() && !text.contains(['$', '<', '&', '"', '\'', ' ', '\n']);
     let fits = plain(&old) && plain(near) && old != near;
     fits.then(|| fix(format!("change to `{near}`"), vec![edit(source, range, near)]))
 }
 
-/// The parameters that a call lacks, for the author to fill in: the values are known to nobody else.
-pub fn missing_parameters(source: &SourceFile, range: TextRange, help: &str) -> Option<Action> {
-    let attributes = help.strip_prefix("add ")?.split([';', '\n']).next()?.trim();
-    let attributes = attributes.contains("=\"...\"").then(|| attributes.replace("\"...\"", "\"\""))?;
-    let edits = vec![edit(source, TextRange::empty(range.end), format!(" {attributes}"))];
-    Some(fix(format!("add `{attributes}`"), edits))
+/// Remove the attribute that a finding names.
+pub(super) fn without_attribute(source: &SourceFile, range: TextRange) -> Vec<Action> {
+    removed(source, range).into_iter().collect()
 }
 
-/// Remove the attribute that a finding names.
-pub(super) fn without_attribute(source: &SourceFile, range: TextRange) -> Option<Action> {
+fn removed(source: &SourceFile, range: TextRange) -> Option<Action> {
     let (base, node) = element_at(&source.document, range.start)?;
     let attr = node.attrs().find(|attr| attr.range().shift(base).contains_range(range))?;
     let whole = attr.range().shift(base);

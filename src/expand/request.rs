@@ -1,0 +1,125 @@
+//! What an expansion is asked for: files, arguments and budgets.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use base::CancelFlag;
+use base::limits::{self};
+use vfs::{Environment, Vfs};
+use workspace::{Packages, config};
+
+/// Where an expansion reads from.
+#[derive(Clone, Copy)]
+pub struct World<'w> {
+    /// Files.
+    pub vfs: &'w Vfs,
+    /// `$(find)`.
+    pub packages: &'w Packages,
+    /// `$(env)` and the working directory.
+    pub env: &'w Environment,
+}
+
+/// Budgets of one expansion; the defaults are those of the configuration's `[limits]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limits {
+    /// Steps of expression evaluation.
+    pub eval_steps: u64,
+    /// Bytes of text made.
+    pub output_bytes: u64,
+    /// Nodes of the expanded document.
+    pub expand_nodes: u64,
+    /// Wall time.
+    pub expand_time: Duration,
+    /// Macro calls inside macro calls.
+    pub macro_depth: u32,
+    /// Includes inside includes.
+    pub include_depth: u32,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            eval_steps: limits::EVAL_STEPS,
+            output_bytes: limits::OUTPUT_BYTES,
+            expand_nodes: limits::EXPAND_NODES,
+            expand_time: Duration::from_millis(limits::EXPAND_MS),
+            macro_depth: limits::MACRO_DEPTH,
+            include_depth: limits::INCLUDE_DEPTH,
+        }
+    }
+}
+
+impl Limits {
+    /// The budgets of a configuration.
+    pub fn configured(limits: &config::Limits) -> Self {
+        Self {
+            eval_steps: limits.eval_steps,
+            expand_nodes: limits.expand_nodes,
+            expand_time: Duration::from_millis(limits.expand_ms),
+            macro_depth: limits.macro_depth,
+            include_depth: limits.include_depth,
+            ..Self::default()
+        }
+    }
+}
+
+/// What to expand, and how.
+#[derive(Clone, Debug, Default)]
+pub struct Request {
+    /// The root file as the user named it, relative to the root directory.
+    pub file: String,
+    /// `name:=value` in order; later ones win.
+    pub args: Vec<(String, String)>,
+    /// `--root-dir`: what relative names are relative to; the working directory when absent.
+    pub root_dir: Option<String>,
+    /// Budgets.
+    pub limits: Limits,
+    /// Whether more is wanted than the document: macros that nothing calls are looked into, with parameters whose
+    /// values are unknown, and it is noted what names refer to and what expressions gave.
+    pub probe: bool,
+    /// Arguments that are given, nobody knows with which values; `args` win.
+    pub unknown_args: Vec<String>,
+    /// Whether variables that every shell of ROS has are set, as far as the environment does not say otherwise.
+    pub ros_shell: bool,
+    /// Whether the result is kept for long: it then takes no more room than it must.
+    pub keep: bool,
+    /// Whether the process ends behind this: what the expansion was made with is then left to the system.
+    pub last: bool,
+    /// Conditions whose outcome is given, whatever their values say.
+    pub forced: Vec<Forced>,
+    /// Set to stop early; the result is then incomplete.
+    pub cancel: CancelFlag,
+}
+
+impl Request {
+    /// Whether the same is asked for, whoever may cancel it.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        let Self {
+            file,
+            args,
+            root_dir,
+            limits,
+            probe,
+            unknown_args,
+            ros_shell,
+            keep,
+            last: _,
+            forced,
+            cancel: _,
+        } = self;
+        (file, args, root_dir, limits) == (&other.file, &other.args, &other.root_dir, &other.limits)
+            && (*probe, *ros_shell, *keep) == (other.probe, other.ros_shell, other.keep)
+            && (unknown_args, forced) == (&other.unknown_args, &other.forced)
+    }
+}
+
+/// A condition (`xacro:if` or `xacro:unless`) whose outcome is given.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Forced {
+    /// The file, absolute.
+    pub file: PathBuf,
+    /// Where its tag begins: byte offset of the `<`.
+    pub at: u32,
+    /// Whether its content is taken.
+    pub taken: bool,
+}

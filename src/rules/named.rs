@@ -1,0 +1,59 @@
+//! Rules that others than the rules themselves speak about.
+
+use super::registry::Rule;
+use super::{control, geometry, joint, linter, package, structure, xacro, xml};
+
+/// `gazebo-unknown-reference`
+pub const GAZEBO_UNKNOWN_REFERENCE: &Rule = &control::gazebo_unknown_reference::RULE;
+/// `transmission-unknown-joint`
+pub const TRANSMISSION_UNKNOWN_JOINT: &Rule = &control::transmission_unknown_joint::RULE;
+/// `ascii-stl`
+pub const ASCII_STL: &Rule = &geometry::ascii_stl::RULE;
+/// `binary-stl-solid-header`
+pub const BINARY_STL_SOLID_HEADER: &Rule = &geometry::binary_stl_solid_header::RULE;
+/// `undefined-material`
+pub const UNDEFINED_MATERIAL: &Rule = &geometry::undefined_material::RULE;
+/// `unknown-geometry-type`
+pub const UNKNOWN_GEOMETRY_TYPE: &Rule = &geometry::unknown_geometry_type::RULE;
+/// `missing-joint-limit`
+pub const MISSING_JOINT_LIMIT: &Rule = &joint::missing_joint_limit::RULE;
+/// `missing-limit-attribute`
+pub const MISSING_LIMIT_ATTRIBUTE: &Rule = &joint::missing_limit_attribute::RULE;
+/// `zero-axis`
+pub const ZERO_AXIS: &Rule = &joint::zero_axis::RULE;
+/// `invalid-config`
+pub const INVALID_CONFIG: &Rule = &linter::invalid_config::RULE;
+/// `unused-suppression`
+pub const UNUSED_SUPPRESSION: &Rule = &linter::unused_suppression::RULE;
+/// `generated-urdf-out-of-date`
+pub const GENERATED_URDF_OUT_OF_DATE: &Rule = &package::generated_urdf_out_of_date::RULE;
+/// `duplicate-joint-name`
+pub const DUPLICATE_JOINT_NAME: &Rule = &structure::duplicate_joint_name::RULE;
+/// `undefined-link`
+pub const UNDEFINED_LINK: &Rule = &structure::undefined_link::RULE;
+/// `undefined-arg`
+pub const UNDEFINED_ARG: &Rule = &xacro::found::UNDEFINED_ARG;
+/// `undefined-macro`
+pub const UNDEFINED_MACRO: &Rule = &xacro::found::UNDEFINED_MACRO;
+/// `undefined-property`
+pub const UNDEFINED_PROPERTY: &Rule = &xacro::found::UNDEFINED_PROPERTY;
+/// `unknown-macro-param`
+pub const UNKNOWN_MACRO_PARAM: &Rule = &xacro::unknown_macro_param::RULE;
+/// `unknown-xacro-attribute`
+pub const UNKNOWN_XACRO_ATTRIBUTE: &Rule = &xacro::unknown_xacro_attribute::RULE;
+/// `unprefixed-macro-call`
+pub const UNPREFIXED_MACRO_CALL: &Rule = &xacro::unprefixed_macro_call::RULE;
+/// `unprefixed-xacro-tag`
+pub const UNPREFIXED_XACRO_TAG: &Rule = &xacro::unprefixed_xacro_tag::RULE;
+/// `invalid-number`
+pub const INVALID_NUMBER: &Rule = &xml::invalid_number::RULE;
+/// `missing-attribute`
+pub const MISSING_ATTRIBUTE: &Rule = &xml::missing_attribute::RULE;
+/// `unknown-attribute`
+pub const UNKNOWN_ATTRIBUTE: &Rule = &xml::unknown_attribute::RULE;
+/// `wrong-vector-length`
+pub const WRONG_VECTOR_LENGTH: &Rule = &xml::wrong_vector_length::RULE;
+/// `xacro-tags-in-urdf`
+pub const XACRO_TAGS_IN_URDF: &Rule = &xml::xacro_tags_in_urdf::RULE;
+/// `xml-syntax-error`
+pub const XML_SYNTAX_ERROR: &Rule = &xml::xml_syntax_error::RULE;

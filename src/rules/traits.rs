@@ -1,0 +1,78 @@
+//! What several rules have in common, for those who treat their findings alike.
+
+use super::registry::Rule;
+use super::{geometry, inertia, joint, linter, package, xacro, xml};
+
+/// Something that a rule is or is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trait {
+    /// Something is written that nothing needs: editors show it faded.
+    Unnecessary,
+    /// An old way to write it: editors strike it through.
+    Deprecated,
+    /// About collisions, which a robot that is only shown does not need.
+    Contact,
+    /// urdfdom rejects it, and Bullet accepts it. Source: `UrdfParser.cpp` of Bullet 3.25, and loading with PyBullet.
+    AcceptedByBullet,
+    /// More of a robot is there after its fix, which may have errors of its own: texts that could not be parsed, tags and files
+    /// that were missing or meant nothing.
+    Reveals,
+}
+
+impl Trait {
+    /// The rules that have it.
+    pub fn rules(self) -> &'static [&'static Rule] {
+        match self {
+            Trait::Unnecessary => &[
+                &xacro::unused_arg::RULE,
+                &xacro::unused_include::RULE,
+                &xacro::unused_macro::RULE,
+                &xacro::unused_macro_param::RULE,
+                &geometry::unused_material::RULE,
+                &xacro::unused_property::RULE,
+                &linter::unused_suppression::RULE,
+            ],
+            Trait::Deprecated => &[
+                &xacro::unprefixed_xacro_tag::RULE,
+                &xacro::unprefixed_macro_call::RULE,
+                &xacro::found::DEPRECATED_BUILTIN_CALL,
+                &xml::nonstandard_xacro_namespace::RULE,
+            ],
+            Trait::Contact => {
+                &[&geometry::collision_mesh_too_detailed::RULE, &geometry::mesh_inconsistent_normals::RULE]
+            }
+            Trait::AcceptedByBullet => &[
+                &geometry::duplicate_material::RULE,
+                &xml::invalid_number::RULE,
+                &xml::missing_attribute::RULE,
+                &joint::missing_limit_attribute::RULE,
+                &xml::missing_robot_name::RULE,
+                &geometry::unknown_geometry_type::RULE,
+                &joint::unknown_joint_type::RULE,
+                &xml::wrong_vector_length::RULE,
+                &inertia::zero_mass::RULE,
+            ],
+            Trait::Reveals => &[
+                &xml::xml_syntax_error::RULE,
+                &xml::missing_xacro_namespace::RULE,
+                &xml::inconsistent_xacro_prefix::RULE,
+                &xml::unknown_element::RULE,
+                &xacro::found::UNDEFINED_MACRO,
+                &xacro::include_not_found::RULE,
+                &xacro::found::INCLUDE_CYCLE,
+                &xacro::redefined_macro::RULE,
+                &xacro::unprefixed_xacro_tag::RULE,
+                &xacro::unprefixed_macro_call::RULE,
+                &xacro::found::MISSING_XACRO_ATTRIBUTE,
+                &package::package_not_found::RULE,
+            ],
+        }
+    }
+}
+
+impl Rule {
+    /// Whether it has a trait.
+    pub fn has(&self, wanted: Trait) -> bool {
+        wanted.rules().contains(&self)
+    }
+}

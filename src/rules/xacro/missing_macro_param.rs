@@ -1,0 +1,56 @@
+//! A call without a parameter that has no default.
+
+use ecow::EcoString;
+
+use super::super::finding::{Edit, Fix};
+use super::super::problems::ProblemCx;
+use super::super::registry::{Category, Rule, Safety, Severity, page};
+use base::{Span, TextRange};
+use expand::{Detail, Problem};
+
+pub(in super::super) const RULE: Rule = Rule::found(
+    "XAC005",
+    "missing-macro-param",
+    Category::Xacro,
+    Severity::Error,
+    page("missing-macro-param"),
+)
+.fixed(Safety::Unsafe);
+
+/// Missing parameters, where an empty text is a value that makes sense: only a person knows the values of others.
+pub(in super::super) fn fix(cx: &ProblemCx<'_>) -> Option<Fix> {
+    let may_be_empty = |name: &EcoString| {
+        name == "ns" || ["prefix", "suffix", "namespace"].iter().any(|word| name.contains(word))
+    };
+    let all_empty = missing(cx.problem).iter().all(may_be_empty);
+    all_empty.then(|| add(cx, "add the missing parameters with empty values")).flatten()
+}
+
+/// What editors offer in its place: the parameters with values that the author has to fill in.
+pub(in super::super) fn suggestion(cx: &ProblemCx<'_>) -> Option<Fix> {
+    add(cx, &format!("add `{}`", attributes(cx.problem)))
+}
+
+fn add(cx: &ProblemCx<'_>, message: &str) -> Option<Fix> {
+    if missing(cx.problem).is_empty() {
+        return None;
+    }
+    let range = TextRange::empty(cx.span.range.end);
+    let content = format!(" {}", attributes(cx.problem));
+    let edits = vec![Edit { span: Span { range, ..cx.span }, content }];
+    Some(Fix { safety: Safety::Unsafe, message: message.to_owned(), edits })
+}
+
+/// The parameters that the call does not give.
+fn missing(problem: &Problem) -> &[EcoString] {
+    match &problem.detail {
+        Some(Detail::MissingParams(names)) => names,
+        _ => &[],
+    }
+}
+
+/// The missing parameters as attributes with empty values.
+fn attributes(problem: &Problem) -> String {
+    let empty: Vec<String> = missing(problem).iter().map(|name| format!("{name}=\"\"")).collect();
+    empty.join(" ")
+}
