@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Begin a rule: its file, its lines in the category and its page, ready to be filled in.
 
-    tests/new_rule.py CATEGORY NAME [--check document|whole-document|robot|whole|file] [--severity SEVERITY] [--off]
+    tests/new_rule/new_rule.py CATEGORY NAME [--check document|whole-document|robot|whole|file] [--severity SEVERITY] [--off]
 
 CATEGORY is a folder of src/rules (joint, frames, ...), NAME the name of the rule (kebab-case). What it writes compiles and finds
 nothing. The page docs/contributing/rules.md goes on from there.
@@ -11,7 +11,7 @@ import pathlib
 import re
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 # what a check is given, and the variant and the type of it
 CHECKS = {
     'file': ('File', 'FileCx'),
