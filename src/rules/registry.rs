@@ -327,7 +327,7 @@ impl fmt::Display for Severity {
 
 /// All rules, by category and code.
 pub fn all() -> impl Iterator<Item = &'static Rule> {
-    let categories: [&'static [Rule]; 15] = [
+    let categories: [&'static [&'static Rule]; 15] = [
         xml::RULES,
         xacro::RULES,
         structure::RULES,
@@ -344,7 +344,7 @@ pub fn all() -> impl Iterator<Item = &'static Rule> {
         style::RULES,
         linter::RULES,
     ];
-    categories.into_iter().flatten()
+    categories.into_iter().flatten().copied()
 }
 
 /// The rule of a code.

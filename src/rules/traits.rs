@@ -19,53 +19,62 @@ pub enum Trait {
     Reveals,
 }
 
+static UNNECESSARY: [&Rule; 7] = [
+    &xacro::unused_arg::RULE,
+    &xacro::unused_include::RULE,
+    &xacro::unused_macro::RULE,
+    &xacro::unused_macro_param::RULE,
+    &geometry::unused_material::RULE,
+    &xacro::unused_property::RULE,
+    &linter::unused_suppression::RULE,
+];
+
+static DEPRECATED: [&Rule; 4] = [
+    &xacro::unprefixed_xacro_tag::RULE,
+    &xacro::unprefixed_macro_call::RULE,
+    &xacro::found::DEPRECATED_BUILTIN_CALL,
+    &xml::nonstandard_xacro_namespace::RULE,
+];
+
+static CONTACT: [&Rule; 2] =
+    [&geometry::collision_mesh_too_detailed::RULE, &geometry::mesh_inconsistent_normals::RULE];
+
+static ACCEPTED_BY_BULLET: [&Rule; 9] = [
+    &geometry::duplicate_material::RULE,
+    &xml::invalid_number::RULE,
+    &xml::missing_attribute::RULE,
+    &joint::missing_limit_attribute::RULE,
+    &xml::missing_robot_name::RULE,
+    &geometry::unknown_geometry_type::RULE,
+    &joint::unknown_joint_type::RULE,
+    &xml::wrong_vector_length::RULE,
+    &inertia::zero_mass::RULE,
+];
+
+static REVEALS: [&Rule; 12] = [
+    &xml::xml_syntax_error::RULE,
+    &xml::missing_xacro_namespace::RULE,
+    &xml::inconsistent_xacro_prefix::RULE,
+    &xml::unknown_element::RULE,
+    &xacro::found::UNDEFINED_MACRO,
+    &xacro::include_not_found::RULE,
+    &xacro::found::INCLUDE_CYCLE,
+    &xacro::redefined_macro::RULE,
+    &xacro::unprefixed_xacro_tag::RULE,
+    &xacro::unprefixed_macro_call::RULE,
+    &xacro::found::MISSING_XACRO_ATTRIBUTE,
+    &package::package_not_found::RULE,
+];
+
 impl Trait {
     /// The rules that have it.
     pub fn rules(self) -> &'static [&'static Rule] {
         match self {
-            Trait::Unnecessary => &[
-                &xacro::unused_arg::RULE,
-                &xacro::unused_include::RULE,
-                &xacro::unused_macro::RULE,
-                &xacro::unused_macro_param::RULE,
-                &geometry::unused_material::RULE,
-                &xacro::unused_property::RULE,
-                &linter::unused_suppression::RULE,
-            ],
-            Trait::Deprecated => &[
-                &xacro::unprefixed_xacro_tag::RULE,
-                &xacro::unprefixed_macro_call::RULE,
-                &xacro::found::DEPRECATED_BUILTIN_CALL,
-                &xml::nonstandard_xacro_namespace::RULE,
-            ],
-            Trait::Contact => {
-                &[&geometry::collision_mesh_too_detailed::RULE, &geometry::mesh_inconsistent_normals::RULE]
-            }
-            Trait::AcceptedByBullet => &[
-                &geometry::duplicate_material::RULE,
-                &xml::invalid_number::RULE,
-                &xml::missing_attribute::RULE,
-                &joint::missing_limit_attribute::RULE,
-                &xml::missing_robot_name::RULE,
-                &geometry::unknown_geometry_type::RULE,
-                &joint::unknown_joint_type::RULE,
-                &xml::wrong_vector_length::RULE,
-                &inertia::zero_mass::RULE,
-            ],
-            Trait::Reveals => &[
-                &xml::xml_syntax_error::RULE,
-                &xml::missing_xacro_namespace::RULE,
-                &xml::inconsistent_xacro_prefix::RULE,
-                &xml::unknown_element::RULE,
-                &xacro::found::UNDEFINED_MACRO,
-                &xacro::include_not_found::RULE,
-                &xacro::found::INCLUDE_CYCLE,
-                &xacro::redefined_macro::RULE,
-                &xacro::unprefixed_xacro_tag::RULE,
-                &xacro::unprefixed_macro_call::RULE,
-                &xacro::found::MISSING_XACRO_ATTRIBUTE,
-                &package::package_not_found::RULE,
-            ],
+            Trait::Unnecessary => &UNNECESSARY,
+            Trait::Deprecated => &DEPRECATED,
+            Trait::Contact => &CONTACT,
+            Trait::AcceptedByBullet => &ACCEPTED_BY_BULLET,
+            Trait::Reveals => &REVEALS,
         }
     }
 }

@@ -1,5 +1,8 @@
 //! The table of file numbers.
 
+use std::borrow::Borrow;
+use std::ffi::OsStr;
+use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, PoisonError, RwLock};
 
@@ -11,24 +14,49 @@ pub(super) struct Ids(RwLock<Table>);
 
 #[derive(Default)]
 struct Table {
-    by_path: FastMap<Arc<Path>, FileId>,
+    by_path: FastMap<Spelled, FileId>,
     paths: Vec<Arc<Path>>,
+}
+
+/// A path that is compared letter by letter: all of them are absolute and without detours, and to take each apart, as paths
+/// are compared, would cost more than all else about a file.
+struct Spelled(Arc<Path>);
+
+impl PartialEq for Spelled {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.as_os_str() == other.0.as_os_str()
+    }
+}
+
+impl Eq for Spelled {}
+
+impl Hash for Spelled {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.0.as_os_str().hash(state);
+    }
+}
+
+impl Borrow<OsStr> for Spelled {
+    fn borrow(&self) -> &OsStr {
+        self.0.as_os_str()
+    }
 }
 
 impl Ids {
     /// The number of an absolute path.
     pub(super) fn id(&self, path: PathBuf) -> FileId {
-        if let Some(id) = self.0.read().unwrap_or_else(PoisonError::into_inner).by_path.get(path.as_path()) {
+        if let Some(id) = self.0.read().unwrap_or_else(PoisonError::into_inner).by_path.get(path.as_os_str())
+        {
             return *id;
         }
         let mut table = self.0.write().unwrap_or_else(PoisonError::into_inner);
-        if let Some(id) = table.by_path.get(path.as_path()) {
+        if let Some(id) = table.by_path.get(path.as_os_str()) {
             return *id;
         }
         let id = FileId(u32::try_from(table.paths.len()).unwrap_or(u32::MAX));
         let path: Arc<Path> = path.into();
         table.paths.push(path.clone());
-        table.by_path.insert(path, id);
+        table.by_path.insert(Spelled(path), id);
         id
     }
 

@@ -27,7 +27,7 @@ use super::super::context::{context};
 use super::super::registry::{{Activation, Category, Check, Rule, Severity, page}};
 use super::super::sink::Sink;
 
-pub(super) const RULE: Rule = Rule {{
+pub(super) static RULE: Rule = Rule {{
     code: "{code}",
     name: "{name}",
     category: Category::{category},
@@ -127,7 +127,7 @@ def begin(args, folder, page):
         text = re.sub(rf'^((?:pub\(super\) )?mod {before};\n)', rf'mod {module};\n\1', text, count=1, flags=re.MULTILINE)
     else:
         text = re.sub(rf'^((?:pub\(super\) )?mod {modules[-1]};\n)', rf'\1mod {module};\n', text, count=1, flags=re.MULTILINE)
-    text = re.sub(r'(static RULES: &\[Rule\] = &\[.*?)(\n\];)', rf'\1\n    {module}::RULE,\2', text, count=1, flags=re.DOTALL)
+    text = re.sub(r'(static RULES: &\[&Rule\] = &\[.*?)(\n\];)', rf'\1\n    &{module}::RULE,\2', text, count=1, flags=re.DOTALL)
     listing.write_text(text)
     for path in (folder / f'{module}.rs', listing, page):
         print(path.relative_to(args.root))

@@ -38,7 +38,7 @@ class Begun(unittest.TestCase):
         listing = (folder / 'mod.rs').read_text()
         modules = re.findall(r'^mod (\w+);', listing, re.MULTILINE)
         self.assertEqual(modules, sorted(modules))
-        self.assertRegex(listing, r'RULES(.|\n)*\n    capital_letter_in_link_name::RULE,\n\];')
+        self.assertRegex(listing, r'RULES(.|\n)*\n    &capital_letter_in_link_name::RULE,\n\];')
         page = (root / 'docs/rules/capital-letter-in-link-name.md').read_text()
         self.assertEqual(page.splitlines()[0], '# capital-letter-in-link-name')
         self.assertRegex(page.splitlines()[2], rf'^`{code}` · info · off by default · no fix · since 0\.\d+$')

@@ -34,7 +34,7 @@ pub use table::{CONSTRUCTS, Construct, Outcome};
 use facts::{Facts, Found};
 
 /// The rules.
-pub(super) static RULES: &[Rule] = &[verdict::REJECTS, verdict::CHANGES];
+pub(super) static RULES: &[&Rule] = &[&verdict::REJECTS, &verdict::CHANGES];
 
 /// The rule that says that a program rejects or changes something.
 pub fn rule_of(outcome: Outcome) -> &'static Rule {

@@ -11,7 +11,7 @@ use super::table::{Construct, Outcome};
 use base::FastMap;
 use expand::Origin;
 
-pub(super) const REJECTS: Rule = Rule {
+pub(super) static REJECTS: Rule = Rule {
     code: "CSM001",
     name: "consumer-rejects",
     category: Category::Consumers,
@@ -23,7 +23,7 @@ pub(super) const REJECTS: Rule = Rule {
     check: Check::Document(rejects),
 };
 
-pub(super) const CHANGES: Rule = Rule {
+pub(super) static CHANGES: Rule = Rule {
     code: "CSM002",
     name: "consumer-changes",
     category: Category::Consumers,

@@ -7,7 +7,7 @@ use super::controller_unknown_interface::is_commanding;
 use super::hardware::Hardware;
 use project::joint_keys;
 
-pub(super) const RULE: Rule = Rule::beside(
+pub(super) static RULE: Rule = Rule::beside(
     "CTL026",
     "controller-joint-without-hardware",
     Category::Control,

@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::hardware::Hardware;
 use project::{Controller, Named, is_computed};
 
-pub(super) const RULE: Rule = Rule::beside(
+pub(super) static RULE: Rule = Rule::beside(
     "CTL027",
     "controller-unknown-interface",
     Category::Control,

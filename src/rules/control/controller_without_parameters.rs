@@ -8,7 +8,7 @@ use base::FastSet;
 use project::Settings;
 use workspace::nearest;
 
-pub(super) const RULE: Rule = Rule::beside(
+pub(super) static RULE: Rule = Rule::beside(
     "CTL028",
     "controller-without-parameters",
     Category::Control,

@@ -7,7 +7,7 @@ use super::plugins::plugins;
 use model::Text;
 use workspace::Target;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL018",
     name: "gazebo-classic-plugin",
     category: Category::Control,

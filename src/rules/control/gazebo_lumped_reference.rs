@@ -8,7 +8,7 @@ use base::TextRange;
 use expand::{XId, XTree};
 use model::{Gazebo, Joint, JointType, Text, element_range};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL015",
     name: "gazebo-lumped-reference",
     category: Category::Control,

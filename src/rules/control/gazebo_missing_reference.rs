@@ -5,7 +5,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use model::tag_start;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL020",
     name: "gazebo-missing-reference",
     category: Category::Control,

@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::plugins::plugins;
 use model::tag_start;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL016",
     name: "gazebo-plugin-missing-filename",
     category: Category::Control,

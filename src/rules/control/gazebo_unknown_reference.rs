@@ -11,7 +11,7 @@ use facts::{Fact, FactKind, facts};
 use model::Gazebo;
 use workspace::nearest;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "CTL014",
     name: "gazebo-unknown-reference",
     category: Category::Control,

@@ -9,7 +9,7 @@ use super::plugins::plugins;
 use model::Text;
 use workspace::misspelled;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL024",
     name: "misspelled-plugin",
     category: Category::Control,

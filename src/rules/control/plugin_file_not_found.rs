@@ -10,7 +10,7 @@ use expand::XId;
 use model::Text;
 use workspace::UriOutcome;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL021",
     name: "plugin-file-not-found",
     category: Category::Control,

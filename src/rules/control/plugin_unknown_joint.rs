@@ -7,7 +7,7 @@ use super::joints::unknown_joints;
 use super::plugins::plugins_of;
 use model::Text;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL029",
     name: "plugin-unknown-joint",
     category: Category::Control,

@@ -8,7 +8,7 @@ use super::joints::is_before_jazzy;
 use base::FastMap;
 use model::{ControlJoint, Interface, Text};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL007",
     name: "ros2-control-duplicate-joint",
     category: Category::Control,

@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use base::FastMap;
 use model::Text;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL006",
     name: "ros2-control-duplicate-name",
     category: Category::Control,

@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::joints::{controlled, is_before_jazzy};
 use model::JointType;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL004",
     name: "ros2-control-fixed-joint",
     category: Category::Control,

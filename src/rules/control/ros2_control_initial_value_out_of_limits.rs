@@ -6,7 +6,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joints::{controlled, range, value_place};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL009",
     name: "ros2-control-initial-value-out-of-limits",
     category: Category::Control,

@@ -8,7 +8,7 @@ use super::super::vocabulary::is_simulator_plugin;
 use model::{Ros2Control, Text, tag_start};
 use workspace::nearest;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL005",
     name: "ros2-control-invalid-type",
     category: Category::Control,

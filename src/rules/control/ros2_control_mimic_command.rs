@@ -7,7 +7,7 @@ use super::super::sink::Sink;
 use super::joints::{controlled, is_before_jazzy};
 use model::tag_start;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL008",
     name: "ros2-control-mimic-command",
     category: Category::Control,

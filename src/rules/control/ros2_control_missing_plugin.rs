@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use model::{Ros2Control, Text, source_mentions, tag_start};
 use workspace::nearest;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL002",
     name: "ros2-control-missing-plugin",
     category: Category::Control,

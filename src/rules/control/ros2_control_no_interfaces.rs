@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::misspelled_plugin::HARDWARE;
 use model::{ControlJoint, Ros2Control, Text, tag_start};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL011",
     name: "ros2-control-no-interfaces",
     category: Category::Control,

@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 
 use model::Text;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL017",
     name: "ros2-control-param-nonpositive-size",
     category: Category::Control,

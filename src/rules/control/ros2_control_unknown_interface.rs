@@ -7,7 +7,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use workspace::{misspelled, nearest};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL003",
     name: "ros2-control-unknown-interface",
     category: Category::Control,

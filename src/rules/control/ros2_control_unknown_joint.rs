@@ -5,7 +5,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use super::joints::unknown_joints;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL001",
     name: "ros2-control-unknown-joint",
     category: Category::Control,

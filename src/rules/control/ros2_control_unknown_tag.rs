@@ -8,7 +8,7 @@ use expand::XId;
 use model::tag_start;
 use workspace::nearest;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL019",
     name: "ros2-control-unknown-tag",
     category: Category::Control,

@@ -8,7 +8,7 @@ use model::Text;
 use model::{Transmission, tag_start};
 use workspace::Target;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL013",
     name: "transmission-missing-hardware-interface",
     category: Category::Control,

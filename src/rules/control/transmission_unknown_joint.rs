@@ -9,7 +9,7 @@ use super::joints::unknown_joints;
 use model::Text;
 use workspace::{Target, misspelled};
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "CTL012",
     name: "transmission-unknown-joint",
     category: Category::Control,

@@ -8,7 +8,7 @@ use super::super::sink::Sink;
 use super::transmissions::{severity, type_of};
 use workspace::nearest;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CTL023",
     name: "transmission-unknown-type",
     category: Category::Control,

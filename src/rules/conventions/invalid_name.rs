@@ -8,7 +8,7 @@ use super::super::xml::with_dollars;
 use super::names::{self, Named};
 use model::{JointType, Text};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CNV001",
     name: "invalid-name",
     category: Category::Conventions,

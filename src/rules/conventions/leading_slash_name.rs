@@ -8,7 +8,7 @@ use base::FastSet;
 use expand::BindingKind;
 use model::Text;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CNV003",
     name: "leading-slash-name",
     category: Category::Conventions,

@@ -15,13 +15,13 @@ use super::registry::Rule;
 pub(super) use names::{Named, names, rename};
 
 /// The rules.
-pub(super) static RULES: &[Rule] = &[
-    invalid_name::RULE,
-    empty_name::RULE,
-    leading_slash_name::RULE,
-    unprefixed_name_in_macro::RULE,
-    sdf_reserved_name::RULE,
-    non_snake_case_name::RULE,
-    link_naming::RULE,
-    macro_file_emits::RULE,
+pub(super) static RULES: &[&Rule] = &[
+    &invalid_name::RULE,
+    &empty_name::RULE,
+    &leading_slash_name::RULE,
+    &unprefixed_name_in_macro::RULE,
+    &sdf_reserved_name::RULE,
+    &non_snake_case_name::RULE,
+    &link_naming::RULE,
+    &macro_file_emits::RULE,
 ];

@@ -8,7 +8,7 @@ use base::TextRange;
 use expand::{FrameKind, XId};
 use xml::{Attr, Node, NodeKind};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "CNV004",
     name: "unprefixed-name-in-macro",
     category: Category::Conventions,

@@ -10,7 +10,7 @@ use super::poses::{ANGLES, poses};
 use expand::Origin;
 use model::decimal;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "FRM002",
     name: "approximate-pi",
     category: Category::Frames,

@@ -10,7 +10,7 @@ use super::names::prefix_of;
 use model::Text;
 use model::transform;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "FRM010",
     name: "base-footprint-tilted",
     category: Category::Frames,

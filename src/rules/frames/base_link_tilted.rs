@@ -8,7 +8,7 @@ use super::super::vocabulary::is_surroundings;
 use super::names::{can_move, prefix_of};
 use model::{Joint, JointType, Text};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "FRM019",
     name: "base-link-tilted",
     category: Category::Frames,

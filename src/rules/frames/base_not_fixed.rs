@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::names::prefix_of;
 use model::JointType;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "FRM007",
     name: "base-not-fixed",
     category: Category::Frames,

@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::names::prefix_of;
 use model::{Link, Robot, tag_start};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "FRM008",
     name: "frame-has-geometry",
     category: Category::Frames,

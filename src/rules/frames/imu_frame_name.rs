@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::names::prefix_of;
 use expand::{XId, XTree};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "FRM016",
     name: "imu-frame-name",
     category: Category::Frames,

@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::names::can_move;
 use model::tag_start;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "FRM012",
     name: "missing-base-frame",
     category: Category::Frames,

@@ -5,7 +5,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::names::can_move;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "FRM013",
     name: "missing-base-link",
     category: Category::Frames,

@@ -11,7 +11,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use model::{Gazebo, Joint, JointType, tag_start};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "FRM004",
     name: "optical-frame-orientation",
     category: Category::Frames,

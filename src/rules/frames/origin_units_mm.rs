@@ -9,7 +9,7 @@ use super::super::vocabulary::is_surroundings;
 use base::FastSet;
 use model::{Joint, JointType, Robot};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "FRM003",
     name: "origin-units-mm",
     category: Category::Frames,

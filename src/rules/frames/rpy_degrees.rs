@@ -6,7 +6,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use super::poses::{ANGLES, poses};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "FRM001",
     name: "rpy-degrees",
     category: Category::Frames,

@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::resources::MeshUse;
 use super::shapes::is_replaceable;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO019",
     name: "absolute-mesh-path",
     category: Category::Geometry,

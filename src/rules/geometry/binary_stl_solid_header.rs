@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::once_per_file::each_file;
 use model::{Mesh, MeshFormat};
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "GEO005",
     name: "binary-stl-solid-header",
     category: Category::Geometry,

@@ -5,7 +5,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::super::thresholds::{MAX_COLLISION_TRIANGLES, WARN_COLLISION_TRIANGLES};
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "GEO011",
     name: "collision-mesh-too-detailed",
     category: Category::Geometry,

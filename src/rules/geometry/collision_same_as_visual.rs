@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::collision_mesh_too_detailed::is_too_detailed;
 use super::resources::MeshUse;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO012",
     name: "collision-same-as-visual",
     category: Category::Geometry,

@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::bodies::extent_of;
 use model::{Bounds, tag_start};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO033",
     name: "collision-smaller-than-visual",
     category: Category::Geometry,

@@ -7,7 +7,7 @@ use super::super::sink::Sink;
 use super::resources::MeshUse;
 use model::DefectKind;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO006",
     name: "corrupt-mesh",
     category: Category::Geometry,

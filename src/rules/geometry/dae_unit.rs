@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::once_per_file::each_file;
 use model::{Mesh, MeshFormat};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO024",
     name: "dae-unit",
     category: Category::Geometry,

@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use base::FastMap;
 use model::Text;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "GEO027",
     name: "duplicate-material",
     category: Category::Geometry,

@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::shapes::{bodies, is_taken_out};
 use model::{source_has_elements, tag_start};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO014",
     name: "empty-geometry",
     category: Category::Geometry,

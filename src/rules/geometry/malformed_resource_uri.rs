@@ -11,7 +11,7 @@ use super::shapes::{is_replaceable, resource_names};
 use model::Text;
 use workspace::Target;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO021",
     name: "malformed-resource-uri",
     category: Category::Geometry,

@@ -7,7 +7,7 @@ use super::shapes::{is_defined, visual_materials};
 use base::FastMap;
 use model::Material;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO028",
     name: "material-redefinition",
     category: Category::Geometry,

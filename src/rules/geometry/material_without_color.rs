@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::shapes::is_defined;
 use model::{Material, Text, source_has_elements, tag_start};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO031",
     name: "material-without-color",
     category: Category::Geometry,

@@ -7,7 +7,7 @@ use super::missing::shown;
 use super::resources::Target;
 use super::shapes::is_replaceable;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO002",
     name: "mesh-case-mismatch",
     category: Category::Geometry,

@@ -8,7 +8,7 @@ use super::mesh_scale_suspicious::{is_suspicious, metres};
 use super::resources::MeshUse;
 use model::{Body, Bounds, JointType, Link, Robot};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO034",
     name: "mesh-far-from-link",
     category: Category::Geometry,

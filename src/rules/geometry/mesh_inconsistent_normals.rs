@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "GEO009",
     name: "mesh-inconsistent-normals",
     category: Category::Geometry,

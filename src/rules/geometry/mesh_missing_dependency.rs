@@ -8,7 +8,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use model::Missing;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO022",
     name: "mesh-missing-dependency",
     category: Category::Geometry,

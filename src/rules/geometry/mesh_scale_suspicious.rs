@@ -10,7 +10,7 @@ use base::TextRange;
 use expand::{FileIdx, Origin};
 use model::{Body, Bounds, Link, Robot, tag_start};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO007",
     name: "mesh-scale-suspicious",
     category: Category::Geometry,

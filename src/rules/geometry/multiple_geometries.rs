@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::shapes::bodies;
 use model::{ShapeKind, tag_start};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO015",
     name: "multiple-geometries",
     category: Category::Geometry,

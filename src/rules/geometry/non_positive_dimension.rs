@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::shapes::bodies;
 use model::{ShapeKind, Text};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO013",
     name: "non-positive-dimension",
     category: Category::Geometry,

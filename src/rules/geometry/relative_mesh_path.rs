@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::malformed_resource_uri::defect;
 use super::shapes::is_replaceable;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO020",
     name: "relative-mesh-path",
     category: Category::Geometry,

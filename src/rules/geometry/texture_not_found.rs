@@ -8,7 +8,7 @@ use super::resources::{Target, resolve};
 use super::shapes::{materials, visual_materials};
 use base::FastSet;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO030",
     name: "texture-not-found",
     category: Category::Geometry,

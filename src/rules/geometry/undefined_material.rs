@@ -9,7 +9,7 @@ use super::shapes::{is_defined, is_replaceable, visual_materials};
 use base::FastSet;
 use workspace::nearest;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "GEO026",
     name: "undefined-material",
     category: Category::Geometry,

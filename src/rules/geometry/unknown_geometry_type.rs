@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::shapes::bodies;
 use model::{ShapeKind, Version, tag_start};
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "GEO016",
     name: "unknown-geometry-type",
     category: Category::Geometry,

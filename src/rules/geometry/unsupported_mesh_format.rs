@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::resources::Target;
 use workspace::edit_distance;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO003",
     name: "unsupported-mesh-format",
     category: Category::Geometry,

@@ -9,7 +9,7 @@ use expand::FileIdx;
 use model::element_range;
 use xml::Node;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "GEO029",
     name: "unused-material",
     category: Category::Geometry,

@@ -7,7 +7,7 @@ use super::bodies::extent_of;
 use super::mesh_scale_suspicious::is_scaled_wrong;
 use model::{Bounds, tag_start};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "GEO035",
     name: "visual-collision-apart",
     category: Category::Geometry,

@@ -7,7 +7,7 @@ use super::joined::{LIGHT, MARKER, body_boxes, is_in_world, is_small_part, known
 use super::moments::{inertials, is_same_about_all_axes};
 use model::{Bounds, Inertial};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "INR009",
     name: "com-outside-geometry",
     category: Category::Inertia,

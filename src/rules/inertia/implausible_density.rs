@@ -9,7 +9,7 @@ use super::moments::{inertials, short};
 use super::placeholder_inertia::is_placeholder;
 use model::{Link, Robot};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "INR007",
     name: "implausible-density",
     category: Category::Inertia,

@@ -10,7 +10,7 @@ use super::moments::{Verdict, inertia_tag, inertials, is_same_about_all_axes, sh
 use super::placeholder_inertia::is_placeholder;
 use model::Link;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "INR006",
     name: "implausible-inertia",
     category: Category::Inertia,

@@ -8,7 +8,7 @@ use super::joined::shape;
 use super::moments::{inertia_tag, inertials, short};
 use model::{Inertial, Link};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "INR013",
     name: "inertia-axes-swapped",
     category: Category::Inertia,

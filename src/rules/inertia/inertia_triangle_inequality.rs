@@ -9,7 +9,7 @@ use super::moments::{Verdict, inertia_tag, inertials, short, verdict};
 use model::{Inertial, JointType, Link, transform};
 use nalgebra::{Matrix3, Vector3};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "INR005",
     name: "inertia-triangle-inequality",
     category: Category::Inertia,

@@ -8,7 +8,7 @@ use base::FastSet;
 use model::{Gazebo, JointType, Ros2Control, Text};
 use workspace::config::Profile;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "INR011",
     name: "missing-inertial",
     category: Category::Inertia,

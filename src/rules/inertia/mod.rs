@@ -21,18 +21,18 @@ use super::registry::Rule;
 pub(super) use moments::principal;
 
 /// The rules.
-pub(super) static RULES: &[Rule] = &[
-    negative_mass::RULE,
-    zero_mass::RULE,
-    zero_inertia::RULE,
-    inertia_not_positive_definite::RULE,
-    inertia_triangle_inequality::RULE,
-    implausible_inertia::RULE,
-    implausible_density::RULE,
-    placeholder_inertia::RULE,
-    com_outside_geometry::RULE,
-    root_link_inertia::RULE,
-    missing_inertial::RULE,
-    tiny_inertia::RULE,
-    inertia_axes_swapped::RULE,
+pub(super) static RULES: &[&Rule] = &[
+    &negative_mass::RULE,
+    &zero_mass::RULE,
+    &zero_inertia::RULE,
+    &inertia_not_positive_definite::RULE,
+    &inertia_triangle_inequality::RULE,
+    &implausible_inertia::RULE,
+    &implausible_density::RULE,
+    &placeholder_inertia::RULE,
+    &com_outside_geometry::RULE,
+    &root_link_inertia::RULE,
+    &missing_inertial::RULE,
+    &tiny_inertia::RULE,
+    &inertia_axes_swapped::RULE,
 ];

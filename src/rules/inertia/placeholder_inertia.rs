@@ -7,7 +7,7 @@ use super::super::sink::Sink;
 use super::moments::{inertia_tag, inertials};
 use model::{Inertial, Link};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "INR008",
     name: "placeholder-inertia",
     category: Category::Inertia,

@@ -7,7 +7,7 @@ use base::TextRange;
 use model::tag_start;
 use workspace::config::Profile;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "INR010",
     name: "root-link-inertia",
     category: Category::Inertia,

@@ -5,7 +5,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::moments::{Verdict, inertia_tag, inertials, short, verdict};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "INR012",
     name: "tiny-inertia",
     category: Category::Inertia,

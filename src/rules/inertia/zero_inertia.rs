@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::joined::{LIGHT, is_in_world, is_joined};
 use super::moments::{Verdict, inertia_tag, inertials, verdict};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "INR003",
     name: "zero-inertia",
     category: Category::Inertia,

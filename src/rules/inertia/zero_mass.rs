@@ -7,7 +7,7 @@ use super::joined::is_joined;
 use super::moments::{Verdict, inertials, verdict};
 use model::{Robot, element_range};
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "INR002",
     name: "zero-mass",
     category: Category::Inertia,

@@ -7,7 +7,7 @@ use super::super::sink::Sink;
 use super::super::numbers::{rewrite, short, vector};
 use super::axis::{NO_LENGTH, length, moving_axes};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "JNT011",
     name: "axis-not-normalized",
     category: Category::Joint,

@@ -8,7 +8,7 @@ use super::super::sink::Sink;
 use super::super::xml::meant_attributes;
 use model::element_range;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "JNT018",
     name: "empty-dynamics",
     category: Category::Joint,

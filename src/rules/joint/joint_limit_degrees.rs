@@ -6,7 +6,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use model::JointType;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "JNT006",
     name: "joint-limit-degrees",
     category: Category::Joint,

@@ -10,7 +10,7 @@ use model::{Limit, Text, tag_start};
 /// What to do, unless more is known.
 const SWAP: &str = "swap the limits, or correct a sign";
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "JNT004",
     name: "joint-limit-inverted",
     category: Category::Joint,

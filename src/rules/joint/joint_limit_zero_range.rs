@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use model::JointType::{Prismatic, Revolute};
 use model::tag_start;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "JNT005",
     name: "joint-limit-zero-range",
     category: Category::Joint,

@@ -7,7 +7,7 @@ use super::super::sink::Sink;
 use super::super::thresholds::MAX_JOINT_VELOCITY;
 use model::{Joint, JointType, Limit, Text};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "JNT007",
     name: "joint-velocity-degrees",
     category: Category::Joint,

@@ -6,7 +6,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use model::{Joint, JointType, Limit, Text, tag_start};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "JNT017",
     name: "limit-on-continuous",
     category: Category::Joint,

@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::mimics::targets;
 use base::{FastMap, FastSet};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "JNT022",
     name: "mimic-cycle",
     category: Category::Joint,

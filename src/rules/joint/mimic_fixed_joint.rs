@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::mimics::mimicking;
 use model::JointType;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "JNT023",
     name: "mimic-fixed-joint",
     category: Category::Joint,

@@ -9,7 +9,7 @@ use model::JointType::{Prismatic, Revolute};
 use model::Text;
 use model::{Joint, tag_start};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "JNT024",
     name: "mimic-range-exceeds-limits",
     category: Category::Joint,

@@ -8,7 +8,7 @@ use super::super::sink::Sink;
 use base::FastSet;
 use workspace::nearest;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "JNT021",
     name: "mimic-unknown-joint",
     category: Category::Joint,

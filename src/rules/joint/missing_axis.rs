@@ -7,7 +7,7 @@ use super::super::sink::{Reported, Sink};
 use base::TextRange;
 use model::{Joint, JointType, element_range, tag_start};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "JNT013",
     name: "missing-axis",
     category: Category::Joint,

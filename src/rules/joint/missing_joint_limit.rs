@@ -7,7 +7,7 @@ use model::JointType::{Prismatic, Revolute};
 use model::{Joint, Text, tag_start};
 use workspace::nearest;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "JNT002",
     name: "missing-joint-limit",
     category: Category::Joint,

@@ -7,7 +7,7 @@ use super::super::sink::Sink;
 use super::super::xml::meant_attributes;
 use model::{Joint, JointType, Limit, Version, tag_start};
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "JNT003",
     name: "missing-limit-attribute",
     category: Category::Joint,

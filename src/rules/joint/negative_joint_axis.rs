@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 
 use super::axis::moving_axes;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "JNT016",
     name: "negative-joint-axis",
     category: Category::Joint,

@@ -7,7 +7,7 @@ use super::super::sink::Sink;
 use model::JointType::{Prismatic, Revolute};
 use model::Text;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "JNT020",
     name: "safety-limits-outside-limits",
     category: Category::Joint,

@@ -8,7 +8,7 @@ use super::super::sink::Sink;
 use model::JointType;
 use workspace::nearest;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "JNT001",
     name: "unknown-joint-type",
     category: Category::Joint,

@@ -9,7 +9,7 @@ use super::super::sink::Sink;
 use model::Robot;
 use model::{Joint, JointType, Kinematics, transform};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "JNT015",
     name: "wheel-axis-direction",
     category: Category::Joint,

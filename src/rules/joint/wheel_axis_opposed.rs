@@ -8,7 +8,7 @@ use super::wheels::{axis_in_parent, other_side};
 use base::FastMap;
 use model::{Joint, JointType, Robot, tag_start};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "JNT014",
     name: "wheel-axis-opposed",
     category: Category::Joint,

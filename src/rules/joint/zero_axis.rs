@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 
 use super::axis::{NO_LENGTH, length, moving_axes};
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "JNT010",
     name: "zero-axis",
     category: Category::Joint,

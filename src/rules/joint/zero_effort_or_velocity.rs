@@ -7,7 +7,7 @@ use base::FastMap;
 use expand::FileIdx;
 use model::{Joint, Text};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "JNT009",
     name: "zero-effort-or-velocity",
     category: Category::Joint,

@@ -5,7 +5,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use base::{FileId, Span};
 use workspace::config::ConfigWarning;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "LNT004",
     name: "invalid-config",
     category: Category::Linter,

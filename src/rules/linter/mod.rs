@@ -14,9 +14,9 @@ pub use suppression::{Directive, Malformed, Selector, Suppression, Suppressions}
 pub use unused_suppression::unused_suppression;
 
 /// The rules.
-pub(super) static RULES: &[Rule] = &[
-    unused_suppression::RULE,
-    unknown_rule_in_suppression::RULE,
-    malformed_suppression::RULE,
-    invalid_config::RULE,
+pub(super) static RULES: &[&Rule] = &[
+    &unused_suppression::RULE,
+    &unknown_rule_in_suppression::RULE,
+    &malformed_suppression::RULE,
+    &invalid_config::RULE,
 ];

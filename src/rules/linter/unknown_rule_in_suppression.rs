@@ -9,7 +9,7 @@ use super::super::sink::Sink;
 use super::suppression::Suppressions;
 use workspace::edit_distance;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "LNT002",
     name: "unknown-rule-in-suppression",
     category: Category::Linter,

@@ -7,7 +7,7 @@ use base::{FastSet, Span, TextRange};
 use vfs::SourceFile;
 use xml::Document;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "LNT001",
     name: "unused-suppression",
     category: Category::Linter,

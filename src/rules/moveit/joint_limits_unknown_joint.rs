@@ -5,7 +5,7 @@ use super::super::registry::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use project::{Kind, is_computed};
 
-pub(super) const RULE: Rule = Rule::beside(
+pub(super) static RULE: Rule = Rule::beside(
     "MOV001",
     "joint-limits-unknown-joint",
     Category::Moveit,

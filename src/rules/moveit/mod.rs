@@ -20,16 +20,16 @@ pub use setup_assistant_robot_fails::setup_assistant_robot_fails;
 pub use setup_assistant_unknown_argument::setup_assistant_unknown_argument;
 
 /// The rules.
-pub(super) static RULES: &[Rule] = &[
-    joint_limits_unknown_joint::RULE,
-    joint_limits_above_urdf::RULE,
-    joint_limits_not_double::RULE,
-    kinematics_unknown_group::RULE,
-    planning_unknown_group::RULE,
-    moveit_controller_unknown_joint::RULE,
-    moveit_unknown_controller::RULE,
-    servo_unknown_group::RULE,
-    setup_assistant_file_not_found::RULE,
-    setup_assistant_robot_fails::RULE,
-    setup_assistant_unknown_argument::RULE,
+pub(super) static RULES: &[&Rule] = &[
+    &joint_limits_unknown_joint::RULE,
+    &joint_limits_above_urdf::RULE,
+    &joint_limits_not_double::RULE,
+    &kinematics_unknown_group::RULE,
+    &planning_unknown_group::RULE,
+    &moveit_controller_unknown_joint::RULE,
+    &moveit_unknown_controller::RULE,
+    &servo_unknown_group::RULE,
+    &setup_assistant_file_not_found::RULE,
+    &setup_assistant_robot_fails::RULE,
+    &setup_assistant_unknown_argument::RULE,
 ];

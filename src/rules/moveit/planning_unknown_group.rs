@@ -5,7 +5,7 @@ use super::super::registry::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::groups::unknown;
 
-pub(super) const RULE: Rule = Rule::semantic(
+pub(super) static RULE: Rule = Rule::semantic(
     "MOV005",
     "planning-unknown-group",
     Category::Moveit,

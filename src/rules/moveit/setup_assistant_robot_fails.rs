@@ -4,7 +4,7 @@ use super::super::finding::{Finding, Related};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "MOV010",
     name: "setup-assistant-robot-fails",
     category: Category::Moveit,

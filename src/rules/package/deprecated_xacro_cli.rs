@@ -9,7 +9,7 @@ use super::super::sink::Sink;
 use super::launch::{self, is_launch};
 use base::{Span, TextRange};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "PKG007",
     name: "deprecated-xacro-cli",
     category: Category::Package,

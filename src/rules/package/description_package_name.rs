@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::manifest;
 use expand::FileIdx;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "PKG006",
     name: "description-package-name",
     category: Category::Package,

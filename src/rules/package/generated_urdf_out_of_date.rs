@@ -4,7 +4,7 @@ use super::super::finding::Finding;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
 use base::Span;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "PKG011",
     name: "generated-urdf-out-of-date",
     category: Category::Package,

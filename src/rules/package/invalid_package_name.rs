@@ -7,7 +7,7 @@ use super::super::sink::Sink;
 use super::mentions;
 use base::FastSet;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "PKG004",
     name: "invalid-package-name",
     category: Category::Package,

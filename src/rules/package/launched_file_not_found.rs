@@ -4,7 +4,7 @@ use super::super::finding::Finding;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "PKG010",
     name: "launched-file-not-found",
     category: Category::Package,

@@ -6,7 +6,7 @@ use super::super::finding::{Finding, Related};
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "PKG012",
     name: "missing-launch-argument",
     category: Category::Package,

@@ -9,7 +9,7 @@ use super::manifest::{self, Manifest};
 use super::mentions::{self, Mention};
 use base::FastSet;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "PKG002",
     name: "missing-package-dependency",
     category: Category::Package,

@@ -35,20 +35,20 @@ pub use value_never_compared::value_never_compared;
 pub use value_outside_choices::value_outside_choices;
 
 /// The rules.
-pub(super) static RULES: &[Rule] = &[
-    package_not_found::RULE,
-    missing_package_dependency::RULE,
-    resource_not_installed::RULE,
-    invalid_package_name::RULE,
-    xacro_not_in_package::RULE,
-    description_package_name::RULE,
-    deprecated_xacro_cli::RULE,
-    malformed_package_xml::RULE,
-    unknown_launch_argument::RULE,
-    launched_file_not_found::RULE,
-    generated_urdf_out_of_date::RULE,
-    missing_launch_argument::RULE,
-    value_outside_choices::RULE,
-    value_never_compared::RULE,
-    argument_never_set::RULE,
+pub(super) static RULES: &[&Rule] = &[
+    &package_not_found::RULE,
+    &missing_package_dependency::RULE,
+    &resource_not_installed::RULE,
+    &invalid_package_name::RULE,
+    &xacro_not_in_package::RULE,
+    &description_package_name::RULE,
+    &deprecated_xacro_cli::RULE,
+    &malformed_package_xml::RULE,
+    &unknown_launch_argument::RULE,
+    &launched_file_not_found::RULE,
+    &generated_urdf_out_of_date::RULE,
+    &missing_launch_argument::RULE,
+    &value_outside_choices::RULE,
+    &value_never_compared::RULE,
+    &argument_never_set::RULE,
 ];

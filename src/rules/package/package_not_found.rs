@@ -15,7 +15,7 @@ use base::TextRange;
 use expand::{Expansion, FileIdx, Origin, Read, XAttr, XId};
 use workspace::NotFound;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "PKG001",
     name: "package-not-found",
     category: Category::Package,

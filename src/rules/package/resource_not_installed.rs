@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::mentions;
 use base::{FastSet, TextRange};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "PKG003",
     name: "resource-not-installed",
     category: Category::Package,

@@ -7,7 +7,7 @@ use super::super::grouping::Group;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "PKG009",
     name: "unknown-launch-argument",
     category: Category::Package,

@@ -7,7 +7,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::value_outside_choices::listed;
 use base::Span;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "PKG014",
     name: "value-never-compared",
     category: Category::Package,

@@ -7,7 +7,7 @@ use super::super::sink::Sink;
 use super::manifest;
 use expand::FileIdx;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "PKG005",
     name: "xacro-not-in-package",
     category: Category::Package,

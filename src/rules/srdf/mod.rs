@@ -18,17 +18,17 @@ mod srdf_unknown_link;
 use super::registry::Rule;
 
 /// The rules.
-pub(super) static RULES: &[Rule] = &[
-    srdf_robot_name::RULE,
-    srdf_unknown_link::RULE,
-    srdf_unknown_joint::RULE,
-    srdf_unknown_group::RULE,
-    srdf_invalid_chain::RULE,
-    srdf_state_out_of_limits::RULE,
-    srdf_state_joint_not_in_group::RULE,
-    srdf_incomplete_group_state::RULE,
-    srdf_duplicate_name::RULE,
-    srdf_duplicate_pair::RULE,
-    srdf_not_adjacent::RULE,
-    srdf_adjacent_pair_missing::RULE,
+pub(super) static RULES: &[&Rule] = &[
+    &srdf_robot_name::RULE,
+    &srdf_unknown_link::RULE,
+    &srdf_unknown_joint::RULE,
+    &srdf_unknown_group::RULE,
+    &srdf_invalid_chain::RULE,
+    &srdf_state_out_of_limits::RULE,
+    &srdf_state_joint_not_in_group::RULE,
+    &srdf_incomplete_group_state::RULE,
+    &srdf_duplicate_name::RULE,
+    &srdf_duplicate_pair::RULE,
+    &srdf_not_adjacent::RULE,
+    &srdf_adjacent_pair_missing::RULE,
 ];

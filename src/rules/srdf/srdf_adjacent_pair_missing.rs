@@ -9,7 +9,7 @@ use base::FastSet;
 use model::tag_start;
 use project::Pair;
 
-pub(super) const RULE: Rule = Rule::beside(
+pub(super) static RULE: Rule = Rule::beside(
     "SRD012",
     "srdf-adjacent-pair-missing",
     Category::Srdf,

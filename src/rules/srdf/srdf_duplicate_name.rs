@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use base::FastMap;
 use model::Text;
 
-pub(super) const RULE: Rule = Rule::semantic(
+pub(super) static RULE: Rule = Rule::semantic(
     "SRD009",
     "srdf-duplicate-name",
     Category::Srdf,

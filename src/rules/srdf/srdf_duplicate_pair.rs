@@ -8,7 +8,7 @@ use base::FastMap;
 use model::tag_start;
 use project::Pair;
 
-pub(super) const RULE: Rule = Rule::semantic(
+pub(super) static RULE: Rule = Rule::semantic(
     "SRD010",
     "srdf-duplicate-pair",
     Category::Srdf,

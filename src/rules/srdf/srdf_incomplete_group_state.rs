@@ -7,7 +7,7 @@ use super::joints::{Members, is_planned};
 use model::{Text, tag_start};
 use project::Kind;
 
-pub(super) const RULE: Rule = Rule::beside(
+pub(super) static RULE: Rule = Rule::beside(
     "SRD008",
     "srdf-incomplete-group-state",
     Category::Srdf,

@@ -5,7 +5,7 @@ use super::super::registry::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use project::Chain;
 
-pub(super) const RULE: Rule = Rule::beside(
+pub(super) static RULE: Rule = Rule::beside(
     "SRD005",
     "srdf-invalid-chain",
     Category::Srdf,

@@ -5,7 +5,7 @@ use super::super::registry::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::adjacent::are_adjacent;
 
-pub(super) const RULE: Rule = Rule::beside(
+pub(super) static RULE: Rule = Rule::beside(
     "SRD011",
     "srdf-not-adjacent",
     Category::Srdf,

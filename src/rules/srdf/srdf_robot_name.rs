@@ -4,7 +4,7 @@ use super::super::beside::BesideCx;
 use super::super::registry::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 
-pub(super) const RULE: Rule = Rule::beside(
+pub(super) static RULE: Rule = Rule::beside(
     "SRD001",
     "srdf-robot-name",
     Category::Srdf,

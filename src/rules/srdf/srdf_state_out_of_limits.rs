@@ -5,7 +5,7 @@ use super::super::control::limits_of;
 use super::super::registry::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 
-pub(super) const RULE: Rule = Rule::beside(
+pub(super) static RULE: Rule = Rule::beside(
     "SRD006",
     "srdf-state-out-of-limits",
     Category::Srdf,

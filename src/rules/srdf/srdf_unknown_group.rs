@@ -6,7 +6,7 @@ use super::super::run::is_whole;
 use super::super::sink::Sink;
 use project::Kind;
 
-pub(super) const RULE: Rule = Rule::semantic(
+pub(super) static RULE: Rule = Rule::semantic(
     "SRD004",
     "srdf-unknown-group",
     Category::Srdf,

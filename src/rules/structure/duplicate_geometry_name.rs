@@ -7,7 +7,7 @@ use base::FastMap;
 use model::Text;
 use model::{Body, Link};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "STR010",
     name: "duplicate-geometry-name",
     category: Category::Structure,

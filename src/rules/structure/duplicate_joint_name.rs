@@ -7,7 +7,7 @@ use super::repeated_calls::{HELP, RepeatedCalls};
 use base::FastMap;
 use model::Text;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "STR002",
     name: "duplicate-joint-name",
     category: Category::Structure,

@@ -7,7 +7,7 @@ use super::repeated_calls::{HELP, RepeatedCalls};
 use base::FastMap;
 use model::Text;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "STR001",
     name: "duplicate-link-name",
     category: Category::Structure,

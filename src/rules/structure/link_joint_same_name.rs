@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use base::FastMap;
 use model::Text;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "STR011",
     name: "link-joint-same-name",
     category: Category::Structure,

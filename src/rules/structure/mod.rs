@@ -19,18 +19,18 @@ pub(super) mod undefined_link;
 use super::registry::Rule;
 
 /// The rules.
-pub(super) static RULES: &[Rule] = &[
-    duplicate_link_name::RULE,
-    duplicate_joint_name::RULE,
-    undefined_link::RULE,
-    multiple_parents::RULE,
-    link_cycle::RULE,
-    joint_self_loop::RULE,
-    multiple_roots::RULE,
-    orphan_link::RULE,
-    no_links::RULE,
-    duplicate_geometry_name::RULE,
-    link_joint_same_name::RULE,
-    names_differ_by_case::RULE,
-    rust_consumer_cannot_load::RULE,
+pub(super) static RULES: &[&Rule] = &[
+    &duplicate_link_name::RULE,
+    &duplicate_joint_name::RULE,
+    &undefined_link::RULE,
+    &multiple_parents::RULE,
+    &link_cycle::RULE,
+    &joint_self_loop::RULE,
+    &multiple_roots::RULE,
+    &orphan_link::RULE,
+    &no_links::RULE,
+    &duplicate_geometry_name::RULE,
+    &link_joint_same_name::RULE,
+    &names_differ_by_case::RULE,
+    &rust_consumer_cannot_load::RULE,
 ];

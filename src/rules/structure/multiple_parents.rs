@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use base::FastMap;
 use model::Joint;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "STR004",
     name: "multiple-parents",
     category: Category::Structure,

@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::missing_links::{joined_elsewhere, joints_with_one_end, lost_links};
 use model::{Joint, Text};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "STR007",
     name: "multiple-roots",
     category: Category::Structure,

@@ -8,7 +8,7 @@ use super::super::sink::Sink;
 use base::FastMap;
 use model::Text;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "STR012",
     name: "names-differ-by-case",
     category: Category::Structure,

@@ -11,7 +11,7 @@ use super::missing_links::{joined_elsewhere, joints_with_one_end, lost_links};
 use base::FastSet;
 use model::Text;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "STR008",
     name: "orphan-link",
     category: Category::Structure,

@@ -10,7 +10,7 @@ use super::super::sink::Sink;
 use expand::write;
 use model::tag_start;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "STR013",
     name: "rust-consumer-cannot-load",
     category: Category::Structure,

@@ -6,7 +6,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use super::missing_links::missing_links;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "STR003",
     name: "undefined-link",
     category: Category::Structure,

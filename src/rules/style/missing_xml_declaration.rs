@@ -5,7 +5,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use base::TextRange;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "STY003",
     name: "missing-xml-declaration",
     category: Category::Style,

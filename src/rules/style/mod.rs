@@ -8,9 +8,9 @@ mod todo_comment;
 use super::registry::Rule;
 
 /// The rules.
-pub(super) static RULES: &[Rule] = &[
-    redundant_identity_origin::RULE,
-    redundant_expression::RULE,
-    missing_xml_declaration::RULE,
-    todo_comment::RULE,
+pub(super) static RULES: &[&Rule] = &[
+    &redundant_identity_origin::RULE,
+    &redundant_expression::RULE,
+    &missing_xml_declaration::RULE,
+    &todo_comment::RULE,
 ];

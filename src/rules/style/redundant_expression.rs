@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use expr::{Token, split};
 use model::decimal;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "STY002",
     name: "redundant-expression",
     category: Category::Style,

@@ -8,7 +8,7 @@ use base::TextRange;
 use model::decimal;
 use xml::Node;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "STY001",
     name: "redundant-identity-origin",
     category: Category::Style,

@@ -5,7 +5,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use xml::NodeKind;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "STY004",
     name: "todo-comment",
     category: Category::Style,

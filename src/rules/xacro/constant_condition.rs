@@ -4,7 +4,7 @@ use super::super::context::FileCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "XAC038",
     name: "constant-condition",
     category: Category::Xacro,

@@ -8,7 +8,7 @@ use base::{FastMap, FastSet, TextRange};
 use expand::{FileIdx, Place, XId};
 use xml::NodeKind;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "XAC010",
     name: "duplicate-include",
     category: Category::Xacro,

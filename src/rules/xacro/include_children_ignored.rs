@@ -6,7 +6,7 @@ use super::super::registry::{Category, Rule, Safety, Severity, page};
 use base::{Span, TextRange};
 use xml::Node;
 
-pub(in super::super) const RULE: Rule = Rule::found(
+pub(in super::super) static RULE: Rule = Rule::found(
     "XAC033",
     "include-children-ignored",
     Category::Xacro,

@@ -9,7 +9,7 @@ use base::{Span, TextRange};
 use expand::Detail;
 use workspace::nearest;
 
-pub(in super::super) const RULE: Rule =
+pub(in super::super) static RULE: Rule =
     Rule::found("XAC008", "include-not-found", Category::Xacro, Severity::Error, page("include-not-found"))
         .fixed(Safety::Unsafe);
 

@@ -5,7 +5,7 @@ use super::super::problems::ProblemCx;
 use super::super::registry::{Category, Rule, Safety, Severity, page};
 use expr::is_identifier;
 
-pub(in super::super) const RULE: Rule = Rule::found(
+pub(in super::super) static RULE: Rule = Rule::found(
     "XAC022",
     "invalid-property-name",
     Category::Xacro,

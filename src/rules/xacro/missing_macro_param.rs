@@ -8,7 +8,7 @@ use super::super::registry::{Category, Rule, Safety, Severity, page};
 use base::{Span, TextRange};
 use expand::{Detail, Problem};
 
-pub(in super::super) const RULE: Rule = Rule::found(
+pub(in super::super) static RULE: Rule = Rule::found(
     "XAC005",
     "missing-macro-param",
     Category::Xacro,

@@ -12,7 +12,7 @@ use base::{FastMap, FastSet, Span, TextRange};
 use expand::{Detail, FileIdx, Place, SymbolKind, UseKind};
 use xml::{Node, NodeKind};
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XAC017",
     name: "redefined-macro",
     category: Category::Xacro,

@@ -8,7 +8,7 @@ use base::{FastMap, TextRange};
 use expand::{Definition, DefinitionId, FileIdx, Place, SymbolKind};
 use xml::Node;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "XAC016",
     name: "redefined-property",
     category: Category::Xacro,

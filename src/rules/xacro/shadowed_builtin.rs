@@ -8,7 +8,7 @@ use model::decimal;
 use workspace::Target;
 use xml::Node;
 
-pub(in super::super) const RULE: Rule =
+pub(in super::super) static RULE: Rule =
     Rule::found("XAC018", "shadowed-builtin", Category::Xacro, Severity::Warning, page("shadowed-builtin"));
 
 /// Whether a name that hides a built-in symbol means something else from there on. A parameter does so in its macro

@@ -7,7 +7,7 @@ use super::source;
 use base::FastMap;
 use expand::{Definition, SymbolKind};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "XAC019",
     name: "shadowed-property",
     category: Category::Xacro,

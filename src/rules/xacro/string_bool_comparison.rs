@@ -13,7 +13,7 @@ use expand::{Definition, DefinitionId, Place, SourceRange, SrcId, SymbolKind, Us
 use expr::ast::{CmpOp, Const, Expr, ExprKind};
 use expr::{Code, Token, split, visit};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "XAC028",
     name: "string-bool-comparison",
     category: Category::Xacro,

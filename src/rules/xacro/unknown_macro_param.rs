@@ -5,7 +5,7 @@ use super::super::problems::ProblemCx;
 use super::super::registry::{Category, Rule, Safety, Severity, page};
 use super::unknown_xacro_attribute::without_attribute;
 
-pub(in super::super) const RULE: Rule = Rule::found(
+pub(in super::super) static RULE: Rule = Rule::found(
     "XAC006",
     "unknown-macro-param",
     Category::Xacro,

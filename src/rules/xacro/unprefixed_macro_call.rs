@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::super::vocabulary::{is_urdf_element, outside_free_zones};
 use base::TextRange;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XAC021",
     name: "unprefixed-macro-call",
     category: Category::Xacro,

@@ -8,7 +8,7 @@ use base::TextRange;
 use expand::Expansion;
 use xml::{Document, Node};
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XAC020",
     name: "unprefixed-xacro-tag",
     category: Category::Xacro,

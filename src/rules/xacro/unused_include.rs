@@ -8,7 +8,7 @@ use super::source::{self, Inclusion};
 use base::{FastSet, TextRange};
 use expand::{FileIdx, FrameId, SourceRange, SymbolKind, XKind};
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XAC011",
     name: "unused-include",
     category: Category::Xacro,

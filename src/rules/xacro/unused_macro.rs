@@ -7,7 +7,7 @@ use super::mentions;
 use super::unused;
 use expand::SymbolKind;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XAC013",
     name: "unused-macro",
     category: Category::Xacro,

@@ -11,7 +11,7 @@ use base::{FastMap, FastSet};
 use expand::{Definition, DefinitionId, Problem, ProblemKind, SymbolKind, UseKind};
 use xml::{Node, NodeKind};
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XAC015",
     name: "unused-macro-param",
     category: Category::Xacro,

@@ -8,7 +8,7 @@ use base::FastMap;
 use expand::{XId, XKind, XTree};
 use model::tag_start;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "XML012",
     name: "duplicate-element",
     category: Category::Xml,

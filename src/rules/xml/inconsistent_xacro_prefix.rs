@@ -7,7 +7,7 @@ use super::is_xacro_uri;
 use base::TextRange;
 use xml::Attr;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XML004",
     name: "inconsistent-xacro-prefix",
     category: Category::Xml,

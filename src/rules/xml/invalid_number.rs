@@ -13,7 +13,7 @@ use expand::{Origin, Place, XId, meant_number};
 use model::{Text, decimal, is_decimal};
 use xml::Document;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XML010",
     name: "invalid-number",
     category: Category::Xml,

@@ -9,7 +9,7 @@ use super::{meant, unknown_attribute, walk};
 use expand::XId;
 use model::{Text, element_range, tag_start};
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XML008",
     name: "missing-attribute",
     category: Category::Xml,

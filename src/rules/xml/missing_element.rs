@@ -9,7 +9,7 @@ use super::walk;
 use expand::XId;
 use model::tag_start;
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "XML009",
     name: "missing-element",
     category: Category::Xml,

@@ -8,7 +8,7 @@ use base::{Span, TextRange};
 use expand::{Expansion, FileIdx};
 use model::{Robot, tag_start};
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XML014",
     name: "missing-robot-name",
     category: Category::Xml,

@@ -5,7 +5,7 @@ use super::super::problems::ProblemCx;
 use super::super::registry::{Category, Rule, Safety, Severity, page};
 use base::{Span, TextRange};
 
-pub(in super::super) const RULE: Rule = Rule::found(
+pub(in super::super) static RULE: Rule = Rule::found(
     "XML002",
     "missing-xacro-namespace",
     Category::Xml,

@@ -29,29 +29,29 @@ pub use walk::Seen;
 pub(super) use walk::{described, known};
 
 // what expansion finds, without fixes of their own
-pub(super) const XML_ENCODING_MISMATCH: Rule =
+pub(super) static XML_ENCODING_MISMATCH: Rule =
     Rule::found("XML016", "xml-encoding-mismatch", Xml, Error, page("xml-encoding-mismatch"));
 
 /// The rules.
-pub(super) static RULES: &[Rule] = &[
-    xml_syntax_error::RULE,
-    missing_xacro_namespace::RULE,
-    nonstandard_xacro_namespace::RULE,
-    inconsistent_xacro_prefix::RULE,
-    unknown_root_element::RULE,
-    unknown_element::RULE,
-    unknown_attribute::RULE,
-    missing_attribute::RULE,
-    missing_element::RULE,
-    invalid_number::RULE,
-    wrong_vector_length::RULE,
-    duplicate_element::RULE,
-    unexpected_text::RULE,
-    missing_robot_name::RULE,
-    unsupported_urdf_version::RULE,
-    XML_ENCODING_MISMATCH,
-    xacro_tags_in_urdf::RULE,
-    newer_than_version::RULE,
+pub(super) static RULES: &[&Rule] = &[
+    &xml_syntax_error::RULE,
+    &missing_xacro_namespace::RULE,
+    &nonstandard_xacro_namespace::RULE,
+    &inconsistent_xacro_prefix::RULE,
+    &unknown_root_element::RULE,
+    &unknown_element::RULE,
+    &unknown_attribute::RULE,
+    &missing_attribute::RULE,
+    &missing_element::RULE,
+    &invalid_number::RULE,
+    &wrong_vector_length::RULE,
+    &duplicate_element::RULE,
+    &unexpected_text::RULE,
+    &missing_robot_name::RULE,
+    &unsupported_urdf_version::RULE,
+    &XML_ENCODING_MISMATCH,
+    &xacro_tags_in_urdf::RULE,
+    &newer_than_version::RULE,
 ];
 
 /// The namespace that xacro's documentation names.

@@ -7,7 +7,7 @@ use super::super::sink::Sink;
 use super::walk;
 use model::{Text, Version};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "XML018",
     name: "newer-than-version",
     category: Category::Xml,

@@ -6,7 +6,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity
 use super::super::sink::Sink;
 use super::XACRO_URI;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XML003",
     name: "nonstandard-xacro-namespace",
     category: Category::Xml,

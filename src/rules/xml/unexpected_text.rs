@@ -8,7 +8,7 @@ use super::walk;
 use base::TextRange;
 use expand::{Origin, XId, XKind};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "XML013",
     name: "unexpected-text",
     category: Category::Xml,

@@ -12,7 +12,7 @@ use expand::{Origin, XAttr, XId};
 use model::Version;
 use xml::Node;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XML007",
     name: "unknown-attribute",
     category: Category::Xml,

@@ -12,7 +12,7 @@ use base::{FastMap, TextRange};
 use expand::{FileIdx, XId};
 use model::{Text, tag_start};
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XML006",
     name: "unknown-element",
     category: Category::Xml,

@@ -6,7 +6,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use model::{Text, Version};
 
-pub(super) const RULE: Rule = Rule {
+pub(super) static RULE: Rule = Rule {
     code: "XML015",
     name: "unsupported-urdf-version",
     category: Category::Xml,

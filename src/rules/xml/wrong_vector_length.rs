@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::invalid_number::{Numeric, bad_words, numeric};
 use super::walk;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XML011",
     name: "wrong-vector-length",
     category: Category::Xml,

@@ -8,7 +8,7 @@ use super::super::sink::Sink;
 use base::TextRange;
 use xml::Node;
 
-pub(in super::super) const RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XML017",
     name: "xacro-tags-in-urdf",
     category: Category::Xml,

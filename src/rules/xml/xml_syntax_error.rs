@@ -6,7 +6,7 @@ use super::super::registry::{Category, Rule, Safety, Severity, page};
 use base::{Span, TextRange};
 use xml::Document;
 
-pub(in super::super) const RULE: Rule =
+pub(in super::super) static RULE: Rule =
     Rule::found("XML001", "xml-syntax-error", Category::Xml, Severity::Error, page("xml-syntax-error"))
         .fixed(Safety::Safe);
 

@@ -118,3 +118,42 @@ pub(super) fn target(call: &Call, packages: &Packages) -> Option<PathBuf> {
         None => Some(path),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Callers;
+    use crate::{PackageOptions, Packages};
+    use vfs::testing::Tree;
+
+    const INNER: &str = "DeclareLaunchArgument('side', default_value='left')\n\
+                         Command(['xacro ', '/r/a.xacro', ' side:=', LaunchConfiguration('side')])\n";
+
+    /// Check the values that a launch file gives `side` of the robot of another one.
+    fn check_sides(outer: &str, expected: &[&str]) {
+        let tree = Tree::new();
+        tree.write("package.xml", "<package><name>p</name></package>");
+        tree.write("launch/inner.launch.py", INNER);
+        let path = "inner = os.path.join(os.path.dirname(__file__), 'inner.launch.py')\n";
+        tree.write("launch/outer.launch.py", &format!("{path}{outer}"));
+        let packages = Packages::new(tree.vfs().clone(), &tree.environment(&[]), PackageOptions::default());
+        let calls = Callers::default().calls_below(tree.root(), &packages);
+        let through = calls.iter().filter(|call| !call.call.through.is_empty());
+        let sides: Vec<String> =
+            through.flat_map(|call| &call.call.args).map(|argument| argument.value.shown()).collect();
+        assert_eq!(sides, expected, "{outer}");
+    }
+
+    #[test]
+    fn includes_beside_each_other_share_what_they_are_given() {
+        let right = "IncludeLaunchDescription(inner, launch_arguments={'side': 'right'}.items())\n";
+        check_sides(right, &["right"]);
+        let plain = "IncludeLaunchDescription(inner)\n";
+        // the second one sees `right`, unless a group is around the first
+        check_sides(&format!("{right}{plain}"), &["right", "?"]);
+        let own = "DeclareLaunchArgument('side', default_value='middle')\n";
+        check_sides(&format!("{own}{plain}"), &["middle"]);
+        check_sides(&format!("{own}{right}{plain}"), &["right", "?"]);
+        let same = "IncludeLaunchDescription(inner, launch_arguments={'side': LaunchConfiguration('side')}.items())\n";
+        check_sides(&format!("{own}{same}{plain}"), &["middle"]);
+    }
+}

@@ -376,6 +376,18 @@ fn python_programs() {
             &["/r/a.xacro n=1 side=?"],
         ),
         (
+            "error that is caught in a loop",
+            "for n in ['1', '2']:\n    try:\n        xacro.process_file('/r/a.xacro', mappings={'n': '1'})\n    \
+             except xacro.XacroException as error:\n        print(error)\n",
+            &["/r/a.xacro n=1"],
+        ),
+        (
+            "folder that is opened in a loop",
+            "for n in ['1', '2']:\n    with os.scandir('/r') as found:\n        pass\n    \
+             xacro.process_file(os.path.join('/r', 'a.xacro'))\n",
+            &["/r/a.xacro"],
+        ),
+        (
             "list that grows in a branch",
             "c = ['xacro /r/a.xacro']\nif x:\n    c += [' a:=1']\nCommand(c)\n",
             &[],

@@ -99,7 +99,9 @@ pub(crate) fn calls_in(file: &LaunchFile, context: &Context) -> Vec<Call> {
 
 /// The files that a launch file includes, each with what it is given.
 pub(crate) fn included(file: &LaunchFile, context: &Context) -> Vec<(Word, Context)> {
-    let given = |include: &Include| {
+    let passed: Vec<Vec<(String, Word)>> =
+        file.includes.iter().map(|one| passed(file, context, one)).collect();
+    let given = |(number, include): (usize, &Include)| {
         let resolver = Resolver::new(file, context, &include.assumed);
         let mut values: Vec<(String, Word)> = Vec::new();
         if file.shares {
@@ -110,14 +112,36 @@ pub(crate) fn included(file: &LaunchFile, context: &Context) -> Vec<(Word, Conte
                 (name, value)
             }));
         }
-        for (name, value) in &include.args {
+        if file.shares {
+            let others = passed.iter().enumerate().filter(|(other, _)| *other != number);
+            forget(&mut values, others.flat_map(|(_, passed)| passed));
+        }
+        for (name, value) in passed.get(number).into_iter().flatten() {
             values.retain(|(known, _)| known != name);
-            values.push((name.clone(), resolver.word(value)));
+            values.push((name.clone(), value.clone()));
         }
         let through = context.through.iter().cloned().chain([file.path.clone()]).collect();
         (resolver.word(&include.file), Context { values, through })
     };
-    file.includes.iter().map(given).collect()
+    file.includes.iter().enumerate().map(given).collect()
+}
+
+/// The arguments that an include gives.
+fn passed(file: &LaunchFile, context: &Context, include: &Include) -> Vec<(String, Word)> {
+    let resolver = Resolver::new(file, context, &include.assumed);
+    include.args.iter().map(|(name, value)| (name.clone(), resolver.word(value))).collect()
+}
+
+/// What one include is given stays set for those behind it in ROS 2, unless a group is around it: which of the values they
+/// see is not known.
+fn forget<'p>(values: &mut Vec<(String, Word)>, others: impl Iterator<Item = &'p (String, Word)>) {
+    for (name, other) in others {
+        match values.iter_mut().find(|(known, _)| known == name) {
+            Some((_, value)) if value == other => {}
+            Some((_, value)) => *value = Word(vec![Bit::Opaque(Why::Computed)]),
+            None => values.push((name.clone(), Word(vec![Bit::Opaque(Why::Computed)]))),
+        }
+    }
 }
 
 /// A value that a launch file gives to an argument.

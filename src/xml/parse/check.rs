@@ -29,14 +29,13 @@ impl<'t> Parser<'t> {
 
     fn check_attributes(&mut self, tag: usize, first: usize) {
         let mut prefixed = false;
-        let mut seen = HashSet::new();
-        let many = self.attrs.len() - first > FEW;
+        let mut seen = (self.attrs.len() - first > FEW).then(HashSet::new);
         for at in first..self.attrs.len() {
             let attr = self.attrs[at];
             let name = self.attr_name(&attr);
-            let twice = match many {
-                true => !seen.insert(name),
-                false => self.attrs[first..at].iter().any(|other| self.attr_name(other) == name),
+            let twice = match &mut seen {
+                Some(seen) => !seen.insert(name),
+                None => self.attrs[first..at].iter().any(|other| self.attr_name(other) == name),
             };
             if twice {
                 self.duplicate(first, at, name);
@@ -117,11 +116,11 @@ impl<'t> Parser<'t> {
     /// `name`, at `start` inside the tag at `tag`, has a prefix that must be bound.
     fn check_prefix(&mut self, tag: usize, start: usize, name: &'t str) {
         let Some((prefix, _)) = name.split_once(':') else { return };
-        if prefix == "xml" || self.scopes.lookup(prefix).is_some() || self.scopes.outer.contains(prefix) {
+        if prefix == "xml" || self.scopes.lookup(prefix).is_some() || self.scopes.is_outer(prefix) {
             return;
         }
         // One report per item is plenty: whatever uses the prefix later is wrong for the same reason.
-        self.scopes.outer.insert(prefix);
+        self.scopes.add_outer(prefix);
         let error = SyntaxError {
             kind: Kind::UnboundPrefix,
             range: self.range(start, start + prefix.len()),

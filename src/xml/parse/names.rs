@@ -63,7 +63,9 @@ pub(super) struct Scopes<'t> {
     bindings: Vec<Binding<'t>>,
     current: FastMap<&'t str, usize>,
     /// Prefixes used without a declaration inside the item.
-    pub(super) outer: HashSet<&'t str>,
+    outer: HashSet<&'t str>,
+    /// The one of them that was asked about last: nearly always the only one.
+    last_outer: Option<&'t str>,
 }
 
 struct Binding<'t> {
@@ -80,6 +82,25 @@ impl<'t> Scopes<'t> {
         self.bindings.clear();
         self.current.clear();
         self.outer.clear();
+        self.last_outer = None;
+    }
+
+    /// Whether a prefix was used before without a declaration inside the item.
+    #[inline]
+    pub(super) fn is_outer(&mut self, prefix: &'t str) -> bool {
+        if self.last_outer == Some(prefix) {
+            return true;
+        }
+        let is_outer = self.outer.contains(prefix);
+        if is_outer {
+            self.last_outer = Some(prefix);
+        }
+        is_outer
+    }
+
+    pub(super) fn add_outer(&mut self, prefix: &'t str) {
+        self.outer.insert(prefix);
+        self.last_outer = Some(prefix);
     }
 
     pub(super) fn bind(&mut self, prefix: &'t str, uri: String, depth: usize) {

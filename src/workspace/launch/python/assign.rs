@@ -209,8 +209,9 @@ pub(super) fn assigned<'t>(text: &'t str, statement: &Statement) -> impl Iterato
     let code = statement.range.slice(text);
     let targets = match statement.keyword {
         Some(Keyword::Loop) => code.split_once(" in ").map_or("", |(targets, _)| targets),
-        Some(Keyword::With | Keyword::Except | Keyword::Def | Keyword::Class | Keyword::Import) => code,
-        Some(Keyword::From | Keyword::Global) => code,
+        // `with open(x) as file`, `except KeyError as error`: what is opened or raised is only read
+        Some(Keyword::With | Keyword::Except) => code.split_once(" as ").map_or("", |(_, targets)| targets),
+        Some(Keyword::Def | Keyword::Class | Keyword::Import | Keyword::From | Keyword::Global) => code,
         Some(_) => "",
         None => split_assignment(code).map_or_else(|| mutated(code), |(target, ..)| target),
     };
