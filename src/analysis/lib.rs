@@ -52,6 +52,8 @@ mod world;
 mod package_tests;
 #[cfg(test)]
 mod set_aside_tests;
+#[cfg(test)]
+mod unused_tests;
 
 pub use analyzed::Analyzed;
 pub use baseline::{Baseline, fingerprint};

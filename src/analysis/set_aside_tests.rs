@@ -5,7 +5,7 @@ use rules::Severity;
 use vfs::testing::Tree;
 
 /// The places of a rule in a workspace of these files.
-fn found(files: &[(&str, &str)], rule: &str) -> Vec<(String, Severity)> {
+pub fn found(files: &[(&str, &str)], rule: &str) -> Vec<(String, Severity)> {
     let tree = Tree::new();
     for (name, text) in files {
         tree.write(name, text);

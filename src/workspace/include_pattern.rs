@@ -6,7 +6,41 @@ use std::path::{Path, PathBuf};
 use super::Packages;
 use super::config::Pattern;
 use base::paths::HERE;
-use vfs::Vfs;
+use vfs::{Vfs, without_parents};
+
+/// Files that one include with a computed name may bring in.
+const MOST_FILES: usize = 20;
+/// Folders that one include has looked into.
+const MOST_FOLDERS: usize = 60;
+
+/// The file that an include names, when nothing has to be computed but packages, and there is one.
+pub fn named_file(name: &str, from: &Path, packages: &Packages, vfs: &Vfs) -> Option<PathBuf> {
+    let mut path = String::new();
+    let mut rest = name;
+    while let Some((before, after)) = rest.split_once("$(find ") {
+        let (package, behind) = after.split_once(')')?;
+        path.push_str(before);
+        path.push_str(packages.find(package.trim(), from).ok()?.path.to_str()?);
+        rest = behind;
+    }
+    path.push_str(rest);
+    let plain = !path.contains(['$', '*', '?', '[']);
+    let path = plain.then(|| without_parents(&from.parent().unwrap_or(from).join(path)))?;
+    let path = packages.present(&path).into_owned();
+    vfs.is_file(&path).then_some(path)
+}
+
+/// The files that an include with a computed name may bring in, with whatever arguments. None when there are too many, or too many
+/// folders to look into: the name says too little then.
+pub fn admitted_files(name: &str, from: &Path, packages: &Packages, vfs: &Vfs) -> Vec<PathBuf> {
+    let pattern = name.contains('$').then(|| include_pattern(name, from, packages)).flatten();
+    let Some(pattern) = pattern.filter(|pattern| !pattern.start().1) else { return Vec::new() };
+    let mut found = pattern.reached(vfs, MOST_FOLDERS);
+    if found.len() > MOST_FILES {
+        found.clear();
+    }
+    found
+}
 
 /// A file name with packages found and every other expression standing for anything. None when the name says
 /// nothing about the file.

@@ -25,7 +25,7 @@ mod tests;
 
 pub use belonging::{UNQUOTED, Vicinity};
 pub use callers::{Caller, Callers, Era, Excluded, GivenArg, RobotCall, has_name};
-pub use include_pattern::{include_pattern, included_files};
+pub use include_pattern::{admitted_files, include_pattern, included_files, named_file};
 pub use install::{BUILD_FILES, Build, Built};
 pub use packages::{Entry, Found, NotFound, Package, PackageOptions, Packages, Target};
 pub use root::is_built;

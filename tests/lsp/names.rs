@@ -244,6 +244,42 @@ fn a_macro_that_the_body_around_defines_is_meant() {
 }
 
 #[test]
+fn what_callers_define_before_they_call_is_meant() {
+    let folder = fresh_folder();
+    let write = |name: &str, content: &str| {
+        let text = format!(
+            "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n{content}\n</robot>\n"
+        );
+        write(&folder, &format!("src/{name}.xacro"), text);
+    };
+    for part in ["arm", "hand"] {
+        write(
+            &format!("{part}_parts"),
+            "<xacro:macro name=\"pad\" params=\"size\"><link name=\"${size}\"/></xacro:macro>",
+        );
+        let content = format!(
+            "<xacro:macro name=\"{part}\"><xacro:if value=\"${{False}}\"><xacro:pad size=\"{part}\"/></xacro:if></xacro:macro>"
+        );
+        write(part, &content);
+    }
+    write(
+        "cell",
+        r#"<xacro:macro name="with" params="hand"><xacro:include filename="arm_parts.xacro"/><xacro:include filename="arm.xacro"/><xacro:arm/>
+<xacro:if value="${hand}"><xacro:include filename="hand.xacro"/><xacro:include filename="hand_parts.xacro"/><xacro:hand/></xacro:if>
+</xacro:macro>"#,
+    );
+    write("r.urdf", r#"<xacro:include filename="cell.xacro"/><link name="base"/><xacro:with hand="false"/>"#);
+    let mut client = Client::with(folder, Options::default());
+    for file in ["r.urdf", "cell", "arm", "hand", "arm_parts", "hand_parts"] {
+        client.open(&format!("src/{file}.xacro"));
+    }
+    leads(&mut client, "src/arm.xacro", "<xacro:pa|d ", &["arm_parts.xacro:2 pad"]);
+    leads(&mut client, "src/hand.xacro", "<xacro:pa|d ", &["hand_parts.xacro:2 pad"]);
+    let found = references(&mut client, "src/hand_parts.xacro", "name=\"pa|d\"");
+    assert_eq!(found, ["hand.xacro:2 pad", "hand_parts.xacro:2 pad"]);
+}
+
+#[test]
 fn renaming_waits_for_the_workspace() {
     let folder = fresh_folder();
     let far = MAIN_TEXT.replace("filename=\"part.xacro\"", "filename=\"../../src/part.xacro\"");

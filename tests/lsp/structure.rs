@@ -49,6 +49,24 @@ fn symbols_of_a_broken_file() {
 }
 
 #[test]
+fn symbols_have_names_while_a_tag_is_typed() {
+    fn named(symbols: &Value) -> bool {
+        let mut symbols = symbols.as_array().into_iter().flatten();
+        symbols.all(|it| !it["name"].as_str().unwrap().trim().is_empty() && named(&it["children"]))
+    }
+    let mut client = Client::start();
+    client.open(ROBOT);
+    let (mut typed, tag) = (String::new(), "<xacro:unit name=\"\"/>");
+    for letter in tag.chars() {
+        let before = format!("{typed}</robot>");
+        typed.push(letter);
+        client.edit(ROBOT, &before, &format!("{typed}</robot>"));
+        let symbols = client.request("textDocument/documentSymbol", client.of(ROBOT));
+        assert!(!symbols.as_array().unwrap().is_empty() && named(&symbols), "{typed}: {symbols}");
+    }
+}
+
+#[test]
 fn symbols_behind_an_emoji() {
     let mut client = Client::start();
     client.open(ROBOT);

@@ -27,6 +27,17 @@ const JOINT_TYPES: &[(&str, &str)] = &[
 /// Names of interfaces that most hardware has.
 const INTERFACES: &[&str] = &["position", "velocity", "effort", "acceleration"];
 
+/// The attribute whose value is typed.
+#[derive(Clone, Copy)]
+pub(super) struct Place<'a> {
+    /// What is known of its element.
+    pub spec: Option<&'static ElementSpec>,
+    /// Its start tag.
+    pub tag: &'a Open,
+    /// Its name.
+    pub attribute: &'a str,
+}
+
 /// Values of an attribute of a start tag.
 pub(super) fn values(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &str) -> Completions {
     if let Some(found) = expression(scope, typed) {
@@ -39,8 +50,8 @@ pub(super) fn values(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &s
     let items = match directive(&tag.name) {
         Some(_) => of_directive(scope, typed, tag, attribute),
         None if tag.name.starts_with("xacro:") => of_call(scope, typed, tag, attribute),
-        None if scope.is_semantic => semantic::values(scope, typed, spec, tag, attribute),
-        None => of_element(scope, typed, spec, tag, attribute),
+        None if scope.is_semantic => semantic::values(scope, typed, Place { spec, tag, attribute }),
+        None => of_element(scope, typed, Place { spec, tag, attribute }),
     };
     whole_value(typed, items)
 }
@@ -77,9 +88,14 @@ fn of_directive(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &str) -
         (name, _) => {
             let all = directive(name).map(|directive| directive.attributes).unwrap_or_default();
             let words = all.iter().find(|given| given.name == attribute).map_or(&[][..], |given| given.words);
-            words.iter().map(|word| Completion::new(ItemKind::Choice, *word)).collect()
+            words_to_choose(words)
         }
     }
+}
+
+/// Words as they are.
+pub(super) fn words_to_choose(words: &[&str]) -> Vec<Completion> {
+    words.iter().map(|word| Completion::new(ItemKind::Choice, *word)).collect()
 }
 
 /// An expression, and the arguments that are true or false.
@@ -116,15 +132,13 @@ fn of_call(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &str) -> Vec
 fn of_element(
     scope: &Scope<'_>,
     typed: &Typed,
-    spec: Option<&'static ElementSpec>,
-    tag: &Open,
-    attribute: &str,
+    Place { spec, tag, attribute }: Place<'_>,
 ) -> Vec<Completion> {
     if tag.name == "material" && attribute == "name" {
         return materials(scope, typed);
     }
     if tag.name.ends_with("_interface") && attribute == "name" {
-        return INTERFACES.iter().map(|name| Completion::new(ItemKind::Choice, *name)).collect();
+        return words_to_choose(INTERFACES);
     }
     if attribute == "frame_id" || attribute == "frame_name" {
         return names::names(scope, typed, Wanted::Link, false);

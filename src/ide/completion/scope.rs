@@ -7,7 +7,6 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::super::text_names::{alternatives, included};
 use base::FastSet;
 use expand::{Expansion, Param, parse_params};
 use facts::{Fact, FactKind, facts_of};
@@ -15,7 +14,7 @@ use model::Robot;
 use rules::is_semantic_file;
 use rules::schema::{ElementSpec, robot, semantic_robot};
 use vfs::{SourceFile, Vfs};
-use workspace::Packages;
+use workspace::{Packages, admitted_files, named_file};
 use xml::{Attr, Entities, Item, Node, NodeKind};
 
 /// What the answer may be taken from.
@@ -154,9 +153,9 @@ impl<'a> Scope<'a> {
         for (_, item) in source.document.parts() {
             for fact in facts_of(item).of(FactKind::Include) {
                 let (packages, vfs) = (self.sources.packages, self.sources.vfs);
-                let paths = match included(&fact.name, &source.path, packages, vfs) {
+                let paths = match named_file(&fact.name, &source.path, packages, vfs) {
                     Some(path) => vec![path],
-                    None => alternatives(&fact.name, &source.path, packages, vfs),
+                    None => admitted_files(&fact.name, &source.path, packages, vfs),
                 };
                 let name = item.node(fact.node).attr("ns").map(|ns| format!("{namespace}{}.", ns.raw()));
                 let name = name.unwrap_or_else(|| namespace.clone());
@@ -174,7 +173,7 @@ impl<'a> Scope<'a> {
         let names = own.document.parts().flat_map(|(_, item)| {
             facts_of(item).of(FactKind::Include).map(|fact| fact.name.clone()).collect::<Vec<_>>()
         });
-        names.filter_map(|name| included(&name, &own.path, packages, vfs)).collect()
+        names.filter_map(|name| named_file(&name, &own.path, packages, vfs)).collect()
     }
 
     /// All items with the index of their file.

@@ -1,5 +1,6 @@
 //! Values of attributes in an SRDF: names of the robot that it is for, groups, positions.
 
+use super::choices::{Place, words_to_choose};
 use super::item::{Completion, ItemKind};
 use super::names::{self, Wanted};
 use super::scope::Scope;
@@ -9,16 +10,14 @@ use crate::typed::Typed;
 use base::FastSet;
 use model::{Joint, JointType, Kinematics};
 use project::{Srdf, joints_of_group};
-use rules::schema::{AttributeKind, ElementSpec};
+use rules::schema::AttributeKind;
 use xml::Node;
 
 /// Values of an attribute of a start tag in an SRDF.
 pub(super) fn values(
     scope: &Scope<'_>,
     typed: &Typed,
-    spec: Option<&'static ElementSpec>,
-    tag: &Open,
-    attribute: &str,
+    Place { spec, tag, attribute }: Place<'_>,
 ) -> Vec<Completion> {
     let Some(given) = spec.and_then(|spec| spec.attribute(attribute)) else { return Vec::new() };
     match given.kind {
@@ -26,9 +25,7 @@ pub(super) fn values(
         AttributeKind::Link => names::names(scope, typed, Wanted::Link, false),
         AttributeKind::Joint => joints(scope, typed),
         AttributeKind::Group => groups(scope, typed),
-        AttributeKind::Choice(words) => {
-            words.iter().map(|word| Completion::new(ItemKind::Choice, *word)).collect()
-        }
+        AttributeKind::Choice(words) => words_to_choose(words),
         AttributeKind::Number if tag.name == "joint" => positions(scope, tag),
         _ => Vec::new(),
     }

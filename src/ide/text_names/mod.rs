@@ -9,12 +9,12 @@ mod answers;
 mod collect;
 mod files;
 mod resolve;
+mod timing;
 mod ways;
 
 use ecow::EcoString;
 
 pub use answers::{definitions_by_text, occurrences};
-pub(super) use files::{alternatives, included};
 pub use ways::{Documents, further_places};
 
 use base::{FastMap, FastSet, FileId, Span};
@@ -38,6 +38,8 @@ pub struct TextNames {
     by_name: FastMap<(Class, EcoString), Vec<u32>>,
     /// Where macros are called, and blocks inserted: the scopes that their content sees.
     entered_from: FastMap<ScopeId, Vec<ScopeId>>,
+    /// The calls of macros: indices of [`TextNames::used`].
+    calls_of: FastMap<u32, Vec<u32>>,
     /// When each macro is called, the first time and the last.
     called_at: FastMap<u32, (u32, u32)>,
 }

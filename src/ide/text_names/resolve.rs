@@ -145,7 +145,7 @@ impl TextNames {
     }
 
     /// Whether a definition is made whenever something is evaluated.
-    fn is_sure(&self, given: &Given, at: Seen) -> bool {
+    pub(super) fn is_sure(&self, given: &Given, at: Seen) -> bool {
         if !given.is_sure {
             return false;
         }
@@ -178,78 +178,6 @@ impl TextNames {
             }
         }
         true
-    }
-
-    /// Of macros with one name, those that count when a use is evaluated: the last one that is sure to be defined then,
-    /// and those behind it.
-    fn at_that_time(&self, used: &Used, found: BTreeSet<u32>) -> BTreeSet<u32> {
-        if let Some(own) = self.defined_beside(used, &found) {
-            return own;
-        }
-        let given = |id: &u32| self.given.get(*id as usize);
-        let (first, last) = self.time(used.order, &used.scopes);
-        let before = |id: &u32, time: u32| given(id).is_some_and(|given| given.order < time);
-        let sure = found.iter().filter(|id| before(id, first));
-        let at = Seen { order: first, ..used.seen() };
-        let sure = sure.filter(|id| given(id).is_some_and(|given| self.is_sure(given, at)));
-        let Some(since) = sure.filter_map(|id| Some(given(id)?.order)).max() else { return found };
-        found.into_iter().filter(|id| before(id, last) && !before(id, since)).collect()
-    }
-
-    /// Of macros with one name, those that the body around a use defines in front of it: from the last one that is sure on, with those
-    /// that macros define which the body calls in between. None when the body is not sure to define one.
-    fn defined_beside(&self, used: &Used, found: &BTreeSet<u32>) -> Option<BTreeSet<u32>> {
-        let given = |id: &u32| self.given.get(*id as usize);
-        let is_own =
-            |given: &Given| given.is_in_body && given.scopes == used.scopes && given.order < used.order;
-        let own = found.iter().filter_map(given).filter(|given| is_own(given));
-        let since = own.filter(|given| self.is_sure(given, used.seen())).map(|given| given.order).max()?;
-        let calls = self.used.iter().filter(|call| call.class == Class::Macro && call.kind != UseKind::Given);
-        let calls =
-            calls.filter(|call| call.scopes == used.scopes && (since..used.order).contains(&call.order));
-        let called: FastSet<u32> = calls.flat_map(|call| self.macros(&call.called(), &call.scopes)).collect();
-        let is_called = |scope: &ScopeId| match self.scopes.get(scope.0 as usize) {
-            Some(Scope::Body(of)) => called.contains(of),
-            _ => false,
-        };
-        let counts = |given: &Given| match is_own(given) {
-            true => given.order >= since,
-            false => given.scopes.iter().any(is_called),
-        };
-        Some(found.iter().copied().filter(|id| given(id).is_some_and(counts)).collect())
-    }
-
-    /// When something in these scopes is evaluated, the first time and the last, as places in the order of evaluation: what stands in
-    /// a macro when that is called.
-    fn time(&self, order: u32, scopes: &[ScopeId]) -> (u32, u32) {
-        let mut found = NEVER;
-        for scope in scopes {
-            let of = match self.scopes.get(scope.0 as usize) {
-                Some(Scope::Body(of) | Scope::Callers(of)) => Some(of),
-                _ => None,
-            };
-            let time = of.map_or(Some((order, order)), |of| self.called_at.get(of).copied());
-            found = wider(found, time.unwrap_or(NEVER));
-        }
-        if found == NEVER { (order, u32::MAX) } else { found }
-    }
-
-    /// Work out when macros are called, of which the calls are known.
-    pub(super) fn set_times(&mut self, calls: &FastMap<u32, Vec<u32>>) {
-        let macros: Vec<u32> = calls.keys().copied().collect();
-        // a call in a macro is made when that is called: what one round adds, the next hands on
-        for _ in 0..MOST_CALLS {
-            let mut found: FastMap<u32, (u32, u32)> = FastMap::default();
-            for of in &macros {
-                let own = calls.get(of).into_iter().flatten().filter_map(|id| self.used.get(*id as usize));
-                let times = own.map(|used| self.time(used.order, &used.scopes));
-                found.insert(*of, times.fold(NEVER, wider));
-            }
-            if found == self.called_at {
-                break;
-            }
-            self.called_at = found;
-        }
     }
 
     /// The macros that `name`, with namespaces, calls in these scopes.
@@ -360,14 +288,6 @@ impl TextNames {
 }
 
 const MOST_STEPS: usize = 32;
-/// Calls inside of calls that are followed back.
-const MOST_CALLS: u32 = 8;
-/// The first time and the last of what is never evaluated.
-const NEVER: (u32, u32) = (u32::MAX, 0);
-
-fn wider(one: (u32, u32), other: (u32, u32)) -> (u32, u32) {
-    (one.0.min(other.0), one.1.max(other.1))
-}
 
 fn joined(outer: &str, inner: &str) -> EcoString {
     match (outer, inner) {

@@ -1,6 +1,6 @@
-//! Files that are included in branches that are not taken with these arguments.
+//! Files that are not included with these arguments: those of branches that are not taken, and the others that a computed name admits.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use super::super::context::DocumentCx;
@@ -8,6 +8,7 @@ use super::source;
 use base::{FastSet, FileId};
 use expand::Place;
 use vfs::SourceFile;
+use workspace::{admitted_files, named_file};
 use xml::NodeKind;
 
 /// The files that further arguments could bring in; none when it cannot be told which.
@@ -19,8 +20,12 @@ pub(super) fn files(cx: &DocumentCx<'_>) -> Option<Vec<Arc<SourceFile>>> {
     for (number, file) in (0..).zip(&cx.expansion.files) {
         for (range, filename) in includes(&file.source) {
             let place = Place { file: expand::FileIdx(number), range };
-            if !taken.contains(&place) {
-                open.push(load(cx, &filename, &file.source.path)?);
+            let brought_in = || load(cx, &filename, &file.source.path);
+            match taken.contains(&place) {
+                false => open.extend(brought_in()?),
+                // a folder that a property holds is often the same with all arguments: what was read has to do then
+                true if is_computed(&filename) => open.extend(brought_in().unwrap_or_default()),
+                true => {}
             }
         }
     }
@@ -28,7 +33,7 @@ pub(super) fn files(cx: &DocumentCx<'_>) -> Option<Vec<Arc<SourceFile>>> {
     while let Some(file) = open.pop() {
         if known.insert(file.id) {
             for (_, filename) in includes(&file) {
-                open.push(load(cx, &filename, &file.path)?);
+                open.extend(load(cx, &filename, &file.path)?);
             }
             found.push(file);
         }
@@ -50,17 +55,18 @@ fn includes(file: &SourceFile) -> Vec<(base::TextRange, String)> {
     found
 }
 
-fn load(cx: &DocumentCx<'_>, filename: &str, from: &Path) -> Option<Arc<SourceFile>> {
-    let path = match filename.strip_prefix("$(find ") {
-        Some(rest) => {
-            let (package, rest) = rest.split_once(')')?;
-            let found = cx.world.packages.find(package.trim(), from).ok()?;
-            found.path.join(rest.trim_start_matches('/'))
-        }
-        None => PathBuf::from(filename),
+/// Whether other arguments may name another file.
+fn is_computed(filename: &str) -> bool {
+    filename.replace("$(find ", "").contains('$')
+}
+
+/// The files that an include may bring in; none when that may be any.
+fn load(cx: &DocumentCx<'_>, filename: &str, from: &Path) -> Option<Vec<Arc<SourceFile>>> {
+    let (packages, vfs) = (cx.world.packages, cx.world.vfs);
+    let paths = match named_file(filename, from, packages, vfs) {
+        Some(path) => vec![path],
+        None => admitted_files(filename, from, packages, vfs),
     };
-    let computed = path.to_string_lossy().contains(['$', '*']);
-    let path = from.parent()?.join(path);
-    let path = cx.world.packages.present(&path);
-    cx.world.vfs.document(&cx.world.vfs.absolute(&path)).ok().filter(|_| !computed)
+    let files: Vec<_> = paths.iter().filter_map(|path| vfs.document(path).ok()).collect();
+    (!files.is_empty()).then_some(files)
 }

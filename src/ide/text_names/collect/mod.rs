@@ -61,7 +61,8 @@ impl TextNames {
                 entered.entry(Scope::Body(of)).or_default().extend(seen);
             }
         }
-        self.set_times(&calls_of);
+        self.calls_of = calls_of;
+        self.set_times();
         self.set_entered(entered);
         let mut entered: FastMap<Scope, Vec<ScopeId>> = FastMap::default();
         for used in self.used.iter().filter(|used| used.kind == UseKind::Insert) {

@@ -1,0 +1,145 @@
+//! When macros are called, and which of several definitions of one count then.
+
+use std::collections::BTreeSet;
+
+use super::{Given, Scope, ScopeId, Seen, TextNames, Used};
+use base::{FastMap, FastSet};
+
+/// Calls inside of calls that are followed back.
+const MOST_CALLS: u32 = 8;
+/// Calls that are followed back from one use.
+const MOST_STEPS: u32 = 200;
+/// The first time and the last of what is never evaluated.
+const NEVER: (u32, u32) = (u32::MAX, 0);
+
+fn wider(one: (u32, u32), other: (u32, u32)) -> (u32, u32) {
+    (one.0.min(other.0), one.1.max(other.1))
+}
+
+impl TextNames {
+    /// Of macros with one name, those that count when a use is evaluated: the last one that is sure to be defined then,
+    /// and those behind it.
+    pub(super) fn at_that_time(&self, used: &Used, found: BTreeSet<u32>) -> BTreeSet<u32> {
+        if found.len() < 2 {
+            return found;
+        }
+        if let Some(own) = self.defined_on_the_way(used, &found, &mut { MOST_STEPS }) {
+            return own;
+        }
+        let given = |id: &u32| self.given.get(*id as usize);
+        let (first, last) = self.time(used.order, &used.scopes);
+        let before = |id: &u32, time: u32| given(id).is_some_and(|given| given.order < time);
+        let sure = found.iter().filter(|id| before(id, first));
+        let at = Seen { order: first, ..used.seen() };
+        let sure = sure.filter(|id| given(id).is_some_and(|given| self.is_sure(given, at)));
+        let Some(since) = sure.filter_map(|id| Some(given(id)?.order)).max() else { return found };
+        found.into_iter().filter(|id| before(id, last) && !before(id, since)).collect()
+    }
+
+    /// Of macros with one name, those that the body around a use, or the bodies that call it, define in front of it: from the last one
+    /// that is sure on, with those that macros define which are called in between. None when no body on the way there is sure to define
+    /// one.
+    fn defined_on_the_way(
+        &self,
+        used: &Used,
+        found: &BTreeSet<u32>,
+        left: &mut u32,
+    ) -> Option<BTreeSet<u32>> {
+        let given = |id: &u32| self.given.get(*id as usize);
+        let is_own =
+            |given: &Given| given.is_in_body && given.scopes == used.scopes && given.order < used.order;
+        let own = found.iter().filter_map(given).filter(|given| is_own(given));
+        let since = own.filter(|given| self.is_sure(given, used.seen())).map(|given| given.order).max();
+        let mut counting = match since {
+            Some(_) => BTreeSet::new(),
+            None => self.defined_by_callers(used, found, left)?,
+        };
+        let since = since.unwrap_or(0);
+        let is_called = |scope: &ScopeId| {
+            self.macro_of(*scope)
+                .is_some_and(|of| self.is_called_between((since, used), of, &mut FastSet::default()))
+        };
+        let counts = |given: &Given| match is_own(given) {
+            true => given.order >= since,
+            false => given.scopes.iter().any(is_called),
+        };
+        counting.extend(found.iter().copied().filter(|id| given(id).is_some_and(counts)));
+        Some(counting)
+    }
+
+    /// Whether the body around a use calls a macro in front of it, but behind a place, be it through others.
+    fn is_called_between(&self, within: (u32, &Used), of: u32, seen: &mut FastSet<u32>) -> bool {
+        let (since, used) = within;
+        if !seen.insert(of) {
+            return false;
+        }
+        let mut calls =
+            self.calls_of.get(&of).into_iter().flatten().filter_map(|&id| self.used.get(id as usize));
+        calls.any(|call| {
+            let is_there = call.scopes == used.scopes && (since..used.order).contains(&call.order);
+            let mut around = call.scopes.iter().filter_map(|&scope| self.macro_of(scope));
+            is_there || around.any(|outer| self.is_called_between(within, outer, seen))
+        })
+    }
+
+    /// The macro whose body a scope is.
+    fn macro_of(&self, scope: ScopeId) -> Option<u32> {
+        match self.scopes.get(scope.0 as usize) {
+            Some(Scope::Body(of)) => Some(*of),
+            _ => None,
+        }
+    }
+
+    /// The same for what stands in the body of a macro: what counts where that is called. None when one call says nothing, or
+    /// stands in no body.
+    fn defined_by_callers(
+        &self,
+        used: &Used,
+        found: &BTreeSet<u32>,
+        left: &mut u32,
+    ) -> Option<BTreeSet<u32>> {
+        *left = left.checked_sub(1)?;
+        let mut counting = BTreeSet::new();
+        for &scope in &used.scopes {
+            let calls = self.calls_of.get(&self.macro_of(scope)?)?;
+            for call in calls.iter().filter_map(|&id| self.used.get(id as usize)) {
+                counting.extend(self.defined_on_the_way(call, found, left)?);
+            }
+        }
+        Some(counting)
+    }
+
+    /// When something in these scopes is evaluated, the first time and the last, as places in the order of evaluation: what stands in
+    /// a macro when that is called.
+    fn time(&self, order: u32, scopes: &[ScopeId]) -> (u32, u32) {
+        let mut found = NEVER;
+        for scope in scopes {
+            let of = match self.scopes.get(scope.0 as usize) {
+                Some(Scope::Body(of) | Scope::Callers(of)) => Some(of),
+                _ => None,
+            };
+            let time = of.map_or(Some((order, order)), |of| self.called_at.get(of).copied());
+            found = wider(found, time.unwrap_or(NEVER));
+        }
+        if found == NEVER { (order, u32::MAX) } else { found }
+    }
+
+    /// Work out when macros are called, of which the calls are known.
+    pub(super) fn set_times(&mut self) {
+        let macros: Vec<u32> = self.calls_of.keys().copied().collect();
+        // a call in a macro is made when that is called: what one round adds, the next hands on
+        for _ in 0..MOST_CALLS {
+            let mut found: FastMap<u32, (u32, u32)> = FastMap::default();
+            for of in &macros {
+                let own =
+                    self.calls_of.get(of).into_iter().flatten().filter_map(|id| self.used.get(*id as usize));
+                let times = own.map(|used| self.time(used.order, &used.scopes));
+                found.insert(*of, times.fold(NEVER, wider));
+            }
+            if found == self.called_at {
+                break;
+            }
+            self.called_at = found;
+        }
+    }
+}
