@@ -195,11 +195,16 @@ impl Session {
                 continue;
             }
             let is_certain = robots.len() == group.len() && robots.iter().all(|(_, known)| known.complete);
-            let names = robots.iter().flat_map(|(_, known)| &known.names).map(EcoString::as_str);
+            let mut names = robots.iter().flat_map(|(_, known)| &known.names).map(EcoString::as_str);
             let Some(call) = group.first() else { continue };
             let span = self.place_of(&call.call, argument);
             let is_certain = is_certain && !self.is_used_otherwise(&call.call, name);
-            found.push(unknown_launch_argument(span, name, robot, nearest(name, names), is_certain));
+            let near = nearest(name, names.clone());
+            // a value that is always the same, for a robot that knows nothing like it
+            let is_idle = near.is_none()
+                && argument.is_fixed(call.call.range)
+                && !names.any(|known| is_like(known, name));
+            found.push(unknown_launch_argument(span, name, robot, near, is_certain && !is_idle));
         }
     }
 
@@ -284,6 +289,13 @@ impl Session {
         let range = argument.range.and_then(within).or_else(|| within(call.range))?;
         Some(Span { file, range })
     }
+}
+
+/// Whether two names share most of their words.
+fn is_like(a: &str, b: &str) -> bool {
+    let words = |name: &str| name.split('_').map(str::to_lowercase).collect::<FastSet<String>>();
+    let (a, b) = (words(a), words(b));
+    a.intersection(&b).count() * 2 > a.len().min(b.len())
 }
 
 /// The first names of a list, and how many there are besides.

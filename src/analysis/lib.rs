@@ -45,6 +45,7 @@ mod runs;
 mod session;
 mod set_aside;
 mod suppress;
+mod unused;
 mod walk;
 mod world;
 
@@ -52,6 +53,8 @@ mod world;
 mod package_tests;
 #[cfg(test)]
 mod set_aside_tests;
+#[cfg(test)]
+mod unused_tests;
 
 pub use analyzed::Analyzed;
 pub use baseline::{Baseline, fingerprint};

@@ -19,6 +19,7 @@ use expand::{Expansion, Request, expand};
 use model::Robot;
 use rules::{Chosen, Content, Finding, Names, PairedRobot, all, check_beside, is_semantic_name, is_whole};
 use workspace::Target;
+use xml::Node;
 
 /// Robots and SRDFs, expanded.
 pub(in super::super) type Robots = FastMap<RootChoice, Arc<Analyzed>>;
@@ -257,6 +258,9 @@ impl Session {
             let Ok(source) = source else { continue };
             let nodes = source.document.parts().flat_map(|(_, item)| item.all_nodes());
             for node in nodes {
+                if ["xacro:if", "xacro:unless"].contains(&node.name()) {
+                    add_interfaces(node, names);
+                }
                 let has = |tag: &str| node.child_elements().any(|inner| inner.name() == tag);
                 let list = match node.name() {
                     "link" if !is_semantic_name(root) => &mut names.links,
@@ -274,6 +278,20 @@ impl Session {
                     files.push(file);
                 }
             }
+        }
+    }
+}
+
+/// Add the interfaces of hardware that a condition decides on.
+fn add_interfaces(condition: Node<'_>, names: &mut Names) {
+    for inner in condition.child_elements() {
+        match inner.name() {
+            "command_interface" | "state_interface" => {
+                names.interfaces.extend(inner.attr("name").map(|name| EcoString::from(name.raw())));
+            }
+            // those are visited by themselves
+            "xacro:if" | "xacro:unless" => {}
+            _ => add_interfaces(inner, names),
         }
     }
 }

@@ -84,6 +84,9 @@ fn report(
     place: &Named,
     (joint, interface, is_command): (&str, &str, bool),
 ) {
+    if cx.may_offer(interface) {
+        return;
+    }
     let kind = if is_command { "command" } else { "state" };
     let message = format!("joint `{joint}` has no {kind} interface `{interface}`");
     let offered = hardware.offered(joint, is_command);

@@ -1,0 +1,127 @@
+//! What is wrong in files that nothing in a workspace uses: in repositories of others that were copied into it, and in settings of
+//! controllers.
+
+use std::path::{Path, PathBuf};
+
+use super::beside::is_settings;
+use super::check::CheckOptions;
+use super::job::Outcome;
+use super::roots::Reason;
+use super::session::Session;
+use base::{FastMap, FastSet, FileId};
+use project::Controller;
+use rules::{Finding, Severity};
+use workspace::has_name;
+
+impl Session {
+    /// The files that were read for robots which this workspace uses; none when nothing in it was copied from others.
+    pub(super) fn read_for_used(
+        &self,
+        options: &CheckOptions,
+        outcomes: &[Outcome],
+    ) -> Option<FastSet<PathBuf>> {
+        let folders = options.paths.iter().map(|path| self.vfs.absolute(path));
+        let has_copies = |folder: PathBuf| self.vfs.is_dir(&folder) && self.has_copies(&folder.join("_"));
+        // an editor asks about the files that it shows
+        if !options.entries.is_empty() || !folders.into_iter().any(has_copies) {
+            return None;
+        }
+        let is_used = |outcome: &&Outcome| {
+            outcome.job.reason != Reason::Walked || !self.is_unused_copy(&outcome.job.file)
+        };
+        let used = outcomes.iter().filter(is_used);
+        Some(
+            used.flat_map(|outcome| std::iter::once(&outcome.job.file).chain(&outcome.reads))
+                .cloned()
+                .collect(),
+        )
+    }
+
+    /// What is wrong in settings of controllers is an info where no text names the file, and others name such a file of the same
+    /// package. Not when somebody asks for the file.
+    pub(super) fn settle_settings(&self, options: &CheckOptions, findings: &mut [Finding]) {
+        if !options.entries.is_empty() {
+            return;
+        }
+        let asked: FastSet<PathBuf> = options.paths.iter().map(|path| self.vfs.absolute(path)).collect();
+        self.lower_in(findings, |file| !asked.contains(file) && self.is_left_behind(file));
+        for finding in findings.iter_mut().filter(|finding| finding.severity > Severity::Info) {
+            let file = self.vfs.path(finding.span.file);
+            let is_idle = match finding.rule.name {
+                "controller-unknown-interface" | "controller-unknown-joint" => {
+                    self.is_never_started(&file, finding)
+                }
+                "moveit-unknown-controller" => self.is_listed_elsewhere(&file, finding),
+                _ => false,
+            };
+            if is_idle && !asked.contains(&*file) {
+                finding.severity = Severity::Info;
+            }
+        }
+    }
+
+    /// Whether a finding is about a controller that nothing starts, while others of the same file are started by their names.
+    fn is_never_started(&self, file: &Path, finding: &Finding) -> bool {
+        let Some(settings) = self.beside_settings(file) else { return false };
+        let is_before = |controller: &&Controller| controller.name.range.start <= finding.span.range.start;
+        let own = settings.controllers.iter().filter(is_before).max_by_key(|one| one.name.range.start);
+        let Some(own) = own.map(|own| own.name.name.as_str()) else { return false };
+        let texts = self.starters(file).into_iter().filter_map(|path| self.vfs.text(&path).ok());
+        let texts: Vec<_> = texts.collect();
+        let is_started = |name: &str| texts.iter().any(|text| has_name(&text.text, name));
+        !is_started(own) && settings.controllers.iter().any(|other| is_started(&other.name.name))
+    }
+
+    /// Whether another file of the workspace lists the controller that a finding is about: it is for another controller manager.
+    fn is_listed_elsewhere(&self, file: &Path, finding: &Finding) -> bool {
+        let text = self.vfs.text(file);
+        let name = text.map(|text| finding.span.range.slice(&text.text).to_owned()).unwrap_or_default();
+        let name = name.rsplit('/').next().unwrap_or_default().trim_matches(['"', '\'']).to_owned();
+        let around = self.beside_around(file);
+        let lists = |other: &PathBuf| {
+            let settings = self.beside_settings(other);
+            settings.is_some_and(|settings| settings.listed.iter().any(|one| one.name.name == name))
+        };
+        around.iter().filter(|other| *other != file && is_settings(other)).any(lists)
+    }
+
+    /// Whether a file lists controllers and no text names it, while texts name another one of its package.
+    fn is_left_behind(&self, file: &Path) -> bool {
+        let lists = |file: &Path| self.is_for_manager(file);
+        let folder = self.packages.containing(file).map(|package| package.folder);
+        // what the setup assistant of MoveIt writes is found by its name
+        let folder = folder.filter(|folder| !self.vfs.is_file(&folder.join(".setup_assistant")));
+        let Some(folder) = folder.filter(|_| lists(file) && !self.is_mentioned(file)) else { return false };
+        let around = self.beside_around(file);
+        let mut others = around.iter().filter(|other| *other != file && other.starts_with(&folder));
+        others.any(|other| lists(other) && self.is_mentioned(other))
+    }
+
+    /// What is wrong in such a repository is an info where nothing in the workspace leads to the file. Not when somebody asks for
+    /// a file or folder of that repository.
+    pub(super) fn settle_copies(
+        &self,
+        options: &CheckOptions,
+        used: &FastSet<PathBuf>,
+        findings: &mut [Finding],
+    ) {
+        let asked: Vec<PathBuf> = options.paths.iter().map(|path| self.vfs.absolute(path)).collect();
+        let is_asked = |copy: &Path| asked.iter().any(|path| path.starts_with(copy));
+        let is_unused = |file: &Path| {
+            let is_other = self.copied_with(file).is_some_and(|copy| !is_asked(&copy));
+            is_other && !used.contains(file) && self.is_unused_copy(file)
+        };
+        self.lower_in(findings, is_unused);
+    }
+
+    /// Make infos of what is wrong in some files.
+    fn lower_in(&self, findings: &mut [Finding], is_unused: impl Fn(&Path) -> bool) {
+        let mut known: FastMap<FileId, bool> = FastMap::default();
+        for finding in findings.iter_mut().filter(|finding| finding.severity > Severity::Info) {
+            let file = finding.span.file;
+            if *known.entry(file).or_insert_with(|| is_unused(&self.vfs.path(file))) {
+                finding.severity = Severity::Info;
+            }
+        }
+    }
+}
