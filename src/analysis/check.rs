@@ -290,7 +290,7 @@ impl Session {
         report.files.extend(documents.map(|file| (file.id, file)));
         report.compared = beside.files;
         let missing_arguments = self.missing_arguments(&mut kept);
-        let used = self.read_for_used(options, &kept);
+        let used = self.read_for_used(options, &mut kept);
         let mut findings = merge(kept);
         findings.extend(beside.findings);
         findings.extend(hiding.finish());

@@ -368,7 +368,7 @@ mod tests {
     fn arguments_that_no_robot_knows() {
         check_launch(&command(", ' use_sim:=true', ' inner:=1'"), &[], &[]);
         check_launch(
-            &command(", ' use_simm:=true', ' colour:=', colour"),
+            &command(", ' use_simm:=true', ' colour:=', LaunchConfiguration('colour')"),
             &[],
             &[
                 "error unknown argument `use_simm` of `arm.urdf.xacro` @use_simm `use_sim`?",
@@ -376,7 +376,10 @@ mod tests {
             ],
         );
         let process = "xacro.process_file(get_package_share_directory('arm') + '/urdf/arm.urdf.xacro', mappings={'colour': 'x'})";
-        check_launch(process, &[], &["warning unknown argument `colour` of `arm.urdf.xacro` @colour"]);
+        // nobody who starts it can give another value
+        check_launch(process, &[], &["info unknown argument `colour` of `arm.urdf.xacro` @colour"]);
+        let like = process.replace("colour", "use_in_sim");
+        check_launch(&like, &[], &["warning unknown argument `use_in_sim` of `arm.urdf.xacro` @use_in_sim"]);
     }
 
     #[test]
@@ -396,7 +399,7 @@ mod tests {
     #[test]
     fn launch_files_that_take_any_robot() {
         let launch = "DeclareLaunchArgument('kind', default_value='arm')\n\
-                      Command(['xacro ', FindPackageShare('arm'), '/urdf/', LaunchConfiguration('kind'), '.urdf.xacro', ' hand:=1'])\n";
+                      Command(['xacro ', FindPackageShare('arm'), '/urdf/', LaunchConfiguration('kind'), '.urdf.xacro', ' hand:=', LaunchConfiguration('h')])\n";
         let hand = "<robot name='h' xmlns:xacro='x'><xacro:arg name='hand' default=''/><link name='$(arg hand)a'/></robot>";
         let include = "IncludeLaunchDescription(PythonLaunchDescriptionSource([FindPackageShare('bringup'), \
                        '/launch/arm.launch.py']), launch_arguments={'kind': 'hand'}.items())\n";

@@ -80,7 +80,8 @@ impl Session {
             finding.rule.category == Category::Inertia || ABOUT_CONTACTS.contains(&finding.rule.name)
         };
         self.lower_where(findings, about_simulation, || {
-            (self.is_only_shown(&job.file) || self.is_never_simulated(&job.file)).then_some(Severity::Info)
+            let is_idle = || !self.is_loaded(&job.file) && self.is_never_simulated(&job.file);
+            (self.is_only_shown(&job.file) || is_idle()).then_some(Severity::Info)
         });
         // Bullet computes inertia from the shapes unless it is told otherwise
         let about_bullet = |finding: &Finding| {

@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::beside::is_settings;
+use super::beside::{is_settings, sort};
 use super::check::CheckOptions;
 use super::job::Outcome;
 use super::roots::Reason;
@@ -14,11 +14,12 @@ use rules::{Finding, Severity};
 use workspace::has_name;
 
 impl Session {
-    /// The files that were read for robots which this workspace uses; none when nothing in it was copied from others.
+    /// The files that were read for robots which this workspace uses; none when nothing in it was copied from others. What is
+    /// wrong in the other robots are infos.
     pub(super) fn read_for_used(
         &self,
         options: &CheckOptions,
-        outcomes: &[Outcome],
+        outcomes: &mut [Outcome],
     ) -> Option<FastSet<PathBuf>> {
         let folders = options.paths.iter().map(|path| self.vfs.absolute(path));
         let has_copies = |folder: PathBuf| self.vfs.is_dir(&folder) && self.has_copies(&folder.join("_"));
@@ -26,15 +27,27 @@ impl Session {
         if !options.entries.is_empty() || !folders.into_iter().any(has_copies) {
             return None;
         }
-        let is_used = |outcome: &&Outcome| {
-            outcome.job.reason != Reason::Walked || !self.is_unused_copy(&outcome.job.file)
-        };
-        let used = outcomes.iter().filter(is_used);
-        Some(
-            used.flat_map(|outcome| std::iter::once(&outcome.job.file).chain(&outcome.reads))
-                .cloned()
-                .collect(),
-        )
+        let asked = asked(self, options);
+        let mut used = FastSet::default();
+        for outcome in outcomes {
+            if outcome.job.reason == Reason::Walked && self.is_other(&outcome.job.file, &asked) {
+                for finding in &mut outcome.findings {
+                    finding.severity = finding.severity.min(Severity::Info);
+                }
+                continue;
+            }
+            used.insert(outcome.job.file.clone());
+            used.extend(outcome.reads.iter().cloned());
+        }
+        Some(used)
+    }
+
+    /// Whether a file belongs to a repository of others that nothing in the workspace leads to, and that nobody asks for.
+    fn is_other(&self, file: &Path, asked: &[PathBuf]) -> bool {
+        // settings are found by names that are put together
+        sort(file).is_none()
+            && self.copied_with(file).is_some_and(|copy| !asked.iter().any(|path| path.starts_with(&copy)))
+            && self.is_unused_copy(file)
     }
 
     /// What is wrong in settings of controllers is an info where no text names the file, and others name such a file of the same
@@ -52,6 +65,7 @@ impl Session {
                     self.is_never_started(&file, finding)
                 }
                 "moveit-unknown-controller" => self.is_listed_elsewhere(&file, finding),
+                "srdf-unknown-link" => self.is_in_launched(&file, finding),
                 _ => false,
             };
             if is_idle && !asked.contains(&*file) {
@@ -105,12 +119,8 @@ impl Session {
         used: &FastSet<PathBuf>,
         findings: &mut [Finding],
     ) {
-        let asked: Vec<PathBuf> = options.paths.iter().map(|path| self.vfs.absolute(path)).collect();
-        let is_asked = |copy: &Path| asked.iter().any(|path| path.starts_with(copy));
-        let is_unused = |file: &Path| {
-            let is_other = self.copied_with(file).is_some_and(|copy| !is_asked(&copy));
-            is_other && !used.contains(file) && self.is_unused_copy(file)
-        };
+        let asked = asked(self, options);
+        let is_unused = |file: &Path| !used.contains(file) && self.is_other(file, &asked);
         self.lower_in(findings, is_unused);
     }
 
@@ -124,4 +134,9 @@ impl Session {
             }
         }
     }
+}
+
+/// The files and folders that somebody asks for.
+fn asked(session: &Session, options: &CheckOptions) -> Vec<PathBuf> {
+    options.paths.iter().map(|path| session.vfs.absolute(path)).collect()
 }

@@ -68,15 +68,10 @@ fn copied_repositories() {
     // without a mark it is no other repository
     let plain: Vec<_> = own.iter().filter(|(name, _)| !name.ends_with(".yml")).cloned().collect();
     assert_eq!(severity_of("gripper.urdf", "", &plain), Some(Severity::Error));
-    // one that was released, or unpacked from a branch
+    // one that was released
     let released =
         [plain.clone(), vec![("src/gripper_stack/gripper_description/CHANGELOG.rst", String::new())]];
     assert_eq!(severity_of("gripper.urdf", "", &released.concat()), Some(Severity::Info));
-    let unpacked = plain.iter().map(|(name, text)| {
-        let name: &str = Box::leak(name.replace("gripper_stack", "gripper-master").into_boxed_str());
-        (name, text.clone())
-    });
-    assert_eq!(severity_of("gripper.urdf", "", &unpacked.collect::<Vec<_>>()), Some(Severity::Info));
 }
 
 #[test]
@@ -96,7 +91,19 @@ fn copied_repositories_that_are_used() {
         let all = [workspace(), vec![(name, text.to_owned())]].concat();
         assert_eq!(severity_of("gripper.urdf", "", &all), Some(Severity::Error), "{name}");
     }
-    // what is declared or mentioned in a comment leads nowhere
+    // a package that needs one of its family
+    let needs = |name: &str| {
+        let text = manifest("rover_description", "me@todo.todo");
+        let text = text.replace("</package>", &format!("<depend>{name}</depend></package>"));
+        severity_of(
+            "gripper.urdf",
+            "",
+            &[workspace(), vec![("src/rover_description/package.xml", text)]].concat(),
+        )
+    };
+    assert_eq!(needs("gripper_driver"), Some(Severity::Error));
+    assert_eq!(needs("gazebo_ros"), Some(Severity::Info));
+    // what a comment says leads nowhere
     let comment = (
         "src/rover_description/launch/all.launch",
         "<!-- $(find gripper_description) gripper.launch -->".to_owned(),
@@ -229,7 +236,10 @@ fn parts_in_texts_that_launch_files_pass_on() {
     assert_eq!(severity(passes), None);
     assert_eq!(severity(&passes.replace("extra:=", "other:=")), Some(Severity::Error));
     // the file itself is expanded
-    assert_eq!(severity("os.system('xacro urdf/extra.xacro')\nargs = 'extra:='"), Some(Severity::Error));
+    assert_eq!(
+        severity("Command(['xacro ', FindPackageShare('r'), '/urdf/extra.xacro'])\nargs = 'extra:='"),
+        Some(Severity::Error)
+    );
 }
 
 #[test]

@@ -248,6 +248,16 @@ impl Session {
 }
 
 impl Session {
+    /// Whether the link of an SRDF that a finding is about is spelled out in a robot that a launch file loads beside it.
+    pub(in super::super) fn is_in_launched(&self, file: &Path, finding: &Finding) -> bool {
+        let name = finding.message.split('`').nth(1).unwrap_or_default();
+        let mut names = Names::default();
+        for root in self.by_launch(file).iter().flat_map(|pairing| &pairing.roots) {
+            self.add_written(&root.file, &mut names);
+        }
+        names.links.contains(name)
+    }
+
     /// Add the names that the texts of a file and of those that it may include spell out, in branches and macros that take
     /// no part too.
     fn add_written(&self, root: &Path, names: &mut Names) {

@@ -165,7 +165,7 @@ impl Session {
     }
 
     /// The robots that a launch file calls which names the file, or builds the configuration of its package.
-    fn by_launch(&self, path: &Path) -> Option<Pairing> {
+    pub(super) fn by_launch(&self, path: &Path) -> Option<Pairing> {
         let name = path.file_name()?.to_str()?;
         let package = self.packages.containing(path)?;
         let says = |caller: &Path| {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::{Callers, Uses, name_of};
+use super::{Callers, Uses};
 use crate::Packages;
 use crate::manifest::MANIFEST;
 use base::FastSet;
@@ -25,9 +25,6 @@ const MARKS: [&str; 12] = [
     ".codecov.yml",
 ];
 
-/// What the name of a folder ends with that was unpacked from a branch of a repository.
-const BRANCHES: [&str; 3] = ["-master", "-main", "-devel"];
-
 /// What tools write into a manifest for somebody to fill in.
 const DRAFTS: [&str; 2] = ["@todo.todo", "<license>TODO"];
 
@@ -46,6 +43,8 @@ struct Member {
     /// Whether its manifest is as a tool made it, with things to be filled in: nobody else has published it.
     is_draft: bool,
     people: Vec<String>,
+    /// The first words of the names of the packages that it needs.
+    needs: Vec<String>,
 }
 
 impl Callers {
@@ -135,6 +134,7 @@ fn copied_below(top: &Path, packages: &Packages, uses: impl FnOnce() -> Option<A
             folder,
             is_draft: DRAFTS.iter().any(|draft| manifest.contains(draft)),
             people: people(manifest),
+            needs: needs(manifest).filter_map(family).map(str::to_owned).collect(),
         }
     };
     let mut members: Vec<Member> = packages.below(top).into_iter().map(member).collect();
@@ -177,8 +177,7 @@ fn copied_with(top: &Path, package: &Path, vfs: &Vfs) -> Option<PathBuf> {
     if folders().any(|folder| vfs.exists(&folder.join(".git"))) {
         return None;
     }
-    let is_branch = |folder: &Path| BRANCHES.iter().any(|branch| name_of(folder).ends_with(branch));
-    let marked = folders().filter(|folder| has_mark(vfs, folder) || is_branch(folder)).last();
+    let marked = folders().filter(|folder| has_mark(vfs, folder)).last();
     let is_released = || vfs.is_file(&package.join("CHANGELOG.rst"));
     marked.or_else(|| is_released().then_some(package)).map(Path::to_owned)
 }
@@ -187,13 +186,14 @@ fn has_mark(vfs: &Vfs, folder: &Path) -> bool {
     vfs.list_dir(folder).iter().any(|entry| MARKS.contains(&entry.name.as_str()))
 }
 
-/// A copy one of whose packages shares people or the first word of its name with one of this repository: with the drafts, where
-/// there are some.
+/// A copy one of whose packages shares people or the first word of its name with one of this repository, or one that it needs: with
+/// the drafts, where there are some.
 fn related(members: &[Member]) -> Option<PathBuf> {
     let has_drafts = members.iter().any(Member::is_own_draft);
     let own = || members.iter().filter(|one| one.copied.is_none() && (one.is_draft || !has_drafts));
     let known: FastSet<&String> = own().flat_map(|one| &one.people).collect();
-    let families: FastSet<&str> = own().filter_map(|one| family(&one.name)).collect();
+    let needed = own().flat_map(|one| one.needs.iter().map(String::as_str));
+    let families: FastSet<&str> = own().filter_map(|one| family(&one.name)).chain(needed).collect();
     let is_related = |one: &&Member| {
         one.people.iter().any(|person| known.contains(person))
             || family(&one.name).is_some_and(|family| families.contains(family))
@@ -204,6 +204,16 @@ fn related(members: &[Member]) -> Option<PathBuf> {
 /// The first word of the name of a package, where it says something.
 fn family(name: &str) -> Option<&str> {
     name.split(['_', '-']).next().filter(|word| !COMMON.contains(word))
+}
+
+/// The packages that a manifest says it needs.
+fn needs(manifest: &str) -> impl Iterator<Item = &str> {
+    let elements = manifest.split('<').filter_map(|part| part.split_once('>'));
+    let is_need = |(tag, _): &(&str, &str)| {
+        let tag = tag.split_whitespace().next().unwrap_or("");
+        tag.ends_with("depend") && !tag.starts_with('/') && !tag.starts_with("buildtool")
+    };
+    elements.filter(is_need).map(|(_, name)| name.trim())
 }
 
 /// The addresses of the people that a manifest names.
