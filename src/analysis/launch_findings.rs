@@ -367,8 +367,10 @@ mod tests {
     #[test]
     fn arguments_that_no_robot_knows() {
         check_launch(&command(", ' use_sim:=true', ' inner:=1'"), &[], &[]);
+        let declared = "DeclareLaunchArgument('colour', default_value='red')\n";
         check_launch(
-            &command(", ' use_simm:=true', ' colour:=', LaunchConfiguration('colour')"),
+            &(declared.to_owned()
+                + &command(", ' use_simm:=true', ' colour:=', LaunchConfiguration('colour')")),
             &[],
             &[
                 "error unknown argument `use_simm` of `arm.urdf.xacro` @use_simm `use_sim`?",
@@ -378,8 +380,12 @@ mod tests {
         let process = "xacro.process_file(get_package_share_directory('arm') + '/urdf/arm.urdf.xacro', mappings={'colour': 'x'})";
         // nobody who starts it can give another value
         check_launch(process, &[], &["info unknown argument `colour` of `arm.urdf.xacro` @colour"]);
-        let like = process.replace("colour", "use_in_sim");
-        check_launch(&like, &[], &["warning unknown argument `use_in_sim` of `arm.urdf.xacro` @use_in_sim"]);
+        let like = process.replace("colour", "sim_use_case");
+        check_launch(
+            &like,
+            &[],
+            &["warning unknown argument `sim_use_case` of `arm.urdf.xacro` @sim_use_case"],
+        );
     }
 
     #[test]
@@ -398,7 +404,7 @@ mod tests {
 
     #[test]
     fn launch_files_that_take_any_robot() {
-        let launch = "DeclareLaunchArgument('kind', default_value='arm')\n\
+        let launch = "DeclareLaunchArgument('kind', default_value='arm')\nDeclareLaunchArgument('h')\n\
                       Command(['xacro ', FindPackageShare('arm'), '/urdf/', LaunchConfiguration('kind'), '.urdf.xacro', ' hand:=', LaunchConfiguration('h')])\n";
         let hand = "<robot name='h' xmlns:xacro='x'><xacro:arg name='hand' default=''/><link name='$(arg hand)a'/></robot>";
         let include = "IncludeLaunchDescription(PythonLaunchDescriptionSource([FindPackageShare('bringup'), \

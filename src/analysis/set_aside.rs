@@ -47,6 +47,9 @@ const MODEL_DEPTH: usize = 3;
 /// Rules about collisions that a robot which is only shown does not need.
 const ABOUT_CONTACTS: [&str; 2] = ["collision-mesh-too-detailed", "mesh-inconsistent-normals"];
 
+/// Rules about masses and inertias below zero.
+const OF_WRONG_SIGN: [&str; 2] = ["inertia-not-positive-definite", "negative-mass"];
+
 /// Rules about what only urdfdom rejects, and Bullet accepts.
 /// Source: `UrdfParser.cpp` of Bullet 3.25, and loading with PyBullet.
 const TAKEN_BY_BULLET: [&str; 10] = [
@@ -80,8 +83,14 @@ impl Session {
             finding.rule.category == Category::Inertia || ABOUT_CONTACTS.contains(&finding.rule.name)
         };
         self.lower_where(findings, about_simulation, || {
-            let is_idle = || !self.is_loaded(&job.file) && self.is_never_simulated(&job.file);
-            (self.is_only_shown(&job.file) || is_idle()).then_some(Severity::Info)
+            self.is_only_shown(&job.file).then_some(Severity::Info)
+        });
+        // a value of the wrong sign is a slip, whoever reads it
+        let is_idle =
+            |finding: &Finding| about_simulation(finding) && !OF_WRONG_SIGN.contains(&finding.rule.name);
+        self.lower_where(findings, is_idle, || {
+            let is_idle = !self.is_loaded(&job.file) && self.is_never_simulated(&job.file);
+            is_idle.then_some(Severity::Info)
         });
         // Bullet computes inertia from the shapes unless it is told otherwise
         let about_bullet = |finding: &Finding| {
