@@ -285,10 +285,12 @@ impl Session {
         let config_findings = self.config_findings(options, &report, &kept);
         let drift_findings = self.drift_findings(options, &kept);
         beside.findings.retain(|finding| !hiding.hides(finding, &[]));
+        self.settle_settings(options, &mut beside.findings);
         let documents = beside.files.iter().filter_map(|file| self.vfs.document(file).ok());
         report.files.extend(documents.map(|file| (file.id, file)));
         report.compared = beside.files;
         let missing_arguments = self.missing_arguments(&mut kept);
+        let used = self.read_for_used(options, &mut kept);
         let mut findings = merge(kept);
         findings.extend(beside.findings);
         findings.extend(hiding.finish());
@@ -299,6 +301,9 @@ impl Session {
             findings.extend(self.launch_findings(options));
         }
         findings.retain(|finding| !is_of_broken_text(finding, &report));
+        if let Some(used) = used {
+            self.settle_copies(options, &used, &mut findings);
+        }
         findings.retain_mut(|finding| self.admit(finding, &homes));
         self.adapt_line_ends(&mut findings);
         for finding in &mut findings {

@@ -5,12 +5,24 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use base::FastMap;
+use base::{FastMap, FastSet};
 use facts::{Fact, FactKind, facts};
 use vfs::SourceFile;
 use workspace::config::Pattern;
 use workspace::{Packages, include_pattern, included_files};
 use xml::Node;
+
+/// The arguments that are the whole name of a file that a file includes: `extra` of `$(arg extra)`.
+fn given_whole(source: &SourceFile) -> Vec<String> {
+    let nodes = source.document.parts().flat_map(|(_, item)| item.all_nodes());
+    let includes = nodes.filter(|node| node.name() == "xacro:include");
+    let whole = |node: Node<'_>| {
+        let name =
+            node.attr("filename")?.raw().trim().strip_prefix("$(arg ")?.strip_suffix(')')?.trim().to_owned();
+        (!name.contains(['$', '(', ' '])).then_some(name)
+    };
+    includes.filter_map(whole).collect()
+}
 
 /// The files that a file may include, as patterns of absolute paths.
 pub(super) fn patterns(source: &SourceFile, packages: &Packages) -> Vec<Pattern> {
@@ -58,6 +70,8 @@ pub(super) struct Included {
     files: Vec<Arc<SourceFile>>,
     /// By the beginning that is sure: who includes what.
     by_start: FastMap<PathBuf, Vec<Include>>,
+    /// The arguments that are the whole name of an included file.
+    given: FastSet<String>,
 }
 
 /// What a file includes.
@@ -81,7 +95,8 @@ impl Included {
     /// What these files include.
     pub(super) fn of_files(files: Vec<Arc<SourceFile>>, packages: &Packages) -> Self {
         let includes = files.par_iter().map(|source| Self::by(source, packages)).collect();
-        Self { files, ..Self::of(includes) }
+        let given = files.iter().flat_map(|source| given_whole(source)).collect();
+        Self { files, given, ..Self::of(includes) }
     }
 
     /// Whether a file defines a property of that name outside of macros.
@@ -91,6 +106,11 @@ impl Included {
             let is_it = |fact: &Fact| !fact.in_macro && fact.name == property;
             facts.any(|(_, facts)| facts.of(FactKind::Property).any(is_it))
         })
+    }
+
+    /// The arguments that are the whole name of a file that somebody includes.
+    pub(super) fn given(&self) -> impl Iterator<Item = &str> {
+        self.given.iter().map(String::as_str)
     }
 
     /// Those of many.

@@ -149,7 +149,7 @@ pub(super) fn judge(
     }
     findings.extend(session.nameless(&Checked { job: &job, kind, expansion, robot }));
     session.settle_by_role(&Checked { job: &job, kind, expansion, robot }, &mut findings);
-    session.settle_set_aside(&job, &mut findings);
+    session.settle_set_aside(&job, robot, &mut findings);
     let is_meant = is_meant_as_robot(expansion, kind);
     Outcome {
         is_robot: kind == RootKind::Robot,

@@ -195,11 +195,16 @@ impl Session {
                 continue;
             }
             let is_certain = robots.len() == group.len() && robots.iter().all(|(_, known)| known.complete);
-            let names = robots.iter().flat_map(|(_, known)| &known.names).map(EcoString::as_str);
+            let mut names = robots.iter().flat_map(|(_, known)| &known.names).map(EcoString::as_str);
             let Some(call) = group.first() else { continue };
             let span = self.place_of(&call.call, argument);
             let is_certain = is_certain && !self.is_used_otherwise(&call.call, name);
-            found.push(unknown_launch_argument(span, name, robot, nearest(name, names), is_certain));
+            let near = nearest(name, names.clone());
+            // a value that is always the same, for a robot that knows nothing like it
+            let is_idle = near.is_none()
+                && argument.is_fixed(call.call.range)
+                && !names.any(|known| is_like(known, name));
+            found.push(unknown_launch_argument(span, name, robot, near, is_certain && !is_idle));
         }
     }
 
@@ -286,6 +291,13 @@ impl Session {
     }
 }
 
+/// Whether two names share most of their words.
+fn is_like(a: &str, b: &str) -> bool {
+    let words = |name: &str| name.split('_').map(str::to_lowercase).collect::<FastSet<String>>();
+    let (a, b) = (words(a), words(b));
+    a.intersection(&b).count() * 2 > a.len().min(b.len())
+}
+
 /// The first names of a list, and how many there are besides.
 fn in_short(names: &[String]) -> String {
     const MOST: usize = 3;
@@ -355,8 +367,10 @@ mod tests {
     #[test]
     fn arguments_that_no_robot_knows() {
         check_launch(&command(", ' use_sim:=true', ' inner:=1'"), &[], &[]);
+        let declared = "DeclareLaunchArgument('colour', default_value='red')\n";
         check_launch(
-            &command(", ' use_simm:=true', ' colour:=', colour"),
+            &(declared.to_owned()
+                + &command(", ' use_simm:=true', ' colour:=', LaunchConfiguration('colour')")),
             &[],
             &[
                 "error unknown argument `use_simm` of `arm.urdf.xacro` @use_simm `use_sim`?",
@@ -364,7 +378,14 @@ mod tests {
             ],
         );
         let process = "xacro.process_file(get_package_share_directory('arm') + '/urdf/arm.urdf.xacro', mappings={'colour': 'x'})";
-        check_launch(process, &[], &["warning unknown argument `colour` of `arm.urdf.xacro` @colour"]);
+        // nobody who starts it can give another value
+        check_launch(process, &[], &["info unknown argument `colour` of `arm.urdf.xacro` @colour"]);
+        let like = process.replace("colour", "sim_use_case");
+        check_launch(
+            &like,
+            &[],
+            &["warning unknown argument `sim_use_case` of `arm.urdf.xacro` @sim_use_case"],
+        );
     }
 
     #[test]
@@ -383,8 +404,8 @@ mod tests {
 
     #[test]
     fn launch_files_that_take_any_robot() {
-        let launch = "DeclareLaunchArgument('kind', default_value='arm')\n\
-                      Command(['xacro ', FindPackageShare('arm'), '/urdf/', LaunchConfiguration('kind'), '.urdf.xacro', ' hand:=1'])\n";
+        let launch = "DeclareLaunchArgument('kind', default_value='arm')\nDeclareLaunchArgument('h')\n\
+                      Command(['xacro ', FindPackageShare('arm'), '/urdf/', LaunchConfiguration('kind'), '.urdf.xacro', ' hand:=', LaunchConfiguration('h')])\n";
         let hand = "<robot name='h' xmlns:xacro='x'><xacro:arg name='hand' default=''/><link name='$(arg hand)a'/></robot>";
         let include = "IncludeLaunchDescription(PythonLaunchDescriptionSource([FindPackageShare('bringup'), \
                        '/launch/arm.launch.py']), launch_arguments={'kind': 'hand'}.items())\n";

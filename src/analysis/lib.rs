@@ -45,6 +45,7 @@ mod runs;
 mod session;
 mod set_aside;
 mod suppress;
+mod unused;
 mod walk;
 mod world;
 
@@ -54,6 +55,8 @@ mod package_tests;
 mod set_aside_tests;
 #[cfg(test)]
 mod unused_tests;
+#[cfg(test)]
+mod used_names_tests;
 
 pub use analyzed::Analyzed;
 pub use baseline::{Baseline, fingerprint};

@@ -95,7 +95,7 @@ impl Session {
 
     fn role(&self, checked: &Checked<'_>, findings: &[Finding]) -> Role {
         match self.role_by_itself(checked, findings) {
-            Role::Root if checked.job.reason == Reason::Walked && self.is_passed(&checked.job.file) => {
+            Role::Root if checked.job.reason == Reason::Walked && self.is_for_another(&checked.job.file) => {
                 Role::Part
             }
             role => role,
@@ -158,6 +158,16 @@ impl Session {
     /// Whether a file of the workspace includes this one, whatever the condition around the include.
     pub(super) fn is_included(&self, file: &Path) -> bool {
         self.included_around(file).is_some_and(|included| included.has(file))
+    }
+
+    /// Whether a launch file gives a file to another robot, which includes what it is given.
+    fn is_for_another(&self, file: &Path) -> bool {
+        let given = || -> Vec<String> {
+            let all = self.included_around(file);
+            all.iter().flat_map(|all| all.given()).map(|name| format!("{name}:=")).collect()
+        };
+        let is_called = || self.calls_around(file).iter().any(|call| call.target.as_deref() == Some(file));
+        self.is_passed(file) || !is_called() && given().iter().any(|given| self.is_quoted(file, given))
     }
 
     /// Whether a launch file gives a file to another robot, as the value of an argument.

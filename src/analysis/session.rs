@@ -221,8 +221,8 @@ impl Session {
     }
 
     /// The names of the descriptions that launch files load instead of this one.
-    pub(super) fn launched_instead(&self, file: &Path) -> FastSet<String> {
-        self.callers.launched_instead(file, &self.packages)
+    pub(super) fn launched_instead(&self, file: &Path, may_be_given: bool) -> FastSet<String> {
+        self.callers.launched_instead(file, &self.packages, may_be_given)
     }
 
     /// Whether launch files load other descriptions, and nothing can mean this one, which lies in no package.
@@ -238,6 +238,41 @@ impl Session {
     /// Whether a file that names a description also holds a text, letter for letter.
     pub(super) fn is_quoted(&self, file: &Path, text: &str) -> bool {
         self.callers.quote(file, text, &self.packages)
+    }
+
+    /// Whether launch files and programs use what lies around a file, and none of them simulates anything.
+    pub(super) fn is_never_simulated(&self, file: &Path) -> bool {
+        self.callers.never_simulate(file, &self.packages)
+    }
+
+    /// Whether the pages around a file name only old distributions.
+    pub(super) fn is_for_old_ros(&self, file: &Path) -> bool {
+        self.callers.is_for_old_ros(file, &self.packages)
+    }
+
+    /// The texts around a file that start controllers.
+    pub(super) fn starters(&self, file: &Path) -> Vec<PathBuf> {
+        self.callers.starters(file, &self.packages)
+    }
+
+    /// Whether a text of the workspace holds the name of a file.
+    pub(super) fn is_mentioned(&self, file: &Path) -> bool {
+        self.callers.mention_file(file, &self.packages)
+    }
+
+    /// Whether a repository of others was copied into the sources around a file.
+    pub(super) fn has_copies(&self, file: &Path) -> bool {
+        self.callers.has_copies(file, &self.packages)
+    }
+
+    /// The folder of the repository of others that a file was copied with into this workspace.
+    pub(super) fn copied_with(&self, file: &Path) -> Option<PathBuf> {
+        self.callers.copied_with(file, &self.packages)
+    }
+
+    /// Whether a file was copied with a repository of others, and nothing else in the workspace leads to it.
+    pub(super) fn is_unused_copy(&self, file: &Path) -> bool {
+        self.callers.is_unused_copy(file, &self.packages, |file| self.includers(file))
     }
 
     /// What the descriptions below a folder include, as `make` finds it the first time.

@@ -2,13 +2,16 @@
 
 use std::path::{Path, PathBuf};
 
+use super::beside::stem;
 use super::drift::banner;
+use super::graph;
 use super::job::Outcome;
 use super::roots::{Job, Reason};
 use super::session::Session;
 use super::walk;
 use base::FastSet;
 use expand::ProblemKind;
+use model::{Joint, Robot};
 use rules::{Category, Finding, Group, Severity, Trait, named};
 use vfs::SourceFile;
 use workspace::Era;
@@ -32,17 +35,27 @@ const KEPT: [&str; 15] = [
     "unused",
 ];
 
+/// Folders of tests.
+const TESTS: [&str; 4] = ["fixtures", "test", "testdata", "tests"];
+
+/// Words in the name of a file for a test that say that it has to be refused.
+const REFUSED: [&str; 9] =
+    ["bad", "broken", "error", "fail", "failing", "fails", "invalid", "malformed", "wrong"];
+
 /// How many folders above a file a model of Gazebo begins at most.
 const MODEL_DEPTH: usize = 3;
 
 impl Session {
     /// What is wrong in a file that was set aside is an info. Not when somebody asks for this very file.
-    pub(super) fn settle_set_aside(&self, job: &Job, findings: &mut [Finding]) {
+    pub(super) fn settle_set_aside(&self, job: &Job, robot: Option<&Robot>, findings: &mut [Finding]) {
         let is_news = |finding: &Finding| finding.severity > Severity::Info;
         if job.reason != Reason::Walked || !findings.iter().any(is_news) {
             return;
         }
-        if self.is_set_aside(&job.file) {
+        if robot.is_some_and(is_list_of_joints)
+            || self.is_wrong_on_purpose(&job.file)
+            || self.is_set_aside(&job.file)
+        {
             lower(findings);
         }
         let about_simulation = |finding: &Finding| {
@@ -51,11 +64,19 @@ impl Session {
         self.lower_where(findings, about_simulation, || {
             self.is_only_shown(&job.file).then_some(Severity::Info)
         });
+        // a value of the wrong sign is a slip, whoever reads it
+        let is_idle = |finding: &Finding| about_simulation(finding) && !finding.rule.has(Trait::WrongSign);
+        self.lower_where(findings, is_idle, || {
+            let is_idle = !self.is_loaded(&job.file) && self.is_never_simulated(&job.file);
+            is_idle.then_some(Severity::Info)
+        });
         // Bullet computes inertia from the shapes unless it is told otherwise
         let about_bullet = |finding: &Finding| {
             // what has a fix is text before the declaration
             let is_before = finding.rule == named::XML_SYNTAX_ERROR && finding.fix.is_some();
-            let is_taken = is_before || finding.rule.has(Trait::AcceptedByBullet);
+            let is_taken = is_before
+                || finding.rule.has(Trait::AcceptedByBullet)
+                || finding.rule == named::MESH_NOT_FOUND && self.is_above(&job.file, finding);
             is_taken || finding.rule.category == Category::Inertia
         };
         self.lower_where(findings, about_bullet, || self.is_for_bullet(&job.file).then_some(Severity::Info));
@@ -124,7 +145,7 @@ impl Session {
             _ if self.is_of_rosbuild(file) => Some(Severity::Info),
             Era::Unordered | Era::Old => Some(Severity::Info),
             Era::Melodic => Some(Severity::Warning),
-            Era::Any => None,
+            Era::Any => self.is_for_old_ros(file).then_some(Severity::Info),
         }
     }
 
@@ -175,6 +196,27 @@ impl Session {
         self.words_of(file).iter().any(|word| KEPT.contains(&word.as_str()))
     }
 
+    /// Whether the folder of a relative mesh lies in one above the file, where Bullet looks as well.
+    fn is_above(&self, file: &Path, finding: &Finding) -> bool {
+        const MOST_FOLDERS: usize = 4;
+        let source = self.vfs.document(&self.vfs.path(finding.span.file));
+        let name = source.map(|source| source.document.slice(finding.span.range)).unwrap_or_default();
+        let folder = Path::new(name.trim_start_matches("./")).parent().map(Path::to_owned);
+        let Some(folder) = folder.filter(|folder| folder.iter().next().is_some() && !name.contains(':'))
+        else {
+            return false;
+        };
+        let above = file.ancestors().skip(2).take(MOST_FOLDERS);
+        above.into_iter().any(|top| self.vfs.is_dir(&top.join(&folder)))
+    }
+
+    /// Whether a file is one of a test, which has to be refused.
+    fn is_wrong_on_purpose(&self, file: &Path) -> bool {
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        let is_refused = words(&name).iter().any(|word| REFUSED.contains(&word.as_str()));
+        is_refused && self.words_of(file).iter().any(|word| TESTS.contains(&word.as_str()))
+    }
+
     /// Whether a file lies in a model of Gazebo, whose `model.config` names another one.
     fn is_beside_model(&self, file: &Path) -> bool {
         let config = file.ancestors().skip(1).take(MODEL_DEPTH).map(|folder| folder.join("model.config"));
@@ -187,7 +229,10 @@ impl Session {
 
     /// Whether launch files load other descriptions of the package, and nothing can mean this one.
     fn is_left_over(&self, file: &Path) -> bool {
-        let launched = self.launched_instead(file);
+        let mut launched = self.launched_instead(file, false);
+        if !launched.is_empty() && self.may_be_given(file, &launched) {
+            launched = self.launched_instead(file, true);
+        }
         let Some(package) = self.packages.containing(file).filter(|_| !launched.is_empty()) else {
             return false;
         };
@@ -198,13 +243,32 @@ impl Session {
         walk::all_descriptions(&package.folder, &self.vfs, &self.env).iter().any(is_launched)
     }
 
+    /// Whether somebody may start a launch file that takes the name of any description with this one: it is a robot, and none of
+    /// the same name is launched.
+    fn may_be_given(&self, file: &Path, launched: &FastSet<String>) -> bool {
+        let gives_robot = self.vfs.document(file).is_ok_and(|source| graph::gives_robot(&source.document));
+        let is_same = |name: &String| {
+            let other = file.with_file_name(name);
+            other != file && stem(&other) == stem(file) && self.vfs.is_file(&other)
+        };
+        gives_robot && !launched.iter().any(is_same)
+    }
+
     /// The words in the path of a file, from the top of the workspace. What file managers call copies are old.
     fn words_of(&self, file: &Path) -> Vec<String> {
         let top = self.packages.sources_around(file);
         let inside =
             top.and_then(|top| file.strip_prefix(top).ok().map(Path::to_path_buf)).unwrap_or_default();
-        words(&inside.to_string_lossy().replace("(copy", "(old"))
+        let copied = ["(copy", "(copia", "(otra copia", "(copie", "(kopie"];
+        let path = inside.to_string_lossy().to_lowercase();
+        words(&copied.iter().fold(path, |path, copy| path.replace(copy, "(old")))
     }
+}
+
+/// Whether a file has the form of a robot and only lists joints with their limits, as `joint_state_publisher` shows them.
+fn is_list_of_joints(robot: &Robot) -> bool {
+    let is_bare = |joint: &Joint| joint.kind.is_none() && joint.parent.is_none() && joint.child.is_none();
+    robot.links.is_empty() && !robot.joints.is_empty() && robot.joints.iter().all(is_bare)
 }
 
 /// Whether the name of a file says that it is to be filled in.

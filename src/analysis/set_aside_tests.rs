@@ -142,6 +142,14 @@ fn files_that_are_left_over() {
             vec![("launch/show.launch.py", "Command(['xacro ', LaunchConfiguration('model')]), 'new.urdf'")],
             Severity::Error,
         ),
+        // this one has the source of the launched robot for its name
+        (
+            vec![
+                ("urdf/arm.xacro", "<robot name='a'><link name='b'/></robot>"),
+                ("launch/show.launch.py", "Command(['xacro ', LaunchConfiguration('model')]), 'arm.xacro'"),
+            ],
+            Severity::Info,
+        ),
     ] {
         assert_eq!(severity(&files), expected, "{files:?}");
     }

@@ -1,30 +1,281 @@
-//! What counts as used: what any file may use that some arguments bring in.
+//! Which findings are infos where nothing in a workspace leads to a file.
 
-use crate::set_aside_tests::found;
+use crate::{CheckOptions, Session, Setup};
+use rules::Severity;
+use vfs::testing::Tree;
+
+const BROKEN: &str = "<robot name='r'><link name='base'><visual/></link></robot>";
+
+/// The severity of a rule in one of these files, when a folder of them is checked.
+fn severity_below(folder: &str, files: &[(&str, &str)], file: &str, rule: &str) -> Option<Severity> {
+    let tree = Tree::new();
+    for (name, text) in files {
+        tree.write(name, text);
+    }
+    let path = if folder.is_empty() { tree.root().to_owned() } else { tree.path(folder) };
+    let setup = Setup { folders: vec![path.clone()], ..Setup::default() };
+    let session = Session::new(&tree.environment(&[]), setup).unwrap();
+    let report = session.check(&CheckOptions { paths: vec![path], ..CheckOptions::default() });
+    let is_it = |finding: &&rules::Finding| {
+        let path = session.vfs.path(finding.span.file);
+        finding.rule.name == rule && (file.is_empty() || path.ends_with(file))
+    };
+    report.findings.iter().find(is_it).map(|finding| finding.severity)
+}
+
+fn manifest(name: &str, person: &str) -> String {
+    format!("<package><name>{name}</name><maintainer email='{person}'>P</maintainer></package>")
+}
+
+/// A workspace with a robot of its own, and a package of another repository.
+fn workspace() -> Vec<(&'static str, String)> {
+    vec![
+        ("src/rover_description/package.xml", manifest("rover_description", "me@todo.todo")),
+        ("src/rover_description/urdf/rover.urdf", BROKEN.to_owned()),
+        ("src/rover_description/launch/show.launch", "<param textfile='rover.urdf'/>".to_owned()),
+        ("src/gripper_stack/.travis.yml", String::new()),
+        (
+            "src/gripper_stack/gripper_description/package.xml",
+            manifest("gripper_description", "they@lab.org"),
+        ),
+        ("src/gripper_stack/gripper_description/urdf/gripper.urdf", BROKEN.to_owned()),
+        (
+            "src/gripper_stack/gripper_description/launch/gripper.launch",
+            "<param textfile='$(find gripper_description)/urdf/gripper.urdf'/>".to_owned(),
+        ),
+    ]
+}
+
+fn severity_of(file: &str, folder: &str, files: &[(&'static str, String)]) -> Option<Severity> {
+    let files: Vec<(&str, &str)> = files.iter().map(|(name, text)| (*name, text.as_str())).collect();
+    severity_below(folder, &files, file, "missing-element")
+}
 
 #[test]
-fn files_that_other_arguments_include_use_names() {
-    let robot = |include: &str| {
-        format!(
-            "<robot name='r' xmlns:xacro='x'><xacro:arg name='hand' default='left'/><xacro:property name='kinds' value='parts'/>\
-             <xacro:property name='width' value='1'/><xacro:include filename='{include}'/><link name='base_$(arg hand)_${{kinds}}'/></robot>"
+fn copied_repositories() {
+    let own = workspace();
+    assert_eq!(severity_of("gripper.urdf", "", &own), Some(Severity::Info));
+    assert_eq!(severity_of("rover.urdf", "", &own), Some(Severity::Error));
+    // somebody asks for it
+    assert_eq!(severity_of("gripper.urdf", "src/gripper_stack", &own), Some(Severity::Error));
+    assert_eq!(
+        severity_of("gripper.urdf", "src/gripper_stack/gripper_description", &own),
+        Some(Severity::Error)
+    );
+    // a clone may be anybody's
+    let cloned = [own.clone(), vec![("src/gripper_stack/.git/HEAD", String::new())]].concat();
+    assert_eq!(severity_of("gripper.urdf", "", &cloned), Some(Severity::Error));
+    // without a mark it is no other repository
+    let plain: Vec<_> = own.iter().filter(|(name, _)| !name.ends_with(".yml")).cloned().collect();
+    assert_eq!(severity_of("gripper.urdf", "", &plain), Some(Severity::Error));
+    // one that was released
+    let released =
+        [plain.clone(), vec![("src/gripper_stack/gripper_description/CHANGELOG.rst", String::new())]];
+    assert_eq!(severity_of("gripper.urdf", "", &released.concat()), Some(Severity::Info));
+}
+
+#[test]
+fn copied_repositories_that_are_used() {
+    for (name, text) in [
+        (
+            "src/rover_description/launch/all.launch",
+            "<include file='$(find gripper_description)/launch/gripper.launch'/>",
+        ),
+        ("README.md", "roslaunch gripper_description gripper.launch"),
+        ("src/rover_description/scripts/load.py", "package = 'gripper_description'"),
+        (
+            "src/rover_description/urdf/all.xacro",
+            "<robot xmlns:xacro='x'><xacro:include filename='$(find gripper_description)/urdf/gripper.urdf'/></robot>",
+        ),
+    ] {
+        let all = [workspace(), vec![(name, text.to_owned())]].concat();
+        assert_eq!(severity_of("gripper.urdf", "", &all), Some(Severity::Error), "{name}");
+    }
+    // a package that needs one of its family
+    let needs = |name: &str| {
+        let text = manifest("rover_description", "me@todo.todo");
+        let text = text.replace("</package>", &format!("<depend>{name}</depend></package>"));
+        severity_of(
+            "gripper.urdf",
+            "",
+            &[workspace(), vec![("src/rover_description/package.xml", text)]].concat(),
         )
     };
-    let reads = "<robot xmlns:xacro='x'><xacro:property name='half' value='${width / 2}'/></robot>";
-    let unused = |include: &str, file: &str| {
-        let robot = robot(include);
-        let files = [
-            ("left.xacro", "<robot/>"),
-            ("parts/left.xacro", "<robot/>"),
-            (file, reads),
-            ("r.urdf.xacro", &robot),
-        ];
-        let found = found(&files, "unused-property").into_iter();
-        found.filter(|(path, _)| path == "r.urdf.xacro").count()
+    assert_eq!(needs("gripper_driver"), Some(Severity::Error));
+    assert_eq!(needs("gazebo_ros"), Some(Severity::Info));
+    // what a comment says leads nowhere
+    let comment = (
+        "src/rover_description/launch/all.launch",
+        "<!-- $(find gripper_description) gripper.launch -->".to_owned(),
+    );
+    assert_eq!(severity_of("gripper.urdf", "", &[workspace(), vec![comment]].concat()), Some(Severity::Info));
+}
+
+#[test]
+fn whose_a_package_is() {
+    let with = |name: &str, person: &str| -> Vec<(&'static str, String)> {
+        let change = |(path, text): (&'static str, String)| match path.contains("gripper_description/package")
+        {
+            true => (path, manifest(name, person)),
+            false => (path, text),
+        };
+        workspace().into_iter().map(change).collect()
     };
-    // read with `hand:=right`, or by nobody
-    assert_eq!(unused("$(arg hand).xacro", "right.xacro"), 0);
-    assert_eq!(unused("${kinds}/$(arg hand).xacro", "parts/right.xacro"), 0);
-    assert_eq!(unused("left.xacro", "right.xacro"), 1);
-    assert_eq!(unused("$(arg hand).xacro", "parts/right.xacro"), 1);
+    // the same people, or the same family of names
+    assert_eq!(
+        severity_of("gripper.urdf", "", &with("gripper_description", "me@todo.todo")),
+        Some(Severity::Error)
+    );
+    assert_eq!(
+        severity_of("gripper.urdf", "", &with("rover_gripper", "they@lab.org")),
+        Some(Severity::Error)
+    );
+    assert_eq!(
+        severity_of("gripper.urdf", "", &with("gripper_description", "they@lab.org")),
+        Some(Severity::Info)
+    );
+    // a repository of packages that are all alike
+    let alike: Vec<(&'static str, String)> = workspace()
+        .into_iter()
+        .map(|(path, text)| (path, text.replace("me@todo.todo", "some@lab.org")))
+        .chain([("src/rover_description/.travis.yml", String::new())])
+        .collect();
+    assert_eq!(severity_of("gripper.urdf", "", &alike), Some(Severity::Error));
+}
+
+#[test]
+fn published_repositories_hold_what_is_released() {
+    let files = |person: &str| {
+        vec![
+            (".github/workflows/ci.yml", String::new()),
+            ("arm_description/package.xml", manifest("arm_description", "a@lab.org")),
+            ("arm_description/CHANGELOG.rst", String::new()),
+            ("arm_description/urdf/arm.urdf", BROKEN.to_owned()),
+            ("cell_description/package.xml", manifest("cell_description", person)),
+            ("cell_description/urdf/cell.urdf", BROKEN.to_owned()),
+        ]
+    };
+    assert_eq!(severity_of("arm.urdf", "", &files("b@lab.org")), Some(Severity::Error));
+    assert_eq!(severity_of("arm.urdf", "", &files("b@todo.todo")), Some(Severity::Info));
+}
+
+#[test]
+fn settings_that_no_text_names() {
+    let robot = "<robot name='r'><link name='base'/><joint name='wheel' type='continuous'><parent link='base'/>\
+                 <child link='w'/></joint><link name='w'/><ros2_control name='c' type='system'><hardware>\
+                 <plugin>mock_components/GenericSystem</plugin></hardware><joint name='wheel'>\
+                 <command_interface name='position'/></joint></ros2_control></robot>";
+    let settings = "controller_manager:\n  ros__parameters:\n    go:\n      type: velocity_controllers/JointGroupVelocityController\n\
+                    go:\n  ros__parameters:\n    joints:\n      - wheel\n";
+    let severity = |launch: &str| {
+        let files = [
+            (
+                "package.xml",
+                "<package><name>r</name><buildtool_depend>ament_cmake</buildtool_depend></package>",
+            ),
+            ("urdf/r.urdf", robot),
+            ("config/one.yaml", settings),
+            ("config/two.yaml", settings),
+            ("launch/r.launch.py", launch),
+        ];
+        severity_below("", &files, "two.yaml", "controller-unknown-interface")
+    };
+    assert_eq!(severity("load('r.urdf')"), Some(Severity::Error));
+    assert_eq!(severity("load('r.urdf', 'one.yaml')"), Some(Severity::Info));
+    assert_eq!(severity("load('r.urdf', 'one.yaml')  # 'two.yaml'"), Some(Severity::Info));
+    assert_eq!(severity("load('r.urdf', 'two.yaml')"), Some(Severity::Error));
+}
+
+/// The severity of the only place of a rule in a package of these files.
+fn severity_in(rule: &str, files: &[(&str, &str)]) -> Option<Severity> {
+    let manifest =
+        ("package.xml", "<package><name>r</name><buildtool_depend>catkin</buildtool_depend></package>");
+    severity_below("", &[&[manifest], files].concat(), "", rule)
+}
+
+#[test]
+fn lists_of_joints() {
+    let list = |inside: &str| {
+        format!("<robot name='r'><joint name='a'><limit lower='0' upper='1'/></joint>{inside}</robot>")
+    };
+    let severity = |inside: &str| severity_in("no-links", &[("urdf/list.urdf", &list(inside))]);
+    assert_eq!(severity(""), Some(Severity::Info));
+    assert_eq!(severity("<joint name='b' type='fixed'/>"), Some(Severity::Error));
+    assert_eq!(severity("<joint name='b'><parent link='x'/></joint>"), Some(Severity::Error));
+}
+
+#[test]
+fn properties_of_themselves() {
+    let severity = |value: &str| {
+        let robot = format!(
+            "<robot name='r' xmlns:xacro='x'><property name='a' value='{value}'/><link name='b'/></robot>"
+        );
+        severity_in("unprefixed-xacro-tag", &[("urdf/r.urdf.xacro", &robot)])
+    };
+    assert_eq!(severity("${a}"), Some(Severity::Info));
+    assert_eq!(severity("${ a }"), Some(Severity::Info));
+    assert_eq!(severity("${b}"), Some(Severity::Error));
+    assert_eq!(severity("1"), Some(Severity::Error));
+}
+
+#[test]
+fn parts_in_texts_that_launch_files_pass_on() {
+    let robot = "<robot name='r' xmlns:xacro='x'><xacro:arg name='extra' default='none.xacro'/><xacro:property name='track' value='1'/>\
+                 <xacro:include filename='$(arg extra)'/><link name='base'/></robot>";
+    let extra = "<robot name='e' xmlns:xacro='x'><link name='wheel_${track}'/></robot>";
+    let severity = |launch: &str| {
+        let files = [
+            ("urdf/r.urdf.xacro", robot),
+            ("urdf/none.xacro", "<robot/>"),
+            ("urdf/extra.xacro", extra),
+            ("launch/a.launch.py", launch),
+        ];
+        severity_in("undefined-property", &files)
+    };
+    let passes = "part = 'extra.xacro'\nLaunch('r.launch.py', {'args': ['extra:=', part]}.items())";
+    assert_eq!(severity(passes), None);
+    assert_eq!(severity(&passes.replace("extra:=", "other:=")), Some(Severity::Error));
+    // the file itself is expanded
+    assert_eq!(
+        severity("Command(['xacro ', FindPackageShare('r'), '/urdf/extra.xacro'])\nargs = 'extra:='"),
+        Some(Severity::Error)
+    );
+}
+
+#[test]
+fn interfaces_that_an_argument_decides_on() {
+    let robot = |value: &str| {
+        format!(
+            "<robot name='r' xmlns:xacro='x'><xacro:arg name='mode' default='slow'/><link name='base'/><joint name='j' type='continuous'>\
+             <parent link='base'/><child link='w'/></joint><link name='w'/><ros2_control name='c' type='system'><hardware>\
+             <plugin>mock_components/GenericSystem</plugin></hardware><joint name='j'><command_interface name='position'/>\
+             <xacro:if value=\"${{'$(arg mode)' == 'fast'}}\"><command_interface name='{value}'/></xacro:if></joint>\
+             </ros2_control></robot>"
+        )
+    };
+    let settings =
+        "go:\n  ros__parameters:\n    joints:\n      - j\n    command_interfaces:\n      - velocity\n";
+    let severity = |value: &str| {
+        let manifest = (
+            "package.xml",
+            "<package><name>r</name><buildtool_depend>ament_cmake</buildtool_depend></package>",
+        );
+        let files = [manifest, ("urdf/r.urdf.xacro", &robot(value)), ("config/c.yaml", settings)];
+        severity_below("", &files, "", "controller-unknown-interface")
+    };
+    assert_eq!(severity("velocity"), None);
+    assert_eq!(severity("effort"), Some(Severity::Error));
+}
+
+#[test]
+fn files_of_tests_that_have_to_be_refused() {
+    for (name, expected) in [
+        ("test/fail_two_parents.urdf", Severity::Info),
+        ("test/urdf/invalid.urdf", Severity::Info),
+        ("test/two_parents.urdf", Severity::Error),
+        ("urdf/fail_two_parents.urdf", Severity::Error),
+        ("test/failsafe.urdf", Severity::Error),
+    ] {
+        assert_eq!(severity_in("missing-element", &[(name, BROKEN)]), Some(expected), "{name}");
+    }
 }

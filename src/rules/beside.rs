@@ -73,6 +73,8 @@ pub struct Names {
     pub joints: FastSet<EcoString>,
     /// Groups of SRDFs; asked for only where these are expanded in one of several ways.
     pub groups: FastSet<EcoString>,
+    /// Interfaces of hardware that conditions decide on.
+    pub interfaces: FastSet<EcoString>,
 }
 
 impl Names {
@@ -87,6 +89,7 @@ impl Names {
         self.links.extend(other.links.iter().cloned());
         self.joints.extend(other.joints.iter().cloned());
         self.groups.extend(other.groups.iter().cloned());
+        self.interfaces.extend(other.interfaces.iter().cloned());
     }
 
     fn of(&self, kind: Kind) -> Option<&FastSet<EcoString>> {
@@ -195,6 +198,11 @@ impl<'a> BesideCx<'a> {
             && !is_in(self.known.get_or_init(|| (self.further)()))
     }
 
+    /// Whether hardware of the robots offers an interface with other arguments.
+    pub(super) fn may_offer(&self, interface: &str) -> bool {
+        self.known.get_or_init(|| (self.further)()).interfaces.contains(interface)
+    }
+
     /// Whether a joint is a virtual joint of an SRDF.
     fn is_virtual(&self, kind: Kind, name: &str) -> bool {
         let is_it = |text: &Option<Text>| text.as_ref().is_some_and(|text| text.value == name);
@@ -223,6 +231,12 @@ impl<'a> BesideCx<'a> {
         name: &'s str,
     ) -> impl Iterator<Item = (&'a PairedRobot<'a>, &'a Joint)> + 's {
         self.robots.iter().filter_map(move |paired| Some((paired, paired.robot.joint(name)?)))
+    }
+
+    /// Whether the name of a link, joint or group that is not there is close to one that is.
+    pub(super) fn is_misspelled(&self, kind: Kind, name: &str) -> bool {
+        let names = self.names.of(kind).into_iter().flatten();
+        nearest(name, names.map(EcoString::as_str)).is_some()
     }
 
     /// What to do about the name of a link, joint or group that is not there.

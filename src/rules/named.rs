@@ -1,10 +1,14 @@
 //! Rules that others than the rules themselves speak about.
 
 use super::registry::Rule;
-use super::{control, geometry, joint, linter, package, structure, xacro, xml};
+use super::{control, geometry, joint, linter, moveit, package, srdf, structure, xacro, xml};
 
 /// `gazebo-unknown-reference`
 pub const GAZEBO_UNKNOWN_REFERENCE: &Rule = &control::gazebo_unknown_reference::RULE;
+/// `moveit-unknown-controller`
+pub const MOVEIT_UNKNOWN_CONTROLLER: &Rule = &moveit::moveit_unknown_controller::RULE;
+/// `srdf-unknown-link`
+pub const SRDF_UNKNOWN_LINK: &Rule = &srdf::srdf_unknown_link::RULE;
 /// `transmission-unknown-joint`
 pub const TRANSMISSION_UNKNOWN_JOINT: &Rule = &control::transmission_unknown_joint::RULE;
 /// `ascii-stl`
@@ -47,6 +51,8 @@ pub const UNPREFIXED_MACRO_CALL: &Rule = &xacro::unprefixed_macro_call::RULE;
 pub const UNPREFIXED_XACRO_TAG: &Rule = &xacro::unprefixed_xacro_tag::RULE;
 /// `invalid-number`
 pub const INVALID_NUMBER: &Rule = &xml::invalid_number::RULE;
+/// `mesh-not-found`
+pub const MESH_NOT_FOUND: &Rule = &geometry::mesh_not_found::RULE;
 /// `missing-attribute`
 pub const MISSING_ATTRIBUTE: &Rule = &xml::missing_attribute::RULE;
 /// `unknown-attribute`

@@ -1,7 +1,7 @@
 //! What several rules have in common, for those who treat their findings alike.
 
 use super::registry::Rule;
-use super::{geometry, inertia, joint, linter, package, xacro, xml};
+use super::{control, geometry, inertia, joint, linter, package, xacro, xml};
 
 /// Something that a rule is or is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,6 +14,10 @@ pub enum Trait {
     Contact,
     /// urdfdom rejects it, and Bullet accepts it. Source: `UrdfParser.cpp` of Bullet 3.25, and loading with PyBullet.
     AcceptedByBullet,
+    /// A mass or an inertia is below zero, which nobody means.
+    WrongSign,
+    /// About what a controller of the parameters moves.
+    Controller,
     /// More of a robot is there after its fix, which may have errors of its own: texts that could not be parsed, tags and files
     /// that were missing or meant nothing.
     Reveals,
@@ -39,12 +43,19 @@ static DEPRECATED: [&Rule; 4] = [
 static CONTACT: [&Rule; 2] =
     [&geometry::collision_mesh_too_detailed::RULE, &geometry::mesh_inconsistent_normals::RULE];
 
-static ACCEPTED_BY_BULLET: [&Rule; 9] = [
+static CONTROLLER: [&Rule; 2] =
+    [&control::controller_unknown_interface::RULE, &control::controller_unknown_joint::RULE];
+
+static WRONG_SIGN: [&Rule; 2] =
+    [&inertia::inertia_not_positive_definite::RULE, &inertia::negative_mass::RULE];
+
+static ACCEPTED_BY_BULLET: [&Rule; 10] = [
     &geometry::duplicate_material::RULE,
     &xml::invalid_number::RULE,
     &xml::missing_attribute::RULE,
     &joint::missing_limit_attribute::RULE,
     &xml::missing_robot_name::RULE,
+    &geometry::undefined_material::RULE,
     &geometry::unknown_geometry_type::RULE,
     &joint::unknown_joint_type::RULE,
     &xml::wrong_vector_length::RULE,
@@ -74,6 +85,8 @@ impl Trait {
             Trait::Deprecated => &DEPRECATED,
             Trait::Contact => &CONTACT,
             Trait::AcceptedByBullet => &ACCEPTED_BY_BULLET,
+            Trait::WrongSign => &WRONG_SIGN,
+            Trait::Controller => &CONTROLLER,
             Trait::Reveals => &REVEALS,
         }
     }

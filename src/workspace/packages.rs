@@ -287,6 +287,11 @@ impl Packages {
         self.unlisted.clear();
     }
 
+    /// Names and folders of the packages below a folder of sources.
+    pub(super) fn below(&self, top: &Path) -> Vec<(String, PathBuf)> {
+        self.tree(top, Rules::Workspace).packages().to_vec()
+    }
+
     fn order(&self) -> Vec<Step> {
         let mut order: Vec<Step> = Step::ALL.into();
         if !self.options.use_environment {

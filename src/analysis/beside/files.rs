@@ -133,7 +133,7 @@ impl Session {
     }
 
     /// The settings in a YAML file; none when it has none, or is broken.
-    pub(super) fn beside_settings(&self, path: &Path) -> Option<Arc<Settings>> {
+    pub(in super::super) fn beside_settings(&self, path: &Path) -> Option<Arc<Settings>> {
         let text = self.vfs.text(path).ok()?;
         if !may_be_settings(&text.text) {
             return None;

@@ -19,6 +19,7 @@ use expand::{Expansion, Request, expand};
 use model::Robot;
 use rules::{Chosen, Content, Finding, Names, PairedRobot, all, check_beside, is_semantic_name, is_whole};
 use workspace::Target;
+use xml::Node;
 
 /// Robots and SRDFs, expanded.
 pub(in super::super) type Robots = FastMap<RootChoice, Arc<Analyzed>>;
@@ -247,6 +248,16 @@ impl Session {
 }
 
 impl Session {
+    /// Whether the link of an SRDF that a finding is about is spelled out in a robot that a launch file loads beside it.
+    pub(in super::super) fn is_in_launched(&self, file: &Path, finding: &Finding) -> bool {
+        let name = finding.message.split('`').nth(1).unwrap_or_default();
+        let mut names = Names::default();
+        for root in self.by_launch(file).iter().flat_map(|pairing| &pairing.roots) {
+            self.add_written(&root.file, &mut names);
+        }
+        names.links.contains(name)
+    }
+
     /// Add the names that the texts of a file and of those that it may include spell out, in branches and macros that take
     /// no part too.
     fn add_written(&self, root: &Path, names: &mut Names) {
@@ -257,6 +268,9 @@ impl Session {
             let Ok(source) = source else { continue };
             let nodes = source.document.parts().flat_map(|(_, item)| item.all_nodes());
             for node in nodes {
+                if ["xacro:if", "xacro:unless"].contains(&node.name()) {
+                    add_interfaces(node, names);
+                }
                 let has = |tag: &str| node.child_elements().any(|inner| inner.name() == tag);
                 let list = match node.name() {
                     "link" if !is_semantic_name(root) => &mut names.links,
@@ -274,6 +288,20 @@ impl Session {
                     files.push(file);
                 }
             }
+        }
+    }
+}
+
+/// Add the interfaces of hardware that a condition decides on.
+fn add_interfaces(condition: Node<'_>, names: &mut Names) {
+    for inner in condition.child_elements() {
+        match inner.name() {
+            "command_interface" | "state_interface" => {
+                names.interfaces.extend(inner.attr("name").map(|name| EcoString::from(name.raw())));
+            }
+            // those are visited by themselves
+            "xacro:if" | "xacro:unless" => {}
+            _ => add_interfaces(inner, names),
         }
     }
 }

@@ -9,4 +9,4 @@ mod pairing;
 pub use files::{Beside, is_settings};
 pub(super) use files::{Sort, sort};
 pub(super) use judge::{Compared, Robots};
-pub(super) use pairing::Pairing;
+pub(super) use pairing::{Pairing, stem};

@@ -77,7 +77,7 @@ impl Session {
     }
 
     /// Whether a file lists controllers for a controller manager.
-    fn is_for_manager(&self, path: &Path) -> bool {
+    pub(in super::super) fn is_for_manager(&self, path: &Path) -> bool {
         let settings = (sort(path) == Some(Sort::Yaml)).then(|| self.beside_settings(path)).flatten();
         settings.is_some_and(|settings| !settings.listed.is_empty())
     }
@@ -165,7 +165,7 @@ impl Session {
     }
 
     /// The robots that a launch file calls which names the file, or builds the configuration of its package.
-    fn by_launch(&self, path: &Path) -> Option<Pairing> {
+    pub(super) fn by_launch(&self, path: &Path) -> Option<Pairing> {
         let name = path.file_name()?.to_str()?;
         let package = self.packages.containing(path)?;
         let says = |caller: &Path| {
@@ -314,6 +314,6 @@ impl Session {
 }
 
 /// The name of a file before its first ending, `arm` of `arm.urdf.xacro`.
-pub(super) fn stem(path: &Path) -> Option<&str> {
+pub(in super::super) fn stem(path: &Path) -> Option<&str> {
     path.file_name()?.to_str()?.split('.').next()
 }

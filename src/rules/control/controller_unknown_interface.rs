@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::hardware::Hardware;
 use project::{Controller, Named, is_computed};
 
-pub(super) static RULE: Rule = Rule::beside(
+pub(in super::super) static RULE: Rule = Rule::beside(
     "CTL027",
     "controller-unknown-interface",
     Category::Control,
@@ -84,6 +84,9 @@ fn report(
     place: &Named,
     (joint, interface, is_command): (&str, &str, bool),
 ) {
+    if cx.may_offer(interface) {
+        return;
+    }
     let kind = if is_command { "command" } else { "state" };
     let message = format!("joint `{joint}` has no {kind} interface `{interface}`");
     let offered = hardware.offered(joint, is_command);

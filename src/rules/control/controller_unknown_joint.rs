@@ -5,7 +5,7 @@ use super::super::registry::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use project::{Controller, Kind, is_computed};
 
-pub(super) static RULE: Rule = Rule::beside(
+pub(in super::super) static RULE: Rule = Rule::beside(
     "CTL025",
     "controller-unknown-joint",
     Category::Control,

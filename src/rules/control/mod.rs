@@ -1,8 +1,8 @@
 //! ros2_control, transmissions and Gazebo.
 
 mod controller_joint_without_hardware;
-mod controller_unknown_interface;
-mod controller_unknown_joint;
+pub(super) mod controller_unknown_interface;
+pub(super) mod controller_unknown_joint;
 mod controller_without_parameters;
 mod gazebo_classic_plugin;
 mod gazebo_lumped_reference;

@@ -63,7 +63,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         };
         let report = out
             .report(name.origin, format!("`{}`: {message}", shortened(&name.value)))
-            .severity(severity(cx, readers))
+            .severity(if is_beside(cx, name) { Severity::Info } else { severity(cx, readers) })
             .group(Group::Name(format!("{message} {}", beginning(&name.value)).into()))
             .help(help);
         match meant.filter(|meant| is_replaceable(name, meant) && leads_to_package(cx, name, meant)) {
@@ -97,6 +97,16 @@ fn severity(cx: &DocumentCx<'_>, readers: Readers) -> Severity {
         Readers::OldCurl if is_ros1() => Severity::Info,
         Readers::OldCurl | Readers::Most => Severity::Warning,
     }
+}
+
+/// Whether the name of a file follows `package:///`, the file lies beside the description, and no package does: programs
+/// that are given the folder, and Bullet, find it.
+fn is_beside(cx: &DocumentCx<'_>, name: &Text) -> bool {
+    let file = cx.expansion.files.first().map(|file| &*file.source.path);
+    let path = name.value.strip_prefix("package:///").filter(|path| !path.is_empty());
+    let (Some(file), Some(path)) = (file, path) else { return false };
+    let beside = file.with_file_name("").join(path);
+    cx.world.packages.containing(file).is_none() && cx.world.vfs.is_file(&beside)
 }
 
 /// The scheme and the first name behind it: what is wrong with them is wrong in every URI of a file.

@@ -7,7 +7,7 @@ use super::absolute_mesh_path::is_absolute;
 use super::missing::MissingFiles;
 use super::resources::Target;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "GEO001",
     name: "mesh-not-found",
     category: Category::Geometry,

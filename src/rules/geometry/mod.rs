@@ -22,7 +22,7 @@ mod mesh_far_from_link;
 pub(super) mod mesh_inconsistent_normals;
 mod mesh_inverted_normals;
 mod mesh_missing_dependency;
-mod mesh_not_found;
+pub(super) mod mesh_not_found;
 mod mesh_not_watertight;
 mod mesh_scale_suspicious;
 mod missing;

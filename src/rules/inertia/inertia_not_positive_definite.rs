@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::joined::is_joined;
 use super::moments::{NEGLIGIBLE_MASS, Verdict, inertia_tag, inertials, verdict};
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "INR004",
     name: "inertia-not-positive-definite",
     category: Category::Inertia,

@@ -5,7 +5,7 @@ use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::moments::inertials;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "INR001",
     name: "negative-mass",
     category: Category::Inertia,

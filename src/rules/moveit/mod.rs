@@ -6,7 +6,7 @@ mod joint_limits_not_double;
 mod joint_limits_unknown_joint;
 mod kinematics_unknown_group;
 mod moveit_controller_unknown_joint;
-mod moveit_unknown_controller;
+pub(super) mod moveit_unknown_controller;
 mod planning_unknown_group;
 mod servo_unknown_group;
 mod setup_assistant_file_not_found;

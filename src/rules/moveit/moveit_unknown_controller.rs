@@ -7,7 +7,7 @@ use super::super::sink::Sink;
 use base::FastSet;
 use workspace::nearest;
 
-pub(super) static RULE: Rule = Rule::beside(
+pub(in super::super) static RULE: Rule = Rule::beside(
     "MOV007",
     "moveit-unknown-controller",
     Category::Moveit,

@@ -13,7 +13,7 @@ mod srdf_state_joint_not_in_group;
 mod srdf_state_out_of_limits;
 mod srdf_unknown_group;
 mod srdf_unknown_joint;
-mod srdf_unknown_link;
+pub(super) mod srdf_unknown_link;
 
 use super::registry::Rule;
 

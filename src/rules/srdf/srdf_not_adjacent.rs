@@ -9,7 +9,8 @@ pub(super) static RULE: Rule = Rule::beside(
     "SRD011",
     "srdf-not-adjacent",
     Category::Srdf,
-    Severity::Warning,
+    // MoveIt does not read the reason
+    Severity::Info,
     page("srdf-not-adjacent"),
     check,
 );

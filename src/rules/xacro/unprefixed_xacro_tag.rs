@@ -55,13 +55,25 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
             .flatten()
             .map(|range| (TextRange::empty(range.start), "xacro:".to_owned()));
         let message = format!("`{name}` is missing the `xacro:` prefix, so xacro ignores it");
-        let report = out
-            .report_in(cx.file, TextRange::new(start.start - 1, start.end), message)
-            .help(format!("write `xacro:{name}`"));
+        let place = TextRange::new(start.start - 1, start.end);
+        if is_of_itself(node) {
+            let help = "remove it; as a property it would be defined by itself";
+            out.report_in(cx.file, place, message).severity(Severity::Info).help(help).done();
+            continue;
+        }
+        let report = out.report_in(cx.file, place, message).help(format!("write `xacro:{name}`"));
         if !declares(&cx.source.document) {
             report.done();
             continue;
         }
         report.fix(Safety::Safe, "add the prefix `xacro:`", cx.file, edits).done();
     }
+}
+
+/// Whether a property has its own name as its value: nothing is missing without it.
+fn is_of_itself(node: Node<'_>) -> bool {
+    let text = |name: &str| node.attr(name).map(|value| value.raw().to_owned());
+    let value = text("value").unwrap_or_default();
+    let inner = value.trim().strip_prefix("${").and_then(|value| value.strip_suffix('}'));
+    node.name() == "property" && inner.is_some_and(|inner| Some(inner.trim()) == text("name").as_deref())
 }

@@ -64,7 +64,8 @@ fn report(
     let report = out.report(tag_start(cx.expansion, id), message).group(group);
     let Some((near, sure)) = near else {
         let (severity, help) = unlike_all(name, parent);
-        let severity = if is_identity(cx, id, name) || is_bare(cx, id) { Severity::Hint } else { severity };
+        let is_idle = is_identity(cx, id, name) || is_bare(cx, id) || is_zero_pose(cx, id, name);
+        let severity = if is_idle { Severity::Hint } else { severity };
         return report.severity(severity).help(help).done();
     };
     let severity = match is_needed(cx, id, parent, near) {
@@ -136,6 +137,12 @@ fn is_bare(cx: &DocumentCx<'_>, id: XId) -> bool {
     tree.get(id).attrs.is_empty()
         && tree.elements(id).next().is_none()
         && Text::content(tree, id).is_none_or(|text| text.value.trim().is_empty())
+}
+
+/// Whether an element is the pose of SDF and moves nothing.
+fn is_zero_pose(cx: &DocumentCx<'_>, id: XId, name: &str) -> bool {
+    let text = Text::content(&cx.expansion.tree, id);
+    name == "pose" && text.is_some_and(|text| text.numbers::<6>().is_some_and(|numbers| numbers == [0.0; 6]))
 }
 
 /// Whether an element is meant as an `origin` that moves nothing: without it, all is the same.

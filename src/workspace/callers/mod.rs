@@ -6,6 +6,8 @@
 mod called;
 mod choices;
 mod config;
+mod copied;
+mod mentions;
 mod read;
 
 pub use called::RobotCall;
@@ -94,6 +96,8 @@ pub struct GivenArg {
 pub struct Callers {
     below: Memo<PathBuf, Arc<Uses>>,
     called: Memo<PathBuf, Arc<called::Called>>,
+    copies: Memo<PathBuf, Arc<copied::Copies>>,
+    mentions: Memo<PathBuf, Arc<mentions::Mentions>>,
 }
 
 /// Who calls descriptions below a folder, and the descriptions there, by name.
@@ -113,10 +117,16 @@ impl Uses {
     fn names(&self, caller: &Caller, file: &Path, packages: &Packages, is_near: bool) -> bool {
         let name = name_of(file);
         let Some(written) = caller.descriptions.get(name) else { return false };
+        let own = || packages.containing(file).map(|package| package.name);
+        // a text that says another package means no file of this one
+        let may_be = |written: &&Written| {
+            let said = written.package.as_ref();
+            said.is_none_or(|said| own().is_none_or(|own| own == *said))
+        };
         let namesakes = self.files.get(name).into_iter().flatten();
         let may_mean = |other: &&PathBuf| !is_near || packages.may_mean(&caller.path, other);
         let others: Vec<&PathBuf> = namesakes.filter(|other| *other != file).filter(may_mean).collect();
-        written.iter().any(|written| {
+        written.iter().filter(may_be).any(|written| {
             let fit = written.fit(file, packages);
             others.iter().all(|other| written.fit(other, packages) <= fit)
         })
@@ -213,8 +223,15 @@ impl Callers {
         let all = self.of(file, packages);
         let era = |caller: &Caller| if caller.is_launch() { caller.era } else { None };
         let own = all.iter().filter(|caller| caller.says(file)).filter_map(era).max();
-        // a file that no launch file names is for the xacro that those around it run
-        let around = || self.around(file, packages)?.callers.iter().filter_map(era).max();
+        // a file that no launch file names is for the xacro that those around it run, in its package before others
+        let package = packages.containing(file).map(|package| package.folder);
+        let around = || {
+            let all = self.around(file, packages)?;
+            let is_near =
+                |caller: &&Caller| package.as_ref().is_some_and(|folder| caller.path.starts_with(folder));
+            let near = all.callers.iter().filter(is_near).filter_map(era).max();
+            near.or_else(|| all.callers.iter().filter_map(era).max())
+        };
         own.or_else(around).unwrap_or(Era::Any)
     }
 
@@ -249,9 +266,10 @@ impl Callers {
     }
 
     /// The names of the descriptions in the package of `file` that launch files load instead: none where the file itself
-    /// is named somewhere, or the launch files take the name of any.
-    pub fn launched_instead(&self, file: &Path, packages: &Packages) -> FastSet<String> {
-        let may_mean = |caller: &Caller| caller.says(file) || caller.is_open && caller.is_launch();
+    /// is named somewhere, or the launch files take the name of any and it `may_be_given`.
+    pub fn launched_instead(&self, file: &Path, packages: &Packages, may_be_given: bool) -> FastSet<String> {
+        let takes = |caller: &Caller| may_be_given && caller.is_open && caller.is_launch();
+        let may_mean = |caller: &Caller| caller.says(file) || takes(caller);
         let is_free = || !self.of(file, packages).iter().any(may_mean);
         let all = packages.containing(file).and_then(|_| self.around(file, packages));
         let Some(all) = all.filter(|_| is_free()) else { return FastSet::default() };
@@ -284,6 +302,8 @@ impl Callers {
     pub fn forget(&self) {
         self.below.clear();
         self.called.clear();
+        self.copies.clear();
+        self.mentions.clear();
     }
 }
 
@@ -301,17 +321,12 @@ impl Caller {
 
     /// Whether this is a file to be read, not run.
     fn is_page(&self) -> bool {
-        let ending = self.path.extension().and_then(|ending| ending.to_str()).unwrap_or("");
-        ["md", "rst", "txt", "ipynb"].contains(&ending) && !self.path.ends_with("CMakeLists.txt")
+        read::is_page(&self.path)
     }
 
     /// Whether this is a program, and no test of one.
     fn is_program(&self) -> bool {
-        let ending = self.path.extension().and_then(|ending| ending.to_str()).unwrap_or("");
-        let folder = self.path.parent().and_then(Path::file_name);
-        let mut names = self.path.file_name().into_iter().chain(folder);
-        let is_test = names.any(|name| name.to_string_lossy().to_lowercase().starts_with("test"));
-        ["py", "cpp", "sh"].contains(&ending) && !is_test
+        read::is_program(&self.path)
     }
 
     /// Whether this is a launch file, by its name or folder.
@@ -357,15 +372,42 @@ fn name_of(file: &Path) -> &str {
 
 /// All callers and descriptions below a folder.
 fn search(vfs: &Vfs, top: &Path) -> Uses {
+    let (mut files, mut uses) = (0, Uses::default());
+    walk(vfs, top, &mut |path, name, is_small| {
+        let fits = || name.contains(".srdf") || is_small();
+        if read::is_beside(name) && uses.beside.len() < CALLER_FILES && fits() {
+            uses.beside.push(path.to_owned());
+        }
+        if files < CALLER_FILES && read::may_call(name) {
+            files += 1;
+            let text = is_small().then(|| vfs.text(path).ok()).flatten();
+            if let Some(file) = text {
+                uses.callers.extend(read::caller(path, &file.text));
+                if launch::may_call(&file.text) {
+                    uses.scripts.push(path.to_owned());
+                }
+            }
+        } else if read::is_description(name) {
+            uses.files.entry(name.to_owned()).or_default().push(path.to_owned());
+        }
+    });
+    uses.callers.sort_by(|a: &Caller, b| a.path.cmp(&b.path));
+    uses.scripts.sort();
+    uses.beside.sort();
+    config::inherit(&mut uses.callers);
+    uses
+}
+
+/// Visit the files below a folder, each with its name and whether it is small enough to be read; whether that were all.
+fn walk(vfs: &Vfs, top: &Path, visit: &mut dyn FnMut(&Path, &str, &dyn Fn() -> bool)) -> bool {
     // a link that leads up does not make what lies beside the folder a part of it
     let mut seen: FastSet<u128> = top.ancestors().skip(1).filter_map(|folder| vfs.identity(folder)).collect();
     let above = seen.len();
     let mut open = vec![(top.to_owned(), 0)];
-    let (mut files, mut uses) = (0, Uses::default());
+    let mut is_whole = true;
     while let Some((folder, depth)) = open.pop() {
-        if seen.len() - above > CALLER_FOLDERS
-            || !vfs.identity(&folder).is_some_and(|identity| seen.insert(identity))
-        {
+        is_whole &= seen.len() - above <= CALLER_FOLDERS;
+        if !is_whole || !vfs.identity(&folder).is_some_and(|identity| seen.insert(identity)) {
             continue;
         }
         let entries = vfs.list_dir(&folder);
@@ -377,36 +419,17 @@ fn search(vfs: &Vfs, top: &Path) -> Uses {
             let path = folder.join(&entry.name);
             let passed_over =
                 entry.name.starts_with('.') || is_built(&entry.name) || entry.name == "node_modules";
-            let is_small = || vfs.size(&path).is_some_and(|size| size <= CALLER_BYTES);
-            let fits = || entry.name.contains(".srdf") || is_small();
-            if !entry.is_dir && read::is_beside(&entry.name) && uses.beside.len() < CALLER_FILES && fits() {
-                uses.beside.push(path.clone());
-            }
             match entry.is_dir {
                 true if passed_over || depth >= CALLER_DEPTH => {}
                 true => open.push((path, depth + 1)),
-                false if files < CALLER_FILES && read::may_call(&entry.name) => {
-                    files += 1;
-                    let text = is_small().then(|| vfs.text(&path).ok()).flatten();
-                    if let Some(file) = text {
-                        uses.callers.extend(read::caller(&path, &file.text));
-                        if launch::may_call(&file.text) {
-                            uses.scripts.push(path);
-                        }
-                    }
+                false => {
+                    let is_small = || vfs.size(&path).is_some_and(|size| size <= CALLER_BYTES);
+                    visit(&path, &entry.name, &is_small);
                 }
-                false if read::is_description(&entry.name) => {
-                    uses.files.entry(entry.name.clone()).or_default().push(path);
-                }
-                false => {}
             }
         }
     }
-    uses.callers.sort_by(|a: &Caller, b| a.path.cmp(&b.path));
-    uses.scripts.sort();
-    uses.beside.sort();
-    config::inherit(&mut uses.callers);
-    uses
+    is_whole
 }
 
 #[cfg(test)]

@@ -25,17 +25,37 @@ fn era(text: &str) -> Option<Era> {
 const SIMULATES: [&str; 9] =
     ["gazebo", "ros_gz", "ros_ign", "mujoco", "pybullet", "isaac", "webots", "controller_manager", "moveit"];
 
+/// Whether a text runs something that needs masses and collisions.
+pub(super) fn simulates(text: &str) -> bool {
+    SIMULATES.iter().any(|word| text.contains(word))
+}
+
+/// Whether a file is a program, and no test of one.
+pub(super) fn is_program(path: &Path) -> bool {
+    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or("");
+    let folder = path.parent().and_then(Path::file_name);
+    let mut names = path.file_name().into_iter().chain(folder);
+    let is_test = names.any(|name| name.to_string_lossy().to_lowercase().starts_with("test"));
+    ["py", "cpp", "sh", "m"].contains(&ending) && !is_test
+}
+
 /// Whether a file of that name may call a robot.
 pub(super) fn may_call(name: &str) -> bool {
-    const ENDINGS: [&str; 16] = [
+    const ENDINGS: [&str; 17] = [
         "launch", "xml", "py", "sh", "bash", "md", "rst", "txt", "yaml", "yml", "cmake", "test", "in", "cpp",
-        "toml", "ipynb",
+        "toml", "ipynb", "m",
     ];
     // these say what is installed, what depends on what, and what was; not what is used
     let tells_nothing =
         ["package.xml", "setup.py"].contains(&name) || name.to_lowercase().starts_with("changelog");
     let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
     ENDINGS.contains(&ending) && !tells_nothing && !is_description(name)
+}
+
+/// Whether a file is there to be read, not run.
+pub(super) fn is_page(path: &Path) -> bool {
+    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or("");
+    ["md", "rst", "txt", "ipynb"].contains(&ending) && !path.ends_with("CMakeLists.txt")
 }
 
 pub(super) fn is_description(name: &str) -> bool {
@@ -81,7 +101,7 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
         is_open: takes_any(text),
         era: era(text),
         is_bullet: ["loadURDF(", "Bullet", "pybullet"].iter().any(|word| text.contains(word)),
-        simulates: SIMULATES.iter().any(|word| text.contains(word)),
+        simulates: simulates(text),
         shows: text.contains("rviz"),
         args,
         based_on,
@@ -89,9 +109,9 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
 }
 
 /// A text without its comments: what they name is not called.
-fn without_comments<'t>(name: &str, text: &'t str) -> Cow<'t, str> {
+pub(super) fn without_comments<'t>(name: &str, text: &'t str) -> Cow<'t, str> {
     match name.rsplit_once('.').map_or("", |(_, ending)| ending) {
-        "launch" | "xml" | "test" if text.contains("<!--") => {
+        "launch" | "xml" | "test" | "xacro" | "urdf" if text.contains("<!--") => {
             let mut parts = text.split("<!--");
             let first = parts.next().unwrap_or("").to_owned();
             let behind = parts.filter_map(|part| Some(part.split_once("-->")?.1));
@@ -237,7 +257,7 @@ fn takes_any(text: &str) -> bool {
     names.any(|name| ARGUMENTS.iter().any(|argument| name.starts_with(argument)))
 }
 
-fn is_name(c: char) -> bool {
+pub(super) fn is_name(c: char) -> bool {
     c.is_alphanumeric() || matches!(c, '_' | '-' | '.')
 }
 

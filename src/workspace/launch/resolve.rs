@@ -192,6 +192,18 @@ impl Call {
     }
 }
 
+impl Argument {
+    /// Whether nobody who starts the launch file can give another value: it stands in the call at `range`, or is computed.
+    pub fn is_fixed(&self, range: TextRange) -> bool {
+        self.value.0.iter().all(|bit| match bit {
+            Bit::Text(_, Some(at)) => range.contains_range(*at),
+            Bit::Text(_, None) => false,
+            Bit::Share(_) | Bit::Opaque(Why::Computed) => true,
+            Bit::Opaque(_) => false,
+        })
+    }
+}
+
 impl Word {
     fn push(&mut self, bit: Bit) {
         self.0.push(bit);
@@ -233,6 +245,9 @@ impl Word {
 
     /// The value as the launch system hands it on, where it is known and all packages are found.
     pub fn value(&self, packages: &Packages, from: &Path) -> Option<String> {
+        if let Some(at) = self.joined_share() {
+            return Self(self.0.get(at..)?.to_vec()).value(packages, from);
+        }
         let value = |bit: &Bit| match bit {
             Bit::Text(text, _) => Some(text.clone()),
             Bit::Share(name) => {
@@ -242,6 +257,19 @@ impl Word {
             Bit::Opaque(_) => None,
         };
         self.0.iter().map(value).collect()
+    }
+
+    /// Where a share folder follows the steps of another path: it takes their place.
+    fn joined_share(&self) -> Option<usize> {
+        let at = self.0.iter().rposition(|bit| matches!(bit, Bit::Share(_)))?;
+        let (first, before) = (self.0.first()?, self.0.get(..at)?.last()?);
+        let is_path = match first {
+            Bit::Share(_) => true,
+            Bit::Text(text, _) => text.starts_with('/'),
+            Bit::Opaque(_) => false,
+        };
+        let ends_step = matches!(before, Bit::Text(text, _) if text.ends_with('/'));
+        (is_path && ends_step).then_some(at)
     }
 
     /// The file it names. Relative names start in the folder of the launch file.

@@ -1,0 +1,228 @@
+//! Repositories of others that were copied into a workspace, and what the workspace uses of them.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::{Callers, Uses};
+use crate::Packages;
+use crate::manifest::MANIFEST;
+use base::FastSet;
+use vfs::Vfs;
+
+/// Files and folders at the top of a repository that mean something only there.
+const MARKS: [&str; 12] = [
+    ".github",
+    ".gitlab-ci.yml",
+    ".travis.yml",
+    ".circleci",
+    ".appveyor.yml",
+    "Jenkinsfile",
+    ".pre-commit-config.yaml",
+    ".gitmodules",
+    "CODE_OF_CONDUCT.md",
+    "CONTRIBUTING.md",
+    "codecov.yml",
+    ".codecov.yml",
+];
+
+/// What tools write into a manifest for somebody to fill in.
+const DRAFTS: [&str; 2] = ["@todo.todo", "<license>TODO"];
+
+/// First words of names of packages that say nothing about whose they are.
+const COMMON: [&str; 10] = ["gazebo", "gz", "ign", "moveit", "my", "nav2", "robot", "ros", "ros2", "simple"];
+
+/// The folders of the repositories of others below a folder.
+pub(super) type Copies = Vec<PathBuf>;
+
+/// A package, as far as it matters whose it is.
+struct Member {
+    name: String,
+    folder: PathBuf,
+    /// The folder of the repository that it was copied with.
+    copied: Option<PathBuf>,
+    /// Whether its manifest is as a tool made it, with things to be filled in: nobody else has published it.
+    is_draft: bool,
+    people: Vec<String>,
+    /// The first words of the names of the packages that it needs.
+    needs: Vec<String>,
+}
+
+impl Callers {
+    /// Whether a repository of others was copied into the sources around a file.
+    pub fn has_copies(&self, file: &Path, packages: &Packages) -> bool {
+        !self.copies(file, packages).is_empty()
+    }
+
+    /// The folder of the repository of others that a file was copied with into this workspace.
+    pub fn copied_with(&self, file: &Path, packages: &Packages) -> Option<PathBuf> {
+        around(&self.copies(file, packages), file).map(Path::to_owned)
+    }
+
+    /// Whether a file belongs to a repository of others that was copied into this workspace, and nothing else in the workspace
+    /// names it or what leads to it. `includers` gives the files that include a description.
+    pub fn is_unused_copy(
+        &self,
+        file: &Path,
+        packages: &Packages,
+        includers: impl Fn(&Path) -> Vec<PathBuf>,
+    ) -> bool {
+        let copies = self.copies(file, packages);
+        if around(&copies, file).is_none() {
+            return false;
+        }
+        let mut open = vec![file.to_owned()];
+        let mut seen: FastSet<PathBuf> = FastSet::default();
+        while let Some(file) = open.pop() {
+            if around(&copies, &file).is_none() {
+                return false;
+            }
+            let Some(users) = self.users(&file, &copies, packages) else { return false };
+            let users = users.into_iter().chain(includers(&file));
+            open.extend(users.filter(|user| !seen.contains(user)));
+            seen.insert(file);
+        }
+        true
+    }
+
+    /// The texts that lead to a file of a copy, but for includes; none when something that runs names its package, or not all
+    /// texts are known.
+    fn users(&self, file: &Path, copies: &Copies, packages: &Packages) -> Option<Vec<PathBuf>> {
+        let mentions = self.mentions(file, packages).filter(|mentions| mentions.is_whole)?;
+        let package = packages.containing(file).map(|package| package.name);
+        let is_used = |package: String| mentions.uses(&package).any(|by| around(copies, by).is_none());
+        // whoever uses a package does not run its tests
+        if !is_of_tests(file, packages) && package.is_some_and(is_used) {
+            return None;
+        }
+        let uses = self.around(file, packages)?;
+        let computing = uses.callers.iter().filter(|caller| caller.ends(file));
+        let users = mentions.of(file).chain(computing.map(|caller| &*caller.path));
+        Some(users.filter(|user| packages.may_mean(user, file)).map(Path::to_owned).collect())
+    }
+
+    /// The copies in the sources around a file.
+    fn copies(&self, file: &Path, packages: &Packages) -> Arc<Copies> {
+        let Some(top) = packages.sources_around(file) else { return Arc::default() };
+        let uses = || self.around(file, packages);
+        self.copies.get(top.clone(), || Arc::new(copied_below(&top, packages, uses)))
+    }
+}
+
+/// Whether a file belongs to the tests of its package.
+fn is_of_tests(file: &Path, packages: &Packages) -> bool {
+    let Some(package) = packages.containing(file) else { return false };
+    let inside = file.strip_prefix(&package.folder).ok().and_then(Path::parent);
+    let is_test = |name: &std::ffi::OsStr| name.to_string_lossy().to_lowercase().starts_with("test");
+    inside.is_some_and(|inside| inside.iter().any(is_test))
+}
+
+/// The folder of the copy that a file lies in.
+fn around<'c>(copies: &'c Copies, file: &Path) -> Option<&'c Path> {
+    copies.iter().map(PathBuf::as_path).find(|folder| file.starts_with(folder))
+}
+
+/// The folders of the repositories that were copied below a folder: they have marks of a repository or are released, and share
+/// neither people nor names with the packages of this one, which are drafts, or have robots. What is cloned, with a `.git` of its
+/// own, may be anybody's.
+fn copied_below(top: &Path, packages: &Packages, uses: impl FnOnce() -> Option<Arc<Uses>>) -> Copies {
+    let member = |(name, folder): (String, PathBuf)| {
+        let manifest = packages.vfs.text(&folder.join(MANIFEST));
+        let manifest = manifest.as_ref().map_or("", |file| &*file.text);
+        Member {
+            name,
+            copied: copied_with(top, &folder, &packages.vfs),
+            folder,
+            is_draft: DRAFTS.iter().any(|draft| manifest.contains(draft)),
+            people: people(manifest),
+            needs: needs(manifest).filter_map(family).map(str::to_owned).collect(),
+        }
+    };
+    let mut members: Vec<Member> = packages.below(top).into_iter().map(member).collect();
+    if members.iter().all(|one| one.copied.is_none()) {
+        return Copies::new();
+    }
+    // whoever shares people or names with packages of this repository is no other
+    while let Some(folder) = related(&members) {
+        let own = members.iter_mut().filter(|one| one.copied.as_ref() == Some(&folder));
+        own.for_each(|one| one.copied = None);
+    }
+    let has_drafts = members.iter().any(Member::is_own_draft);
+    // a repository that is published as a whole may hold what is released, and what is not yet
+    let is_published = !has_drafts && has_mark(&packages.vfs, top);
+    let is_released = |folder: &PathBuf| members.iter().any(|one| one.folder == *folder);
+    let copied = members.iter().filter_map(|one| one.copied.clone());
+    let mut folders: Vec<PathBuf> = copied
+        .filter(|folder| !is_published || !is_released(folder) || has_mark(&packages.vfs, folder))
+        .collect();
+    folders.sort();
+    folders.dedup();
+    let has_robots = |uses: Arc<Uses>| {
+        let mut own = members.iter().filter(|one| one.copied.is_none());
+        let files = || uses.files.values().flatten().chain(uses.callers.iter().map(|caller| &caller.path));
+        own.any(|one| files().any(|file| file.starts_with(&one.folder)))
+    };
+    let is_workspace = !folders.is_empty() && (has_drafts || uses().is_some_and(has_robots));
+    if is_workspace { folders } else { Copies::new() }
+}
+
+impl Member {
+    fn is_own_draft(&self) -> bool {
+        self.is_draft && self.copied.is_none()
+    }
+}
+
+/// The folder of the repository that a package was copied with below a folder.
+fn copied_with(top: &Path, package: &Path, vfs: &Vfs) -> Option<PathBuf> {
+    let folders = || package.ancestors().take_while(|folder| folder.starts_with(top) && *folder != top);
+    if folders().any(|folder| vfs.exists(&folder.join(".git"))) {
+        return None;
+    }
+    let marked = folders().filter(|folder| has_mark(vfs, folder)).last();
+    let is_released = || vfs.is_file(&package.join("CHANGELOG.rst"));
+    marked.or_else(|| is_released().then_some(package)).map(Path::to_owned)
+}
+
+fn has_mark(vfs: &Vfs, folder: &Path) -> bool {
+    vfs.list_dir(folder).iter().any(|entry| MARKS.contains(&entry.name.as_str()))
+}
+
+/// A copy one of whose packages shares people or the first word of its name with one of this repository, or one that it needs: with
+/// the drafts, where there are some.
+fn related(members: &[Member]) -> Option<PathBuf> {
+    let has_drafts = members.iter().any(Member::is_own_draft);
+    let own = || members.iter().filter(|one| one.copied.is_none() && (one.is_draft || !has_drafts));
+    let known: FastSet<&String> = own().flat_map(|one| &one.people).collect();
+    let needed = own().flat_map(|one| one.needs.iter().map(String::as_str));
+    let families: FastSet<&str> = own().filter_map(|one| family(&one.name)).chain(needed).collect();
+    let is_related = |one: &&Member| {
+        one.people.iter().any(|person| known.contains(person))
+            || family(&one.name).is_some_and(|family| families.contains(family))
+    };
+    members.iter().filter(|one| one.copied.is_some()).find(is_related)?.copied.clone()
+}
+
+/// The first word of the name of a package, where it says something.
+fn family(name: &str) -> Option<&str> {
+    name.split(['_', '-']).next().filter(|word| !COMMON.contains(word))
+}
+
+/// The packages that a manifest says it needs.
+fn needs(manifest: &str) -> impl Iterator<Item = &str> {
+    let elements = manifest.split('<').filter_map(|part| part.split_once('>'));
+    let is_need = |(tag, _): &(&str, &str)| {
+        let tag = tag.split_whitespace().next().unwrap_or("");
+        tag.ends_with("depend") && !tag.starts_with('/') && !tag.starts_with("buildtool")
+    };
+    elements.filter(is_need).map(|(_, name)| name.trim())
+}
+
+/// The addresses of the people that a manifest names.
+fn people(manifest: &str) -> Vec<String> {
+    let address = |part: &str| {
+        let quote = part.chars().next().filter(|c| matches!(c, '"' | '\''))?;
+        part.get(1..)?.split(quote).next().map(str::to_lowercase)
+    };
+    let is_example =
+        |address: &String| ["@example.com", "@todo.com"].iter().any(|end| address.ends_with(end));
+    manifest.split("email=").skip(1).filter_map(address).filter(|address| !is_example(address)).collect()
+}

@@ -1,0 +1,139 @@
+//! What the texts of a workspace say: the names of its files and packages, what is started, and for which ROS it is.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::{Callers, name_of, read, walk};
+use crate::Packages;
+use base::{FastMap, FastSet};
+
+/// Distributions whose xacro takes tags without their prefix, by the first part of their name.
+const OLD: [&str; 8] = ["fuerte", "groovy", "hydro", "indigo", "jade", "kinetic", "lunar", "melodic"];
+
+/// The others.
+const NEW: [&str; 13] = [
+    "noetic", "ardent", "bouncy", "crystal", "dashing", "eloquent", "foxy", "galactic", "humble", "iron",
+    "jazzy", "kilted", "ros2",
+];
+
+/// Words of texts that start controllers by their names.
+const STARTERS: [&str; 3] = ["spawner", "load_controller", "switch_controller"];
+
+/// What the texts below a folder say, comments left out.
+#[derive(Default)]
+pub(super) struct Mentions {
+    /// The texts that hold the name of a file.
+    files: FastMap<String, Vec<PathBuf>>,
+    /// The texts that hold the name of a package, but for descriptions and what is built.
+    packages: FastMap<String, Vec<PathBuf>>,
+    /// The texts that start controllers.
+    starters: Vec<PathBuf>,
+    /// Whether a text simulates, plans or controls something.
+    simulates: bool,
+    /// Whether there is a launch file or a program.
+    runs: bool,
+    /// Whether a page names an old distribution, and whether one names a newer one.
+    distributions: (bool, bool),
+    /// Whether all texts were read.
+    pub is_whole: bool,
+}
+
+impl Callers {
+    /// Whether a text in the sources around a file holds its name; also where not all texts are known.
+    pub fn mention_file(&self, file: &Path, packages: &Packages) -> bool {
+        let is_it = |mentions: Arc<Mentions>| !mentions.is_whole || mentions.of(file).next().is_some();
+        self.mentions(file, packages).is_none_or(is_it)
+    }
+
+    /// Whether launch files and programs use what lies around a file, and no text there simulates, plans or controls anything.
+    pub fn never_simulate(&self, file: &Path, packages: &Packages) -> bool {
+        let simulates = |uses: Arc<super::Uses>| uses.callers.iter().any(|caller| caller.simulates);
+        if self.around(file, packages).is_none_or(simulates) {
+            return false;
+        }
+        let is_it = |mentions: Arc<Mentions>| mentions.is_whole && mentions.runs && !mentions.simulates;
+        self.mentions(file, packages).is_some_and(is_it)
+    }
+
+    /// Whether the pages around a file name only distributions whose xacro takes tags without their prefix.
+    pub fn is_for_old_ros(&self, file: &Path, packages: &Packages) -> bool {
+        self.mentions(file, packages).is_some_and(|mentions| mentions.distributions == (true, false))
+    }
+
+    /// The texts around a file that start controllers.
+    pub fn starters(&self, file: &Path, packages: &Packages) -> Vec<PathBuf> {
+        self.mentions(file, packages).map_or_else(Vec::new, |mentions| mentions.starters.clone())
+    }
+
+    /// What the texts in the sources around a file say.
+    pub(super) fn mentions(&self, file: &Path, packages: &Packages) -> Option<Arc<Mentions>> {
+        let top = packages.sources_around(file)?;
+        Some(self.mentions.get(top.clone(), || Arc::new(Mentions::below(&top, packages))))
+    }
+}
+
+impl Mentions {
+    fn below(top: &Path, packages: &Packages) -> Self {
+        let mut found = Self::default();
+        let names: FastSet<String> = packages.below(top).into_iter().map(|(name, _)| name).collect();
+        found.is_whole = walk(&packages.vfs, top, &mut |path, name, is_small| {
+            let is_read = (read::is_description(name) || read::may_call(name)) && is_small();
+            if let Some(text) = is_read.then(|| packages.vfs.text(path).ok()).flatten() {
+                found.add(path, &read::without_comments(name, &text.text), &names);
+            }
+        });
+        found.starters.sort();
+        found
+    }
+
+    /// Add what one text says.
+    fn add(&mut self, path: &Path, text: &str, names: &FastSet<String>) {
+        let is_description = read::is_description(name_of(path));
+        let is_page = read::is_page(path);
+        self.simulates |= read::simulates(text);
+        self.runs |= !is_description && (name_of(path).contains("launch") || read::is_program(path));
+        if !is_description && !is_page && STARTERS.iter().any(|word| text.contains(word)) {
+            self.starters.push(path.to_owned());
+        }
+        let is_use = !is_description && !path.ends_with("CMakeLists.txt");
+        let mut seen: FastSet<&str> = FastSet::default();
+        for word in text.split(|c| !read::is_name(c)).map(|word| word.trim_matches(['.', '-'])) {
+            let is_package = is_use && names.contains(word);
+            let is_file = word.contains('.') && word.contains(char::is_alphabetic);
+            if is_page {
+                self.add_distribution(word);
+            }
+            if !(is_package || is_file) || !seen.insert(word) {
+                continue;
+            }
+            if is_package {
+                self.packages.entry(word.to_owned()).or_default().push(path.to_owned());
+            }
+            if is_file {
+                self.files.entry(word.to_owned()).or_default().push(path.to_owned());
+            }
+        }
+    }
+
+    fn add_distribution(&mut self, word: &str) {
+        let is = |names: &[&str]| names.iter().any(|name| word.eq_ignore_ascii_case(name));
+        let parts = || word.split(['-', '_', '.']);
+        let has = |names: &[&str]| {
+            is(names) || parts().any(|part| names.iter().any(|name| part.eq_ignore_ascii_case(name)))
+        };
+        self.distributions.0 |= has(&OLD);
+        self.distributions.1 |= has(&NEW);
+    }
+
+    /// The texts other than a file itself that hold its name.
+    pub fn of(&self, file: &Path) -> impl Iterator<Item = &Path> {
+        let all = self.files.get(name_of(file)).into_iter().flatten().map(PathBuf::as_path);
+        let own = file.to_owned();
+        all.filter(move |path| *path != own)
+    }
+
+    /// The texts that hold the name of a package, but for descriptions and what is built.
+    pub fn uses(&self, package: &str) -> impl Iterator<Item = &Path> {
+        self.packages.get(package).into_iter().flatten().map(PathBuf::as_path)
+    }
+}
