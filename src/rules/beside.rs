@@ -233,7 +233,7 @@ impl<'a> BesideCx<'a> {
         self.robots.iter().filter_map(move |paired| Some((paired, paired.robot.joint(name)?)))
     }
 
-    /// Whether the name of a link, joint or group that is not there is close to one that is.
+    /// Whether the name of an unknown link, joint or group is close to one that is known.
     pub(super) fn is_misspelled(&self, kind: Kind, name: &str) -> bool {
         let names = self.names.of(kind).into_iter().flatten();
         nearest(name, names.map(EcoString::as_str)).is_some()

@@ -398,8 +398,11 @@ fn search(vfs: &Vfs, top: &Path) -> Uses {
     uses
 }
 
+/// Takes the path of a file, its name, and whether it is small enough to be read.
+type Visit<'v> = dyn FnMut(&Path, &str, &dyn Fn() -> bool) + 'v;
+
 /// Visit the files below a folder, each with its name and whether it is small enough to be read; whether that were all.
-fn walk(vfs: &Vfs, top: &Path, visit: &mut dyn FnMut(&Path, &str, &dyn Fn() -> bool)) -> bool {
+fn walk(vfs: &Vfs, top: &Path, visit: &mut Visit<'_>) -> bool {
     // a link that leads up does not make what lies beside the folder a part of it
     let mut seen: FastSet<u128> = top.ancestors().skip(1).filter_map(|folder| vfs.identity(folder)).collect();
     let above = seen.len();
