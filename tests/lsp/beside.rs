@@ -87,6 +87,39 @@ fn check(folder: &Path) -> String {
 }
 
 #[test]
+fn an_argument_in_a_name_of_srdf_is_one_of_its_file() {
+    let folder = folder();
+    let (text, file) = (std::fs::read_to_string(folder.join(SRDF)).unwrap(), format!("{SRDF}.xacro"));
+    std::fs::remove_file(folder.join(SRDF)).unwrap();
+    let root = text.find("<robot").unwrap();
+    let inside = root + text[root..].find('>').unwrap() + 1;
+    let (name, end) = ("end_effector name=\"", text.find("parent_link=\"").unwrap() + "parent_link=\"".len());
+    let link = &text[end..end + text[end..].find('"').unwrap()];
+    let (first, rest) = link.split_at(3);
+    assert!(text.contains(name));
+    let arg = format!("<xacro:arg name=\"lead\" default=\"{first}\"/>");
+    let tag = text[root..inside].replace("<robot", "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\"");
+    let text = format!(
+        "{}{tag}{arg}{}$(arg lead){rest}{}",
+        &text[..root],
+        &text[inside..end],
+        &text[end + link.len()..]
+    );
+    write(&folder, &file, text);
+    let paired = "src/pick_arm_moveit_config/.setup_assistant";
+    let names = std::fs::read_to_string(folder.join(paired)).unwrap();
+    write(&folder, paired, names.replace("pick_arm.srdf", "pick_arm.srdf.xacro"));
+    let mut client = Client::with(folder.clone(), Options::default());
+    client.open(&file);
+    let found = client.request("textDocument/definition", client.at(&file, ")t_to|ol"));
+    assert!(!places(&folder, &found).is_empty());
+    let found = client.request("textDocument/definition", client.at(&file, "$(arg le|ad)"));
+    assert_eq!(places(&folder, &found), ["pick_arm.srdf.xacro lead"]);
+    let counts = renamed(&mut client, &folder, (&file, "$(arg le|ad)"), "start").unwrap();
+    assert_eq!(counts, BTreeMap::from([("pick_arm.srdf.xacro".to_owned(), 2)]));
+}
+
+#[test]
 fn a_joint_of_a_macro_is_renamed_in_all_files() {
     for (file, at) in
         [(ARM, "name=\"${prefix}wr|ist\""), (SRDF, "name=\"left_wr|ist\""), (LIMITS, "left_wr|ist")]

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::navigation::Asked;
+use super::of_description::is_not_described;
 use crate::convert;
 use crate::failure::Failure;
 use crate::state::State;
@@ -49,7 +50,7 @@ pub fn asked_beside(
     cancel: &CancelFlag,
 ) -> Result<Option<Asked>, Failure> {
     let roots = state.world.robots_beside(path);
-    if roots.is_empty() {
+    if roots.is_empty() || is_at_xacro_name(path, source, offset) {
         return Ok(None);
     }
     // most places of YAML are at no name: no robot is expanded for them
@@ -69,6 +70,15 @@ pub fn asked_beside(
         return Ok(Some(Asked { source: source.clone(), analyzed, around, offset, beside, pinned: None }));
     }
     Ok(None)
+}
+
+/// Whether an expression names something at an offset: `$(arg name)` in the name of a link is an argument of the file itself.
+fn is_at_xacro_name(path: &Path, source: &SourceFile, offset: u32) -> bool {
+    let place = source.document.item_at(offset.saturating_sub(1));
+    let named = |facts: &facts::FactsOf<'_>| {
+        facts.mentions().any(|mention| mention.range.shift(place.start).touches(offset))
+    };
+    !is_not_described(path) && named(&facts::facts_of(place.item))
 }
 
 /// What can be typed at a place of a YAML file beside robots.
