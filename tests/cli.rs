@@ -2,7 +2,7 @@
 //! `tests/docs`.
 //!
 //! A transcript begins with the folder it is run in: `cd FOLDER`, or `copy FOLDER` when the commands change it.
-//! `UPDATE=1` writes the answers anew.
+//! `UPDATE=1` writes the answers again.
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,
@@ -53,7 +53,7 @@ fn answer(line: &str, cwd: &Path) -> String {
     text.replace(&cwd.display().to_string(), "[cwd]")
 }
 
-/// The transcript with all answers made anew.
+/// The transcript with all answers made again.
 fn rerun(transcript: &str) -> String {
     let (head, _) = transcript.split_once('\n').unwrap();
     let cwd = match head.split_once(' ').unwrap() {
@@ -128,7 +128,7 @@ fn up_to_date(path: &Path, new: &str) {
     assert!(stored == new, "{} is old: run `UPDATE=1 cargo test --test cli`", path.display());
 }
 
-/// A page with the part between the comments of `name` made anew.
+/// A page with the part between the comments of `name` made again.
 fn with_part(page: &str, name: &str, part: &str) -> String {
     let begin = page.find(&format!("<!-- {name}: ")).unwrap();
     let begin = begin + page[begin..].find('\n').unwrap() + 1;

@@ -21,7 +21,7 @@ use std::time::{Duration, Instant};
 
 const LINT: &str = env!("CARGO_BIN_EXE_xacro-lint");
 
-/// A folder that is made anew, that everybody may write to.
+/// A folder that is made again, that everybody may write to.
 fn folder() -> PathBuf {
     static COUNT: AtomicUsize = AtomicUsize::new(0);
     let number = COUNT.fetch_add(1, Ordering::Relaxed);

@@ -136,7 +136,7 @@ fn the_page_lists_them() {
     );
 }
 
-/// A folder that is made anew.
+/// A folder that is made again.
 fn folder() -> PathBuf {
     static COUNT: AtomicUsize = AtomicUsize::new(0);
     let number = COUNT.fetch_add(1, Ordering::Relaxed);

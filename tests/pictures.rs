@@ -1,4 +1,4 @@
-//! The still pictures of the documentation show the examples as they are. `UPDATE=1` draws them anew.
+//! The still pictures of the documentation show the examples as they are. `UPDATE=1` draws them again.
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

@@ -117,7 +117,7 @@ impl Session {
         if job.reason == Reason::Alone {
             return Role::Root;
         }
-        let misspelt =
+        let misspelled =
             || findings.iter().any(|finding| finding.rule == named::UNDEFINED_LINK && finding.fix.is_some());
         // a file in xacro without content is one that somebody has yet to write
         let is_begun = |robot: &Robot| {
@@ -128,7 +128,7 @@ impl Session {
         }
         let missing = robot.and_then(above_fragment);
         // whoever names the file together with the link attaches it there
-        let is_whole = |link: &EcoString| misspelt() || is_called() && !self.is_named_with(&job.file, link);
+        let is_whole = |link: &EcoString| misspelled() || is_called() && !self.is_named_with(&job.file, link);
         match gives_robot {
             true if missing.is_none_or(is_whole) => Role::Root,
             _ => Role::Unknown,
@@ -203,13 +203,13 @@ fn depends_on_role(finding: &Finding) -> bool {
 }
 
 fn verdict(role: Role, finding: &Finding) -> Verdict {
-    let is_misspelt = finding.fix.is_some() && !finding.probed;
+    let is_misspelled = finding.fix.is_some() && !finding.probed;
     match (&finding.outside, role) {
         (None, _) if !depends_on_role(finding) => Verdict::Keep,
         (Some(Outside::File), _) => Verdict::Keep,
         (Some(Outside::Environment), _) => Verdict::Note,
         (_, Role::Part) => Verdict::Drop,
-        (Some(Outside::Argument(_)), _) if is_misspelt => Verdict::Keep,
+        (Some(Outside::Argument(_)), _) if is_misspelled => Verdict::Keep,
         (_, Role::Unknown) => Verdict::Note,
         (None, Role::Root) => Verdict::Keep,
         (Some(_), Role::Root) if finding.probed => Verdict::Note,

@@ -287,7 +287,7 @@ fn lower(findings: &mut [Finding]) {
 }
 
 /// What is wrong in a file that xacro generated, and in its source as well, is said of the source. The rest is an info
-/// where nothing loads the file: it has to be generated anew.
+/// where nothing loads the file: it has to be generated again.
 pub(super) fn leave_out_copies(session: &Session, outcomes: &mut [Outcome]) {
     let generated: Vec<(usize, String)> = (0..)
         .zip(&*outcomes)

@@ -412,7 +412,7 @@ impl World {
     }
 
     /// Expansions to take names from while somebody types in the file at `path`, the newest first. None is made
-    /// anew for what stands in that file, nor while a text is broken, unless there is none at all: what comes out
+    /// again for what stands in that file, nor while a text is broken, unless there is none at all: what comes out
     /// of half-typed text is worth little, and the next letter is waited for.
     pub fn while_typing(
         &mut self,

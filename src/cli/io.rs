@@ -13,9 +13,9 @@ pub struct Io<'a> {
     pub err: &'a mut dyn Write,
     /// Read for `-`.
     pub stdin: &'a mut dyn Read,
-    /// Whether messages may be coloured.
+    /// Whether messages may be colored.
     pub color: bool,
-    /// Whether results may be coloured.
+    /// Whether results may be colored.
     pub color_out: bool,
     /// Whether results go to a terminal.
     pub out_is_terminal: bool,
@@ -28,7 +28,7 @@ pub struct Io<'a> {
 }
 
 impl<'a> Io<'a> {
-    /// Streams without colours, none of them a terminal; a person reads them.
+    /// Streams without colors, none of them a terminal; a person reads them.
     pub fn plain(out: &'a mut dyn Write, err: &'a mut dyn Write, stdin: &'a mut dyn Read) -> Self {
         Self {
             out,

@@ -158,7 +158,7 @@ fn positions(wanted: &[String], model: &Model) -> Result<Positions, String> {
     Ok(positions)
 }
 
-/// Radians, degrees as `90deg`, or metres.
+/// Radians, degrees as `90deg`, or meters.
 fn position(joint: &Joint, value: &str) -> Result<f64, String> {
     let name = &joint.name;
     if let Some(mimic) = &joint.mimic {

@@ -39,7 +39,7 @@ impl Expander<'_> {
             let at = Origin { src: tag.src, range: attr.name_range(), frame: cx.frame };
             let given = open.take(attr.name());
             let Some(param) =
-                given.or_else(|| self.misspelt_param(tag, def, &mut open, (attr.name(), at), body))
+                given.or_else(|| self.misspelled_param(tag, def, &mut open, (attr.name(), at), body))
             else {
                 continue;
             };
@@ -276,7 +276,7 @@ impl Expander<'_> {
 
     /// Report an attribute that is no parameter. If it looks like one that is not given otherwise, it is
     /// taken for that one: a typing error is one finding, not two.
-    fn misspelt_param<'d>(
+    fn misspelled_param<'d>(
         &mut self,
         tag: Tag<'_>,
         def: &MacroDef,

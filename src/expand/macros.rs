@@ -196,7 +196,7 @@ impl Expander<'_> {
             return self.too_deep(def, at);
         };
         if self.unknown_conditions > 0 || self.include_missing {
-            // whether to go on cannot be known, so the recursion ends here: a file that is missing may define the macro anew
+            // whether to go on cannot be known, so the recursion ends here: a file that is missing may define the macro again
             self.result.complete = false;
             self.content_lost = true;
             return true;

@@ -1,4 +1,4 @@
-//! The words of an expression as they stand, for colours: half-typed text has words too.
+//! The words of an expression as they stand, for colors: half-typed text has words too.
 
 use super::lexer::{Source, lex};
 use super::report::Report;

@@ -7,7 +7,7 @@ mod actions;
 mod beside;
 mod calls;
 mod code;
-mod colours;
+mod colors;
 mod completion;
 mod context;
 mod expand_at;
@@ -46,7 +46,7 @@ pub use actions::{
 };
 pub use beside::{BesideName, names_in_settings, names_in_srdf};
 pub use calls::{Caller, Calls, caller_target, calls_of, incoming, macro_at, macros_of, outgoing};
-pub use colours::{Colour, colour_text, colours};
+pub use colors::{Color, color_text, colors};
 pub use completion::{
     BesideSources, Completion, Completions, ItemKind, Scope, Signature, Sources, Topic, completions,
     completions_in_settings, documentation, signature_help,

@@ -78,7 +78,7 @@ pub struct Axis {
     pub xyz: Option<Text>,
 }
 
-/// A `limit`: radians or metres, N m or N, rad/s or m/s.
+/// A `limit`: radians or meters, N m or N, rad/s or m/s.
 #[derive(Clone, Debug)]
 #[allow(missing_docs)]
 pub struct Limit {

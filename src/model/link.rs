@@ -22,12 +22,12 @@ pub struct Link {
     pub collisions: Vec<Body>,
 }
 
-/// An `inertial`: mass in kg, inertia about the centre of mass in kg m^2.
+/// An `inertial`: mass in kg, inertia about the center of mass in kg m^2.
 #[derive(Clone, Debug)]
 pub struct Inertial {
     /// Its element.
     pub element: XId,
-    /// The frame of the inertia; its translation is the centre of mass.
+    /// The frame of the inertia; its translation is the center of mass.
     pub origin: Option<Pose>,
     /// The element `mass`.
     pub mass_element: Option<XId>,
@@ -132,29 +132,29 @@ pub struct Shape {
     pub kind: ShapeKind,
 }
 
-/// The kinds of shapes; lengths in metres.
+/// The kinds of shapes; lengths in meters.
 #[derive(Clone, Debug)]
 pub enum ShapeKind {
-    /// `box`: full lengths along x, y, z, centred.
+    /// `box`: full lengths along x, y, z, centered.
     Box {
         /// Three lengths.
         size: Option<Text>,
     },
-    /// `cylinder` along z, centred.
+    /// `cylinder` along z, centered.
     Cylinder {
         /// Radius.
         radius: Option<Text>,
         /// Length.
         length: Option<Text>,
     },
-    /// `capsule` along z, centred: a cylinder with half spheres at its ends.
+    /// `capsule` along z, centered: a cylinder with half spheres at its ends.
     Capsule {
         /// Radius.
         radius: Option<Text>,
         /// Length of the cylinder.
         length: Option<Text>,
     },
-    /// `sphere`, centred.
+    /// `sphere`, centered.
     Sphere {
         /// Radius.
         radius: Option<Text>,

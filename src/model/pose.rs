@@ -6,12 +6,12 @@ use super::text::Text;
 use super::version::Version;
 use expand::{XId, XTree};
 
-/// An `origin` element: metres and radians, fixed axes roll, pitch, yaw, or a quaternion.
+/// An `origin` element: meters and radians, fixed axes roll, pitch, yaw, or a quaternion.
 #[derive(Clone, Debug)]
 pub struct Pose {
     /// Its element.
     pub element: XId,
-    /// The translation `xyz`, metres.
+    /// The translation `xyz`, meters.
     pub xyz: Option<Text>,
     /// The rotation `rpy`, radians.
     pub rpy: Option<Text>,
@@ -27,7 +27,7 @@ impl Pose {
         Self { element, xyz: text("xyz"), rpy: text("rpy"), quaternion }
     }
 
-    /// The translation in metres, zero where none is written; none when it is no known vector.
+    /// The translation in meters, zero where none is written; none when it is no known vector.
     pub fn translation(&self) -> Option<[f64; 3]> {
         self.xyz.as_ref().map_or(Some([0.0; 3]), Text::numbers)
     }

@@ -37,7 +37,7 @@ const MARGIN: f64 = 0.06;
 pub(super) const ROOM: f64 = 28.0;
 /// Distance of the camera, in radii of the robot.
 const DISTANCE: f64 = 4.5;
-/// Half the diagonal of what is drawn at least, metres.
+/// Half the diagonal of what is drawn at least, meters.
 const SMALLEST: f64 = 0.01;
 
 /// A camera: directions, and how what it sees is put into the picture.
@@ -45,20 +45,20 @@ const SMALLEST: f64 = 0.01;
 pub(super) struct Camera {
     /// To the right, up and towards the camera, each of length one.
     axes: [Vector3<f64>; 3],
-    centre: Point3<f64>,
-    /// Distance from the centre; none: lines that are parallel stay parallel.
+    center: Point3<f64>,
+    /// Distance from the center; none: lines that are parallel stay parallel.
     distance: Option<f64>,
-    /// Pixels a metre at the centre.
+    /// Pixels a meter at the center.
     pub scale: f64,
-    /// Where the centre is in the picture, pixels from the upper left corner.
+    /// Where the center is in the picture, pixels from the upper left corner.
     middle: [f64; 2],
 }
 
 impl Camera {
     /// A camera that has all points in the picture, with at least `room` pixels around them.
     pub fn around<'a>(points: impl Iterator<Item = &'a [f64; 3]> + Clone, shot: &Shot, room: f64) -> Self {
-        let bounds = Bounds::around(points.clone().copied()).unwrap_or_else(|| Bounds::centred([0.0; 3]));
-        let centre: [f64; 3] = std::array::from_fn(|i| {
+        let bounds = Bounds::around(points.clone().copied()).unwrap_or_else(|| Bounds::centered([0.0; 3]));
+        let center: [f64; 3] = std::array::from_fn(|i| {
             let at = |side: [f64; 3]| side.get(i).copied().unwrap_or_default();
             at(bounds.min) / 2.0 + at(bounds.max) / 2.0
         });
@@ -68,7 +68,7 @@ impl Camera {
         let radius = (bounds.diagonal() / 2.0).max(SMALLEST);
         let distance = (shot.view == View::Iso).then_some(radius * DISTANCE);
         let axes = [right, back.cross(&right), back];
-        let mut camera = Self { axes, centre: centre.into(), distance, scale: 1.0, middle: [0.0; 2] };
+        let mut camera = Self { axes, center: center.into(), distance, scale: 1.0, middle: [0.0; 2] };
         camera.fit(points, shot.size, room);
         camera
     }
@@ -79,7 +79,7 @@ impl Camera {
             let [x, y, _] = self.project(*point);
             [x, y, 0.0]
         });
-        let seen = Bounds::around(seen).unwrap_or_else(|| Bounds::centred([0.0; 3]));
+        let seen = Bounds::around(seen).unwrap_or_else(|| Bounds::centered([0.0; 3]));
         let [width, height] = size.map(f64::from);
         let [wide, high, _] = seen.size();
         let free = |side: f64| (side - 2.0 * (side * MARGIN).max(room)).max(side / 2.0);
@@ -92,10 +92,10 @@ impl Camera {
     /// Where a point is in the picture, to the right and down in pixels; the third number is the greater the
     /// nearer the point is, and linear in the picture.
     pub fn project(&self, point: [f64; 3]) -> [f64; 3] {
-        let from_centre = Point3::from(point) - self.centre;
-        let [x, y, z] = self.axes.map(|axis| axis.dot(&from_centre));
+        let from_center = Point3::from(point) - self.center;
+        let [x, y, z] = self.axes.map(|axis| axis.dot(&from_center));
         let (nearer, key) = match self.distance {
-            // nothing is farther from the centre than the radius, so nothing reaches the camera
+            // nothing is farther from the center than the radius, so nothing reaches the camera
             Some(distance) => (distance / (distance - z), distance / (distance - z)),
             None => (1.0, z),
         };

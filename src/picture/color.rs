@@ -1,11 +1,11 @@
-//! Colours and light.
+//! Colors and light.
 
 use nalgebra::Vector3;
 
 /// Red, green, blue and opacity, 0 to 1, as URDF writes them.
 pub(super) type Rgba = [f64; 4];
 
-/// What has no colour.
+/// What has no color.
 pub(super) const PLAIN: Rgba = [0.72, 0.74, 0.78, 1.0];
 /// What stands in for a mesh that cannot be drawn.
 pub(super) const MISSING: Rgba = [1.0, 0.0, 1.0, 1.0];
@@ -14,7 +14,7 @@ pub(super) const AXES: [Rgba; 3] = [[0.86, 0.16, 0.16, 1.0], [0.12, 0.6, 0.2, 1.
 /// Lines from frame to frame.
 pub(super) const BONE: Rgba = [0.25, 0.29, 0.36, 1.0];
 
-/// Colours of collisions, one link after the other.
+/// Colors of collisions, one link after the other.
 const COLLISIONS: [Rgba; 6] = [
     [0.35, 0.62, 0.72, 1.0],
     [0.87, 0.62, 0.34, 1.0],
@@ -24,7 +24,7 @@ const COLLISIONS: [Rgba; 6] = [
     [0.5, 0.56, 0.74, 1.0],
 ];
 
-/// The colour of the collisions of a link.
+/// The color of the collisions of a link.
 pub(super) fn collision(link: usize) -> Rgba {
     COLLISIONS.get(link % COLLISIONS.len()).copied().unwrap_or(PLAIN)
 }

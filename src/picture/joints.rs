@@ -8,7 +8,7 @@ use preview::{Joint, Model, Pose};
 /// Joints that follow others, one after the other, at most.
 const LONGEST_CHAIN: usize = 64;
 
-/// Positions of joints that are not at zero, by name; radians or metres.
+/// Positions of joints that are not at zero, by name; radians or meters.
 pub type Positions = FastMap<String, f64>;
 
 /// Whether a joint has a position of its own.

@@ -49,7 +49,7 @@ pub(super) fn pixels(scene: &Scene, shot: &Shot) -> Result<Vec<u8>, String> {
         });
     }
     for part in &scene.skeleton {
-        // lines are no surfaces: they have their colour wherever they are
+        // lines are no surfaces: they have their color wherever they are
         let light = Light::of(part.color);
         facets(part, &camera, &mut |facet| solid.push(Facet { light: [light.color; 3], ..facet }));
     }
@@ -96,7 +96,7 @@ fn facets(part: &Part, camera: &Camera, found: &mut dyn FnMut(Facet)) {
     }
 }
 
-/// A colour as amounts of light.
+/// A color as amounts of light.
 #[derive(Clone, Copy)]
 struct Light {
     color: [f32; 3],

@@ -24,12 +24,12 @@ pub struct Content {
     pub positions: Positions,
 }
 
-/// A solid with its colour.
+/// A solid with its color.
 #[derive(Clone, Debug)]
 pub(super) struct Part {
     pub solid: Solid,
     pub color: Rgba,
-    /// Whether the colours of its file count.
+    /// Whether the colors of its file count.
     pub own: bool,
 }
 
@@ -38,7 +38,7 @@ impl Part {
         Self { solid, color, own: false }
     }
 
-    /// Its colour where its file gives this one.
+    /// Its color where its file gives this one.
     pub fn tinted(&self, tint: Option<Rgba>) -> Rgba {
         let [.., opacity] = self.color;
         match tint.filter(|_| self.own) {
@@ -47,7 +47,7 @@ impl Part {
         }
     }
 
-    /// The colour that most of it has.
+    /// The color that most of it has.
     pub fn main_color(&self) -> Rgba {
         let ends = self.solid.tints.iter().skip(1).map(|(start, _)| *start);
         let runs = self.solid.tints.iter().zip(ends.chain([self.solid.triangles.len()]));
@@ -151,7 +151,7 @@ impl Scene {
         self.parts.iter().chain(&self.skeleton).flat_map(|part| &part.solid.points)
     }
 
-    /// A length that is easy to see beside the robot, metres.
+    /// A length that is easy to see beside the robot, meters.
     pub(super) fn unit(&self) -> f64 {
         let frames = self.frames.iter().map(|frame| frame.at.translation.vector.into());
         let points = self.parts.iter().flat_map(|part| part.solid.points.iter().copied());

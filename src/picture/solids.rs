@@ -17,7 +17,7 @@ const RINGS: u32 = 32;
 pub(super) struct Solid {
     pub points: Vec<[f64; 3]>,
     pub triangles: Vec<[u32; 3]>,
-    /// From which triangle on there is which colour of its own.
+    /// From which triangle on there is which color of its own.
     pub tints: Vec<(usize, Option<Rgba>)>,
 }
 

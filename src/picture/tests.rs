@@ -18,7 +18,7 @@ fn visual(geometry: &str, rgba: &str) -> String {
     body("visual", geometry, &color)
 }
 
-/// A link for each text, in a row along joints of one type about z with a metre between.
+/// A link for each text, in a row along joints of one type about z with a meter between.
 fn chain(links: &[String], joints: &str) -> String {
     let mut text = String::from("<robot name=\"bot\">");
     for (i, content) in links.iter().enumerate() {
@@ -286,7 +286,7 @@ fn what_would_take_too_long_is_refused() {
 }
 
 #[test]
-fn colours_of_meshes_count() {
+fn colors_of_meshes_count() {
     let tree = Tree::new();
     tree.write("bot/two.mtl", "newmtl red\nKd 1 0 0\nnewmtl green\nKd 0 1 0\nd 0.5\n");
     let points = "v 0 -2 -1\nv 0 0 -1\nv 0 0 1\nv 0 -2 1\nv 0 2 -1\nv 0 2 1\n";

@@ -10,7 +10,7 @@ use super::shapes::{Shape, Shapes};
 use expand::XId;
 use model::{self, Robot, tag_start};
 
-/// Metres, and radians about fixed axes.
+/// Meters, and radians about fixed axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Pose {
     /// The translation.
@@ -81,10 +81,10 @@ pub struct Body {
     pub origin: Option<Location>,
 }
 
-/// An inertia, about the centre of mass.
+/// An inertia, about the center of mass.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Inertial {
-    /// The frame of the inertia in the link; its translation is the centre of mass.
+    /// The frame of the inertia in the link; its translation is the center of mass.
     pub pose: Pose,
     /// kg
     pub mass: f64,
@@ -123,7 +123,7 @@ pub struct Joint {
     pub call: Option<Location>,
 }
 
-/// Radians or metres, N m or N, rad/s or m/s.
+/// Radians or meters, N m or N, rad/s or m/s.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[allow(missing_docs)]
 pub struct Limit {

@@ -1,4 +1,4 @@
-//! Shapes and colours: meshes found on the disk, materials looked up by name.
+//! Shapes and colors: meshes found on the disk, materials looked up by name.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -14,30 +14,30 @@ use expand::{Expansion, Origin};
 use model::{self, Material, Robot, ShapeKind};
 use workspace::UriOutcome;
 
-/// What a body looks like; lengths in metres.
+/// What a body looks like; lengths in meters.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub enum Shape {
-    /// Centred, full lengths.
+    /// Centered, full lengths.
     Box {
         /// Along x, y and z.
         size: [f64; 3],
     },
-    /// Along z, centred.
+    /// Along z, centered.
     Cylinder {
         /// Radius.
         radius: f64,
         /// Length.
         length: f64,
     },
-    /// Along z, centred, with half spheres at its ends.
+    /// Along z, centered, with half spheres at its ends.
     Capsule {
         /// Radius.
         radius: f64,
         /// Length without the half spheres.
         length: f64,
     },
-    /// Centred.
+    /// Centered.
     Sphere {
         /// Radius.
         radius: f64,
@@ -62,19 +62,19 @@ pub enum Shape {
     },
 }
 
-/// The colour of a body.
+/// The color of a body.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Look {
     pub color: Option<[f64; 4]>,
     pub texture: Option<String>,
 }
 
-/// Where shapes and colours are looked up.
+/// Where shapes and colors are looked up.
 pub(super) struct Shapes<'a> {
     session: &'a Session,
     expansion: &'a Expansion,
     table: &'a Files,
-    /// Materials with a colour or a texture: the first of each name.
+    /// Materials with a color or a texture: the first of each name.
     materials: FastMap<EcoString, &'a Material>,
     /// Files named so far.
     files: BTreeMap<String, MeshFile>,
@@ -112,7 +112,7 @@ impl<'a> Shapes<'a> {
         std::mem::take(&mut self.files)
     }
 
-    /// The colour that a material gives, by itself or by its name.
+    /// The color that a material gives, by itself or by its name.
     pub fn look(&mut self, material: Option<&Material>) -> Look {
         let Some(own) = material else { return Look::default() };
         let name = own.name.as_ref().and_then(|name| name.name());

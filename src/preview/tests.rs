@@ -57,7 +57,7 @@ fn visual(geometry: &str, material: &str) -> String {
 }
 
 #[test]
-fn colours_are_looked_up_by_name() {
+fn colors_are_looked_up_by_name() {
     let shared = "<material name=\"red\"><color rgba=\"1 0 0 0.5\"/></material>";
     let link = |name: &str, material: &str| {
         format!(
@@ -70,9 +70,9 @@ fn colours_are_looked_up_by_name() {
     let unknown = link("d", "<material name=\"blue\"/>");
     let mut shown = Shown::new(&robot(&format!("{shared}{by_name}{own}{of_another}{unknown}")));
     let model = shown.model();
-    let colours: Vec<_> = model.links.iter().map(|link| link.visuals[0].color).collect();
+    let colors: Vec<_> = model.links.iter().map(|link| link.visuals[0].color).collect();
     let green = Some([0.0, 1.0, 0.0, 1.0]);
-    assert_eq!(colours, [Some([1.0, 0.0, 0.0, 0.5]), green, green, None]);
+    assert_eq!(colors, [Some([1.0, 0.0, 0.0, 0.5]), green, green, None]);
 }
 
 #[test]

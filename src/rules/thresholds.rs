@@ -25,7 +25,7 @@ pub static THRESHOLDS: &[Threshold] = &[
     WARN_COLLISION_TRIANGLES,
 ];
 
-/// The longest way from one joint to the next, metres.
+/// The longest way from one joint to the next, meters.
 pub(super) const MAX_JOINT_OFFSET: Threshold = Threshold {
     name: "max-joint-offset-m",
     rule: "origin-units-mm",

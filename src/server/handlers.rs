@@ -8,7 +8,7 @@ use crate::mapping::{instances_of, sources_of};
 use crate::preview::{preview_mesh, selected, show_root, subscribe, unsubscribe};
 use crate::requests::actions::actions;
 use crate::requests::calls::{incoming_calls, outgoing_calls, prepare_calls};
-use crate::requests::colors::{colour_texts, colours};
+use crate::requests::colors::{color_texts, colors};
 use crate::requests::commands::command;
 use crate::requests::completion::{completion, on_type, resolve_completion, signature_help};
 use crate::requests::expand_at::{expand_at, set_instance};
@@ -332,11 +332,11 @@ impl LanguageServer for Handlers {
     }
 
     async fn document_color(&self, params: DocumentColorParams) -> Result<Vec<ColorInformation>> {
-        self.about_xml(params, colours).await
+        self.about_xml(params, colors).await
     }
 
     async fn color_presentation(&self, params: ColorPresentationParams) -> Result<Vec<ColorPresentation>> {
-        self.queue.request(params, colour_texts).await
+        self.queue.request(params, color_texts).await
     }
 
     async fn code_lens(&self, params: CodeLensParams) -> Result<Option<Vec<CodeLens>>> {

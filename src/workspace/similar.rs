@@ -130,7 +130,7 @@ fn word_around(name: &[char], at: usize) -> usize {
     before.iter().rev().take_while(letters).count() + after.iter().take_while(letters).count()
 }
 
-/// How many letters of `a` are to be inserted, removed, replaced or swapped with their neighbour to get `b`.
+/// How many letters of `a` are to be inserted, removed, replaced or swapped with their neighbor to get `b`.
 pub fn edit_distance(a: &str, b: &str) -> usize {
     let letters = |text: &str| text.chars().collect::<Vec<char>>();
     let (a, b) = (letters(a), letters(b));
@@ -138,7 +138,7 @@ pub fn edit_distance(a: &str, b: &str) -> usize {
     distance(&a, &b, most).unwrap_or(most)
 }
 
-/// Letters inserted, removed, replaced or swapped with their neighbour to get from `a` to `b`; none when these
+/// Letters inserted, removed, replaced or swapped with their neighbor to get from `a` to `b`; none when these
 /// are more than `most`.
 fn distance(a: &[char], b: &[char], most: usize) -> Option<usize> {
     let (a, b) = different(a, b);

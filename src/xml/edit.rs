@@ -132,7 +132,7 @@ struct Change {
     rest: Rest,
 }
 
-/// What follows the items parsed anew.
+/// What follows the items parsed again.
 enum Rest {
     /// The old parts from this number on are still right.
     Kept(usize),

@@ -12,7 +12,7 @@ const QUESTION: u32 = 256;
 const STEP: usize = 256;
 
 /// The table of a document, made when answers without it have cost as much as it costs. An edited document begins
-/// anew.
+/// again.
 #[derive(Default)]
 pub(super) struct LineTable {
     /// Bytes that were looked at.

@@ -113,7 +113,7 @@ fn a_sound_document_has_the_expected_shape() {
 
 /// What stands alone on a line between two good links, as an author types it.
 #[test]
-fn half_typed_lines_leave_their_neighbours_alone() {
+fn half_typed_lines_leave_their_neighbors_alone() {
     const A: &str = "link[name=a]/ ; ";
     const Z: &str = "link[name=z]/ ; }";
     for (typed, tree, errors) in [

@@ -102,7 +102,7 @@ impl Unit {
         }
     }
 
-    /// What a value in this unit is multiplied with to give radians or metres.
+    /// What a value in this unit is multiplied with to give radians or meters.
     pub fn factor(self) -> f64 {
         match self {
             Unit::Radians | Unit::Meters => 1.0,

@@ -1,6 +1,6 @@
 //! From characters to tokens.
 //!
-//! A key is recognised only at its `:`; until then it is a *candidate*, and the tokens from it on are
+//! A key is recognized only at its `:`; until then it is a *candidate*, and the tokens from it on are
 //! held back. At most one candidate per flow level, on one line, at most 1024 characters back.
 
 use std::collections::VecDeque;

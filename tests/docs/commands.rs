@@ -119,7 +119,7 @@ fn same_everywhere(line: &str) -> String {
     }
 }
 
-/// The page with all answers made anew.
+/// The page with all answers made again.
 fn rerun(page: &Page) -> String {
     let blocks = pages::blocks(page);
     let copy = Copy::new(page, "transcripts");

@@ -3,7 +3,7 @@
 //!
 //! What a block is for stands in its first line, and in a comment above it:
 //!
-//! * `console`: commands behind `$ ` with what they print. `UPDATE=1` writes the answers anew. A line `...` stands for
+//! * `console`: commands behind `$ ` with what they print. `UPDATE=1` writes the answers again. A line `...` stands for
 //!   lines that were left out, `[exit 1]` for an exit code.
 //! * `sh`: commands alone; they have to work.
 //! * `toml`, `json`, `yaml`, `xml`: read by what reads them.

@@ -1,4 +1,4 @@
-//! The picture of a terminal in the README and the book: what `check` prints about the broken example, in its colours.
+//! The picture of a terminal in the README and the book: what `check` prints about the broken example, in its colors.
 
 use std::path::Path;
 
@@ -10,8 +10,8 @@ use crate::pages::{self, root};
 
 /// Findings that the picture shows; `...` stands for the others. One fits on the first screen of the README.
 const SHOWN: &[&str] = &["[missing-macro-param]"];
-/// Colours of an old terminal, and softer ones.
-const COLOURS: &[(&str, &str)] =
+/// Colors of an old terminal, and softer ones.
+const COLORS: &[(&str, &str)] =
     &[("#000000", "#14161b"), ("#AAAAAA", "#e0e2ea"), ("#FF5555", "#ff7b7b"), ("#5555FF", "#8ab8ff")];
 const EXAMPLE: &str = "docs/examples/broken_cell";
 
@@ -56,7 +56,7 @@ fn shown() -> String {
 fn the_picture_of_the_terminal_is_what_is_printed() {
     assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join(EXAMPLE).is_dir());
     let mut picture = Term::new().min_width_px(900).render_svg(&shown());
-    for (old, new) in COLOURS {
+    for (old, new) in COLORS {
         assert!(picture.contains(old), "{old}");
         picture = picture.replace(old, new);
     }

@@ -10,7 +10,7 @@ use crate::pages::{self, Page};
 const SUMMARY: &str = "docs/SUMMARY.md";
 const QUESTIONS: &str = "docs/faq/README.md";
 
-/// A page with what stands between the comments of `name` made anew.
+/// A page with what stands between the comments of `name` made again.
 pub fn with_part(page: &Page, name: &str, part: &str) -> String {
     let begin = page.text.find(&format!("<!-- {name}: ")).expect("the comment in front");
     let begin = begin + page.text[begin..].find('\n').unwrap() + 1;

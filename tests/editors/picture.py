@@ -46,7 +46,7 @@ class Style:
         self.ink, self.paper = None, None
         self.bold = self.italic = self.underline = self.reverse = False
 
-    def colours(self) -> tuple[str, str]:
+    def colors(self) -> tuple[str, str]:
         ink, paper = self.ink or INK, self.paper or PAPER
         return (paper, ink) if self.reverse else (ink, paper)
 
@@ -60,11 +60,11 @@ class Style:
                     kind = codes.pop(0)[0]
                     rest = [kind] + [codes.pop(0)[0] for _ in range(3 if kind == "2" else 1)]
                 values = [int(value) for value in rest if value]
-                colour = palette(values[1]) if values[0] == 5 else "#%02x%02x%02x" % tuple(values[-3:])
+                color = palette(values[1]) if values[0] == 5 else "#%02x%02x%02x" % tuple(values[-3:])
                 if number == 38:
-                    self.ink = colour
+                    self.ink = color
                 elif number == 48:
-                    self.paper = colour
+                    self.paper = color
             elif number == 0:
                 self.reset()
             elif number in (1, 22):
@@ -109,7 +109,7 @@ def svg(screen: str) -> str:
     lines = screen.rstrip("\n").split("\n")
     for row, line in enumerate(lines):
         for column, width, part in runs(line, style):
-            ink, paper = style.colours()
+            ink, paper = style.colors()
             x, y = column * CELL_X, row * CELL_Y
             if paper != PAPER:
                 boxes.append(f'<rect x="{x:g}" y="{y:g}" width="{width * CELL_X:g}" height="{CELL_Y:g}" fill="{paper}"/>')
@@ -187,7 +187,7 @@ def show(terminal: Terminal) -> str:
     terminal.text(":nohlsearch | echo '' | lua vim.lsp.buf.hover({ border = 'rounded', max_width = 56, anchor_bias = 'above' })")
     terminal.keys("Enter")
     terminal.wait("the hover", "╭")
-    return terminal.screen(colours=True)
+    return terminal.screen(colors=True)
 
 
 def main() -> None:

@@ -26,8 +26,8 @@ class Terminal:
             raise RuntimeError(f"tmux {words[0]}: {run.stderr.strip()}")
         return run.stdout
 
-    def screen(self, colours: bool = False) -> str:
-        return self.tmux("capture-pane", "-p", *(["-e"] if colours else []))
+    def screen(self, colors: bool = False) -> str:
+        return self.tmux("capture-pane", "-p", *(["-e"] if colors else []))
 
     def keys(self, *keys: str) -> None:
         """Keys by the names of tmux: Enter, Escape, C-x."""

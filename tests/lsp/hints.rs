@@ -128,7 +128,7 @@ fn names_of_files_are_links() {
 }
 
 #[test]
-fn colours_can_be_picked_where_they_are_written() {
+fn colors_can_be_picked_where_they_are_written() {
     let mut client = both();
     let materials = "<xacro:property name=\"half\" value=\"0.5\"/><material name=\"a\"><color rgba=\"1 0 0 1\"/></material>\
         <material name=\"🤖\"><color rgba=\"0 ${half} 0 1\"/></material><material name=\"c\"><color rgba=\"red\"/></material>\
@@ -136,12 +136,12 @@ fn colours_can_be_picked_where_they_are_written() {
     client.edit(ROBOT, "</robot>", materials);
     let found = client.request("textDocument/documentColor", client.of(ROBOT));
     let found = found.as_array().unwrap();
-    let texts: Vec<String> = found.iter().map(|colour| client.slice(ROBOT, &colour["range"])).collect();
+    let texts: Vec<String> = found.iter().map(|color| client.slice(ROBOT, &color["range"])).collect();
     assert_eq!(texts, ["1 0 0 1", "0 ${half} 0 1"]);
     assert_eq!(found[1]["color"], json!({ "red": 0.0, "green": 0.5, "blue": 0.0, "alpha": 1.0 }));
-    let mut picked = |colour: &Value| {
+    let mut picked = |color: &Value| {
         let mut params = client.of(ROBOT);
-        params["range"] = colour["range"].clone();
+        params["range"] = color["range"].clone();
         params["color"] = json!({ "red": 0.33333, "green": 1, "blue": 0, "alpha": 0.5 });
         client.request("textDocument/colorPresentation", params)
     };

@@ -164,7 +164,7 @@ fn includes_and_meshes_lead_to_files() {
 }
 
 #[test]
-fn conditions_and_colours_show_what_they_are_now() {
+fn conditions_and_colors_show_what_they_are_now() {
     let mut client = both();
     client.edit(
         ROBOT,

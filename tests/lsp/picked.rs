@@ -38,7 +38,7 @@ fn edits_are_made_when_an_action_is_picked() {
     let resolved = client.request("codeAction/resolve", action.clone());
     let made = client.after(FILE, &resolved["edit"]);
     assert!(made.contains("<xacro:if value=\"true\">"), "{made}");
-    // the text is another one: the client is to ask anew
+    // the text is another one: the client is to ask again
     client.edit(FILE, "name=\"l\"", "name=\"ll\"");
     let id = client.post("codeAction/resolve", action.clone());
     assert_eq!(client.reply(id)["error"]["code"], -32801);

@@ -163,7 +163,7 @@ fn changes_and_ranges_agree_with_the_whole() {
 }
 
 #[test]
-fn half_typed_text_has_colours() {
+fn half_typed_text_has_colors() {
     let (mut client, legend) = both();
     client.edit(ROBOT, "</robot>", "<link name=\"${m0 +");
     let found = all(&mut client, ROBOT, &legend);

@@ -42,7 +42,7 @@ fn manifest(name: &str, depends: &str) -> String {
     )
 }
 
-/// A folder that is made anew for each test.
+/// A folder that is made again for each test.
 pub fn fresh_folder() -> PathBuf {
     static COUNT: AtomicUsize = AtomicUsize::new(0);
     let number = COUNT.fetch_add(1, Ordering::Relaxed);

@@ -296,7 +296,7 @@ return function(test, skip)
     child:wait(mount)
     child:edit(fixture.unit)
     child:wait(mount)
-    -- a server that is started anew knows nothing of it
+    -- a server that is started again knows nothing of it
     child:lua([[
       for _, client in ipairs(vim.lsp.get_clients()) do
         vim.lsp.stop_client(client.id, true)

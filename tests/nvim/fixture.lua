@@ -68,7 +68,7 @@ function M.write(path, text)
   file:close()
 end
 
---- Make the workspace anew.
+--- Make the workspace again.
 ---@param folder string
 function M.make(folder)
   for name, text in pairs(files) do

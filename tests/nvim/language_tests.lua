@@ -165,7 +165,7 @@ return function(test)
     assert(after:gsub('%s+', '') == before:gsub('%s+', ''), after)
   end)
 
-  test('semantic tokens colour the text', function(child)
+  test('semantic tokens color the text', function(child)
     child:edit(fixture.robot)
     local row, column = child:at('${m|0 / 3}')
     child:wait(

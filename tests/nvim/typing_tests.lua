@@ -67,7 +67,7 @@ return function(test)
     assert(child:text():find('<joxint name=', 1, true), child:text())
   end)
 
-  test('colours are shown', function(child)
+  test('colors are shown', function(child)
     child:edit(fixture.robot)
     child:change(
       '<link name="$(arg mount)"/>',
@@ -119,7 +119,7 @@ return function(test)
     end)()]])
   end)
 
-  test('values of XML carry expressions in colour', function(child)
+  test('values of XML carry expressions in color', function(child)
     child:edit(fixture.robot)
     local row, column = child:at('${m|0 / 3}')
     local group =

@@ -44,7 +44,7 @@ LIFTER = (
 # a defect that has nothing to do with the mast
 CART = HEAD.format(' name="cart"') + '  <link name="base_link"/>\n  <link name="tray"/>\n</robot>\n'
 
-# the parameter is misspelt where it is used
+# the parameter is misspelled where it is used
 BROKEN_MAST = MAST.replace("${height}", "${hight}")
 # a comment that hides nothing, which a safe fix deletes
 FIXABLE = LIFTER.replace("  <link", "  <!-- xacro-lint: disable-next-line orphan-link: joined below -->\n  <link")

@@ -35,7 +35,7 @@ test('the robot is there, with meshes of every format', async () => {
   assert.equal(await page.locator('.joint').count(), 5);
   assert.ok(await page.locator('.banner').isHidden(), await page.locator('.banner').innerText());
   const black = await page.evaluate(() => {
-    // the STL says zero for all normals: they have to be made anew
+    // the STL says zero for all normals: they have to be made again
     const found = [];
     window.xacroViewer.views.get('main').group.traverse((part) => {
       const normal = part.geometry?.attributes?.normal;
@@ -97,7 +97,7 @@ test('a value is typed in degrees, clipped at the limit, and shown in radians', 
   assert.equal(await typed.getAttribute('title'), '1.571 rad (90°)');
 });
 
-test('metres stay metres', async () => {
+test('meters stay meters', async () => {
   const typed = row('lift').locator('input[type=number]');
   await typed.fill('0.15');
   await typed.press('Enter');

@@ -101,7 +101,7 @@ test('all pages, narrow', async () => {
   await page.context().close();
 });
 
-test('code has colours, and the marks of bad examples are seen', async () => {
+test('code has colors, and the marks of bad examples are seen', async () => {
   const page = await open(WIDE, 'light');
   await page.goto(`${site.address}/rules/multiple-parents.html`);
   assert.ok(await page.locator('code.language-urdf .hljs-tag').count() > 10);

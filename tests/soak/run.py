@@ -3,7 +3,7 @@
 
     tests/soak/run.py --server target/release/xacro-lsp [--minutes 60] [--seed 1] [--files 100]
 
-The workspace is made anew: robots with shared parts and YAML files, in a git repository with two branches. All files
+The workspace is made again: robots with shared parts and YAML files, in a git repository with two branches. All files
 are open. Every minute memory and threads are measured, and at rest the diagnostics of all files are compared with
 those of a new server. Fails when the server ends, when diagnostics differ, when threads become more, or when memory
 grows by more than a quarter in the last two thirds of the time. Linux, git and Python 3 only.

@@ -375,7 +375,7 @@ test("root", "measuring_cell", async (window) => {
   await window.command("Xacro: Set Arguments");
   await window.row("long stylus").click();
   await window.status("stylus:=0.07");
-  // a server that is started anew gets told
+  // a server that is started again gets told
   await window.command("Xacro: Restart Server");
   await window.page.locator(".statusbar-item", { hasText: "stylus:=0.07" }).waitFor({ state: "hidden" });
   await window.status("stylus:=0.07");
@@ -469,7 +469,7 @@ test("no-server", "measuring_cell", async (window, server) => {
   await window.notification("/no/such/program, which is not a program");
   await window.page.locator(".notification-list-item .monaco-button", { hasText: "Open Settings" }).first().waitFor();
   assert.equal(server.servers().length, 0);
-  // colours are there all the same
+  // colors are there all the same
   await window.page.locator(".view-line span[class*=mtk]", { hasText: "measuring_table" }).first().waitFor();
 }, { profile: "missing" });
 
@@ -565,7 +565,7 @@ test("preview", "measuring_cell", async (window) => {
   await window.editor.click();
   await window.go(...file.find('<link name="${ball.name}">', 8));
   await until("the balls outlined", async () => (await body("selected"))?.includes("ball_near"));
-  // a window that is loaded anew shows it again
+  // a window that is loaded again shows it again
   await window.save();
   await window.page.locator('.tab[data-resource-name="furniture.xacro"]:not(.dirty)').waitFor();
   await Promise.all([window.page.waitForEvent("load"), window.command("Developer: Reload Window")]);

@@ -1,4 +1,4 @@
-// Visuals and collisions: shapes, meshes, colours, and what stands in for a shape that cannot be drawn.
+// Visuals and collisions: shapes, meshes, colors, and what stands in for a shape that cannot be drawn.
 
 import * as THREE from 'three';
 import type { Loaded, Meshes } from './meshes';
@@ -73,11 +73,11 @@ export class Bodies {
   }
 
   /** Draw a mesh that was read. */
-  private put({ object, coloured }: Loaded, scale: [number, number, number], holder: THREE.Group, body: Body, wire: boolean): void {
+  private put({ object, colored }: Loaded, scale: [number, number, number], holder: THREE.Group, body: Body, wire: boolean): void {
     const own = object.clone(true);
     own.traverse((part) => {
       if (!(part instanceof THREE.Mesh)) return;
-      if (!coloured || wire) part.material = look(body, wire);
+      if (!colored || wire) part.material = look(body, wire);
       else part.material = copied(part.material as THREE.Material | THREE.Material[]);
     });
     // the factors of the tag are along the axes of the link
@@ -85,7 +85,7 @@ export class Bodies {
     scaled.scale.set(...scale);
     scaled.add(own);
     holder.add(scaled);
-    if (!coloured) this.texture(holder, body, wire);
+    if (!colored) this.texture(holder, body, wire);
   }
 
   /** A mesh that is too large to draw: its box. */
@@ -135,7 +135,7 @@ export class Bodies {
   }
 }
 
-/** Place an object by metres and fixed-axis roll, pitch, yaw. */
+/** Place an object by meters and fixed-axis roll, pitch, yaw. */
 export function place(object: THREE.Object3D, pose: Pose): void {
   object.position.set(...pose.xyz);
   object.quaternion.setFromEuler(new THREE.Euler(pose.rpy[0], pose.rpy[1], pose.rpy[2], 'ZYX'));
@@ -186,7 +186,7 @@ function copied(material: THREE.Material | THREE.Material[]): THREE.Material | T
   return Array.isArray(material) ? material.map((one) => one.clone()) : material.clone();
 }
 
-/** Colour a part as chosen, or as it is by itself. */
+/** Color a part as chosen, or as it is by itself. */
 export function glow(part: THREE.Object3D, on: boolean): void {
   if (!(part instanceof THREE.Mesh)) return;
   const materials = (Array.isArray(part.material) ? part.material : [part.material]) as THREE.Material[];

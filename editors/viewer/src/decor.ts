@@ -1,10 +1,10 @@
-// What is drawn beside the robot itself: frames, axes with their limits, inertia, centres of mass, boxes.
+// What is drawn beside the robot itself: frames, axes with their limits, inertia, centers of mass, boxes.
 
 import * as THREE from 'three';
 import type { Inertial, Joint } from './messages';
 import { bounds, moves } from './values';
 
-const AXIS_COLOUR = 0xe0a000;
+const AXIS_COLOR = 0xe0a000;
 
 /** A frame: x red, y green, z blue. */
 export function frame(size: number): THREE.Object3D {
@@ -21,13 +21,13 @@ export function jointAxis(joint: Joint, size: number): THREE.Object3D {
   const axis = new THREE.Vector3(...joint.axis);
   if (!moves(joint) || axis.lengthSq() === 0) return group;
   axis.normalize();
-  const arrow = new THREE.ArrowHelper(axis, new THREE.Vector3(), size * 1.4, AXIS_COLOUR, size * 0.3, size * 0.15);
+  const arrow = new THREE.ArrowHelper(axis, new THREE.Vector3(), size * 1.4, AXIS_COLOR, size * 0.3, size * 0.15);
   group.add(arrow);
   const { min, max, endless } = bounds(joint);
   if (joint.type === 'prismatic') {
-    group.add(line([axis.clone().multiplyScalar(min), axis.clone().multiplyScalar(max)], AXIS_COLOUR));
+    group.add(line([axis.clone().multiplyScalar(min), axis.clone().multiplyScalar(max)], AXIS_COLOR));
     for (const end of [min, max]) {
-      const tick = new THREE.Mesh(new THREE.SphereGeometry(size * 0.06), new THREE.MeshBasicMaterial({ color: AXIS_COLOUR }));
+      const tick = new THREE.Mesh(new THREE.SphereGeometry(size * 0.06), new THREE.MeshBasicMaterial({ color: AXIS_COLOR }));
       tick.position.copy(axis).multiplyScalar(end);
       group.add(tick);
     }
@@ -39,7 +39,7 @@ export function jointAxis(joint: Joint, size: number): THREE.Object3D {
   const angles = Array.from({ length: 65 }, (_, i) => from + ((to - from) * i) / 64);
   const arc = angles.map((angle) => start.clone().applyAxisAngle(axis, angle).multiplyScalar(size));
   const closed = Math.abs(to - from) >= 2 * Math.PI - 1e-6;
-  group.add(line(closed ? arc : [new THREE.Vector3(), ...arc, new THREE.Vector3()], AXIS_COLOUR));
+  group.add(line(closed ? arc : [new THREE.Vector3(), ...arc, new THREE.Vector3()], AXIS_COLOR));
   group.add(sector(arc));
   return onTop(group);
 }
@@ -51,7 +51,7 @@ export function needle(joint: Joint, size: number): THREE.Object3D {
   return onTop(line([new THREE.Vector3(), reference(axis.normalize()).multiplyScalar(size * 1.05)], 0xff5050));
 }
 
-/** The box of uniform density that has this inertia, at its centre of mass. */
+/** The box of uniform density that has this inertia, at its center of mass. */
 export function inertiaBox(inertial: Inertial): THREE.Object3D | undefined {
   if (!inertial.inertia || inertial.mass <= 0) return undefined;
   const { values, axes } = principal(inertial.inertia);
@@ -71,8 +71,8 @@ export function inertiaBox(inertial: Inertial): THREE.Object3D | undefined {
   return onTop(group);
 }
 
-/** The mark of a centre of mass. */
-export function centreOfMass(size: number): THREE.Object3D {
+/** The mark of a center of mass. */
+export function centerOfMass(size: number): THREE.Object3D {
   const ball = new THREE.Mesh(new THREE.SphereGeometry(size * 0.18, 16, 12), new THREE.MeshBasicMaterial({ color: 0x7a4fd0 }));
   const ring = new THREE.Mesh(
     new THREE.SphereGeometry(size * 0.1, 16, 12),
@@ -86,17 +86,17 @@ export function centreOfMass(size: number): THREE.Object3D {
 }
 
 /** The edges of a box along the axes. */
-export function boxLines(box: THREE.Box3, colour: THREE.ColorRepresentation): THREE.LineSegments {
+export function boxLines(box: THREE.Box3, color: THREE.ColorRepresentation): THREE.LineSegments {
   const size = box.getSize(new THREE.Vector3());
   const geometry = new THREE.EdgesGeometry(new THREE.BoxGeometry(size.x, size.y, size.z));
-  const lines = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color: colour }));
+  const lines = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color: color }));
   box.getCenter(lines.position);
   return lines;
 }
 
-export function line(points: THREE.Vector3[], colour: THREE.ColorRepresentation): THREE.Line {
+export function line(points: THREE.Vector3[], color: THREE.ColorRepresentation): THREE.Line {
   const geometry = new THREE.BufferGeometry().setFromPoints(points);
-  return new THREE.Line(geometry, new THREE.LineBasicMaterial({ color: colour }));
+  return new THREE.Line(geometry, new THREE.LineBasicMaterial({ color: color }));
 }
 
 function sector(arc: THREE.Vector3[]): THREE.Mesh {
@@ -105,7 +105,7 @@ function sector(arc: THREE.Vector3[]): THREE.Mesh {
     return next ? [new THREE.Vector3(), point, next] : [];
   });
   const geometry = new THREE.BufferGeometry().setFromPoints(corners);
-  const look = { color: AXIS_COLOUR, transparent: true, opacity: 0.16, side: THREE.DoubleSide, depthWrite: false };
+  const look = { color: AXIS_COLOR, transparent: true, opacity: 0.16, side: THREE.DoubleSide, depthWrite: false };
   return new THREE.Mesh(geometry, new THREE.MeshBasicMaterial(look));
 }
 

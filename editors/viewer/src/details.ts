@@ -51,7 +51,7 @@ export class Details {
   private inertial({ inertial }: Link): HTMLElement[] {
     if (!inertial) return row('Mass', 'mass', 'no inertial');
     const rows = row('Mass', 'mass', `${precise(inertial.mass)} kg`);
-    const centre = inertial.pose.xyz.map((one) => short(one, 4)).join(' ');
+    const center = inertial.pose.xyz.map((one) => short(one, 4)).join(' ');
     rows.push(...row('Center of mass', 'com', `${centre} m`));
     if (inertial.inertia) {
       const [xx, xy, xz, yy, yz, zz] = inertial.inertia.map(precise);

@@ -95,7 +95,7 @@ document.body.append(app, toolbar.menu, menu, tip);
 // in half a window the joints stay: they are what a preview is opened for
 const closed = innerWidth < 460 ? '[data-action=tree], [data-action=joints]' : innerWidth < 900 ? '[data-action=tree]' : '';
 if (closed) app.querySelectorAll<HTMLElement>(closed).forEach((one) => one.click());
-stage.recolour();
+stage.recolor();
 
 const pointer = new Pointer(stage, () => [...views.values()], values, {
   hover: showTip,
@@ -131,7 +131,7 @@ function receive(message: FromHost): void {
       if (message.fps) stage.maxFps = Math.min(240, Math.max(1, message.fps));
       if (message.meshMaxMB) settings.meshMaxMB = message.meshMaxMB;
       if (message.theme) document.documentElement.className = message.theme;
-      return stage.recolour();
+      return stage.recolor();
     case 'mesh':
   }
 }
@@ -440,8 +440,8 @@ addEventListener('pointerdown', (event) => {
   const opener = event.target instanceof HTMLElement && event.target.dataset['action'] === 'layers';
   if (!toolbar.menu.contains(event.target) && !opener) toolbar.closeMenu();
 }, { capture: true });
-matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => stage.recolour());
-new MutationObserver(() => stage.recolour()).observe(document.body, { attributes: true, attributeFilter: ['class'] });
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => stage.recolor());
+new MutationObserver(() => stage.recolor()).observe(document.body, { attributes: true, attributeFilter: ['class'] });
 
 // for tests, and for the curious in the console
 Object.assign(window, { xacroViewer: { stage, views, values, layers, meshes } });

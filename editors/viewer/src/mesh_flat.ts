@@ -7,7 +7,7 @@ import type { Look, Parsed, Picture, Piece, Shape } from './mesh_parts';
 const KEPT = ['position', 'normal', 'color', 'uv', 'uv1'];
 
 export interface Flat {
-  parsed: Omit<Parsed, 'coloured'>;
+  parsed: Omit<Parsed, 'colored'>;
   /** Buffers that change hands. */
   handed: Transferable[];
 }

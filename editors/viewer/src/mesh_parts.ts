@@ -58,7 +58,7 @@ export interface Parsed {
   looks: Look[];
   pieces: Piece[];
   /** Whether the file brings colors of its own. */
-  coloured: boolean;
+  colored: boolean;
 }
 
 export type Answer = { parsed: Parsed } | { error: string };

@@ -45,9 +45,9 @@ self.onmessage = (event: MessageEvent<Job>): void => {
 async function work(job: Job): Promise<{ answer: Answer; handed: Transferable[] }> {
   const urls = new Map([...job.files].map(([name, file]) => [name, URL.createObjectURL(file)]));
   try {
-    const { object, coloured } = await parse(job, urls);
+    const { object, colored } = await parse(job, urls);
     const { parsed, handed } = await flat(object, (name) => job.files.get(bare(name)));
-    return { answer: { parsed: { ...parsed, coloured } }, handed };
+    return { answer: { parsed: { ...parsed, colored } }, handed };
   } catch (error) {
     return { answer: { error: error instanceof Error ? error.message : String(error) }, handed: [] };
   } finally {
@@ -62,7 +62,7 @@ function bare(url: string): string {
 
 interface Read {
   object: THREE.Object3D;
-  coloured: boolean;
+  colored: boolean;
 }
 
 async function parse(job: Job, urls: Map<string, string>): Promise<Read> {
@@ -79,8 +79,8 @@ type Reader = (job: Job, manager: THREE.LoadingManager) => Read | Promise<Read>;
 const READERS: Record<string, Reader> = {
   stl({ bytes }, manager) {
     const geometry = new STLLoader(manager).parse(bytes);
-    const coloured = geometry.hasAttribute('color');
-    return { object: new THREE.Mesh(geometry, new THREE.MeshStandardMaterial({ vertexColors: coloured })), coloured };
+    const colored = geometry.hasAttribute('color');
+    return { object: new THREE.Mesh(geometry, new THREE.MeshStandardMaterial({ vertexColors: colored })), colored };
   },
   obj({ bytes, libraries }, manager) {
     const loader = new OBJLoader(manager);
@@ -89,7 +89,7 @@ const READERS: Record<string, Reader> = {
       materials.preload();
       loader.setMaterials(materials);
     }
-    return { object: loader.parse(new TextDecoder().decode(bytes)), coloured: libraries.length > 0 };
+    return { object: loader.parse(new TextDecoder().decode(bytes)), colored: libraries.length > 0 };
   },
   dae({ bytes }, manager) {
     const collada = new ColladaLoader(manager).parse(new TextDecoder().decode(bytes), '');
@@ -97,14 +97,14 @@ const READERS: Record<string, Reader> = {
     // axes are those of the file; the scale is that of its unit
     collada.scene.position.set(0, 0, 0);
     collada.scene.quaternion.identity();
-    return { object: collada.scene, coloured: true };
+    return { object: collada.scene, colored: true };
   },
   glb: gltf,
   gltf,
 };
 
 async function gltf({ bytes }: Job, manager: THREE.LoadingManager): Promise<Read> {
-  return { object: (await new GLTFLoader(manager).parseAsync(bytes, '')).scene, coloured: true };
+  return { object: (await new GLTFLoader(manager).parseAsync(bytes, '')).scene, colored: true };
 }
 
 function unknown({ format }: Job): Read {

@@ -8,8 +8,8 @@ import { Workers } from './workers';
 
 export interface Loaded {
   object: THREE.Object3D;
-  /** Whether the file brings colours of its own. */
-  coloured: boolean;
+  /** Whether the file brings colors of its own. */
+  colored: boolean;
 }
 
 export class Meshes {
@@ -113,7 +113,7 @@ interface Beside {
 }
 
 function made(parsed: Parsed): Loaded {
-  return { object: build(parsed), coloured: parsed.coloured };
+  return { object: build(parsed), colored: parsed.colored };
 }
 
 export function free(object: THREE.Object3D): void {

@@ -11,7 +11,7 @@ export interface Location {
   range: { start: Position; end: Position };
 }
 
-/** Metres, and radians about fixed axes. */
+/** Meters, and radians about fixed axes. */
 export interface Pose {
   xyz: [number, number, number];
   rpy: [number, number, number];
@@ -42,7 +42,7 @@ export interface Inertial {
   pose: Pose;
   /** kg */
   mass: number;
-  /** ixx ixy ixz iyy iyz izz about the centre of mass, kg m^2. */
+  /** ixx ixy ixz iyy iyz izz about the center of mass, kg m^2. */
   inertia?: [number, number, number, number, number, number];
 }
 
@@ -67,7 +67,7 @@ export interface Joint {
   pose: Pose;
   /** In the joint's frame; not always of unit length. */
   axis: [number, number, number];
-  /** Radians or metres. */
+  /** Radians or meters. */
   limit?: { lower: number; upper: number; effort?: number; velocity?: number };
   mimic?: { joint: string; multiplier: number; offset: number };
   origin?: Location;

@@ -199,17 +199,17 @@ export class Pointer {
     this.unlabel?.();
     this.unlabel = undefined;
     const size = this.stage.camera.position.distanceTo(this.stage.orbit.target) * 0.006;
-    const colour = 0x2f81f7;
+    const color = 0x2f81f7;
     for (const point of this.points) {
-      const dot = new THREE.Mesh(new THREE.SphereGeometry(size), new THREE.MeshBasicMaterial({ color: colour, depthTest: false }));
+      const dot = new THREE.Mesh(new THREE.SphereGeometry(size), new THREE.MeshBasicMaterial({ color: color, depthTest: false }));
       dot.position.copy(point);
       dot.renderOrder = 9;
       this.marks.add(dot);
     }
     const [a, b, c] = this.points;
-    if (a && b && c) this.drawAngle(a, b, c, colour);
+    if (a && b && c) this.drawAngle(a, b, c, color);
     else if (a && b) {
-      const between = line([a, b], colour);
+      const between = line([a, b], color);
       (between.material as THREE.LineBasicMaterial).depthTest = false;
       between.renderOrder = 9;
       const middle = new THREE.Object3D();
@@ -222,8 +222,8 @@ export class Pointer {
     this.stage.invalidate();
   }
 
-  private drawAngle(a: THREE.Vector3, b: THREE.Vector3, c: THREE.Vector3, colour: number): void {
-    const legs = line([a, b, c], colour);
+  private drawAngle(a: THREE.Vector3, b: THREE.Vector3, c: THREE.Vector3, color: number): void {
+    const legs = line([a, b, c], color);
     (legs.material as THREE.LineBasicMaterial).depthTest = false;
     legs.renderOrder = 9;
     const corner = new THREE.Object3D();

@@ -2,7 +2,7 @@
 
 import * as THREE from 'three';
 import { Bodies, fade, glow, place, standIn } from './bodies';
-import { boxLines, centreOfMass, frame, inertiaBox, jointAxis, needle } from './decor';
+import { boxLines, centerOfMass, frame, inertiaBox, jointAxis, needle } from './decor';
 import { free, type Meshes } from './meshes';
 import type { Body, Joint, Link, Model, Side } from './messages';
 import type { Stage } from './stage';
@@ -18,7 +18,7 @@ interface LinkNode {
   frame: THREE.Group;
   visual: THREE.Group;
   collision: THREE.Group;
-  /** Frame, name, inertia, centre of mass, by layer. */
+  /** Frame, name, inertia, center of mass, by layer. */
   decor: THREE.Group;
   bodies: string;
   inertial: string;
@@ -356,7 +356,7 @@ export class RobotView {
         const turned = this.add(node.decor, 'inertia', holder.clone());
         turned.add(box);
       }
-      this.add(node.decor, 'com', holder).add(centreOfMass(this.size));
+      this.add(node.decor, 'com', holder).add(centerOfMass(this.size));
     }
     for (const node of this.joints.values()) {
       const key = JSON.stringify([node.joint.axis, node.joint.type, node.joint.limit, this.size]);

@@ -111,7 +111,7 @@ export class Stage {
     const pane: Pane = { side, scene, left: 0, right: 1 };
     this.panes.push(pane);
     this.layout();
-    this.recolour();
+    this.recolor();
     return pane;
   }
 
@@ -148,11 +148,11 @@ export class Stage {
 
   set grid(on: boolean) {
     this.gridShown = on;
-    this.recolour();
+    this.recolor();
   }
 
-  /** Take the colours of the theme over, and make the grid anew. */
-  recolour(): void {
+  /** Take the colors of the theme over, and make the grid again. */
+  recolor(): void {
     for (const { scene } of this.panes) {
       scene.background = new THREE.Color(themeColor('--bg'));
       scene.children.filter((child) => child.name === 'grid').forEach((child) => child.removeFromParent());
@@ -194,7 +194,7 @@ export class Stage {
   /** Put the camera so that a box fills the picture, from where it looks now or from `direction`. */
   fit(box: THREE.Box3, direction?: THREE.Vector3): void {
     if (box.isEmpty()) return;
-    const centre = box.getCenter(new THREE.Vector3());
+    const center = box.getCenter(new THREE.Vector3());
     const from = direction?.clone() ?? this.camera.position.clone().sub(this.orbit.target);
     if (from.lengthSq() === 0) from.set(1, -1, 0.7);
     from.normalize();
@@ -207,14 +207,14 @@ export class Stage {
     for (const x of [box.min.x, box.max.x]) {
       for (const y of [box.min.y, box.max.y]) {
         for (const z of [box.min.z, box.max.z]) {
-          const corner = new THREE.Vector3(x, y, z).sub(centre);
+          const corner = new THREE.Vector3(x, y, z).sub(center);
           const across = Math.max(Math.abs(corner.dot(right)) / Math.max(wide, 0.05), Math.abs(corner.dot(up)) / high);
           distance = Math.max(distance, corner.dot(from) + across * 1.15);
         }
       }
     }
-    this.orbit.target.copy(centre);
-    this.camera.position.copy(centre).addScaledVector(from, distance);
+    this.orbit.target.copy(center);
+    this.camera.position.copy(center).addScaledVector(from, distance);
     this.orbit.update();
     this.invalidate();
   }

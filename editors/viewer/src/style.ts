@@ -1,4 +1,4 @@
-// Colours follow the editor where it says what they are, else the system.
+// Colors follow the editor where it says what they are, else the system.
 
 const CSS = `
 :root { color-scheme: light dark;
@@ -120,7 +120,7 @@ export function applyStyle(): void {
   document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
 }
 
-/** A colour of the theme as it is now. */
+/** A color of the theme as it is now. */
 export function themeColor(name: string): string {
   return getComputedStyle(document.body).getPropertyValue(name).trim() || '#808080';
 }

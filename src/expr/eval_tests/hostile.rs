@@ -1,6 +1,6 @@
 //! Expressions that ask for too much.
 
-use super::behaviour::blame;
+use super::behavior::blame;
 use crate::Budget;
 
 /// Everything here must end soon, with an error or a value, without using up the stack or the memory.

@@ -1,6 +1,6 @@
 //! Evaluation of text, against values that Python gave for the same text.
 
-mod behaviour;
+mod behavior;
 mod hostile;
 
 use super::*;
@@ -119,7 +119,7 @@ fn formats() {
 }
 
 /// Whether two texts are floats next to each other.
-fn neighbours(a: &str, b: &str) -> bool {
+fn neighbors(a: &str, b: &str) -> bool {
     let (Ok(a), Ok(b)) = (a.parse::<f64>(), b.parse::<f64>()) else { return false };
     let place = |f: f64| f.to_bits().cast_signed();
     place(a).abs_diff(place(b)) <= 3
@@ -133,7 +133,7 @@ fn math() {
     for line in include_str!("../testdata/math.txt").lines() {
         let Some((text, expected)) = line.split_once('\t') else { continue };
         let got = outcome(text);
-        let fine = got == expected || ((everywhere || loose(text)) && neighbours(&got, expected));
+        let fine = got == expected || ((everywhere || loose(text)) && neighbors(&got, expected));
         assert!(fine, "{text}: {got}, in Python {expected}");
     }
 }

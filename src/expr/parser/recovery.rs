@@ -74,7 +74,7 @@ impl Parser<'_> {
     }
 
     /// The item behind a gap was read: CPython may have run into the end of the text, or may not have
-    /// recognised it.
+    /// recognized it.
     fn settle(&mut self, gap: &Gap) {
         if gap.brace && self.report.len() > gap.error + 1 {
             self.report.reword(gap.error, "invalid syntax", self.report.line(self.prev_end));

@@ -141,7 +141,7 @@ fn unify_line_ends(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// Append text to the parts of an f-string; neighbours become one.
+/// Append text to the parts of an f-string; neighbors become one.
 pub(super) fn push_text(parts: &mut Vec<FPart>, text: &str) {
     if text.is_empty() {
         return;

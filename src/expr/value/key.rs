@@ -200,14 +200,14 @@ impl Table {
         bigger
     }
 
-    /// Up to ten neighbours are tried before the next jump.
+    /// Up to ten neighbors are tried before the next jump.
     fn insert(&mut self, hash: i64, item: usize) {
-        const NEIGHBOURS: usize = 9;
+        const NEIGHBORS: usize = 9;
         let mask = self.entries.len() - 1;
         let hash_bits = hash as usize;
         let (mut perturb, mut at) = (hash_bits, hash_bits & mask);
         loop {
-            let run = if at + NEIGHBOURS <= mask { NEIGHBOURS } else { 0 };
+            let run = if at + NEIGHBORS <= mask { NEIGHBORS } else { 0 };
             for slot in at..=at + run {
                 if let Some(free @ None) = self.entries.get_mut(slot) {
                     *free = Some((hash, item));

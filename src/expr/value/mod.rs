@@ -123,7 +123,7 @@ impl Value {
         i64::try_from(number).map_or_else(|_| Self::int(number), Self::Int)
     }
 
-    /// A list; `yaml` gives its nested lists and dicts the behaviour of values from a YAML file.
+    /// A list; `yaml` gives its nested lists and dicts the behavior of values from a YAML file.
     pub fn list_from(items: impl IntoIterator<Item = Value>, yaml: bool) -> Self {
         Self::List(List::new(items.into_iter().collect(), yaml))
     }

@@ -83,7 +83,7 @@ fn defines(node: Node<'_>) -> bool {
 fn parts(cx: &Cx<'_>, frame: FrameId) -> Vec<String> {
     let written = write_mapped(&cx.expansion.tree, "");
     let mut found = made_in(cx.expansion, &written, frame);
-    // indentation starts anew
+    // indentation starts again
     found.retain(|text| Document::parse(&format!("<a>{text}</a>")).errors().is_empty());
     found
 }

@@ -10,7 +10,7 @@ use rules::Edit;
 use xml::Node;
 
 /// Write the inertia that follows from the geometry of the link at an offset: a box, a cylinder, a capsule or a sphere
-/// with the mass that is given. The centre of mass is the centre of the shape. Nothing is offered where the numbers
+/// with the mass that is given. The center of mass is the center of the shape. Nothing is offered where the numbers
 /// differ from call to call.
 pub(super) fn from_geometry(cx: &Cx<'_>, offset: u32) -> Option<Action> {
     let document = &cx.source.document;
@@ -32,7 +32,7 @@ pub(super) fn from_geometry(cx: &Cx<'_>, offset: u32) -> Option<Action> {
         return None;
     }
     let mut edits = entries(cx, base, source, numbers);
-    edits.extend(centre(cx, base, source, child(body_node, "origin")));
+    edits.extend(center(cx, base, source, child(body_node, "origin")));
     edits.sort_by_key(|edit| (edit.span.range.start, edit.span.range.end));
     let title = format!("compute inertia from the {}", shape_name(body)?);
     Some(Action { title, kind: ActionKind::Rewrite, edits })
@@ -119,7 +119,7 @@ fn entries(cx: &Cx<'_>, base: u32, inertial: Node<'_>, [x, y, z]: [f64; 3]) -> V
 }
 
 /// The origin of the shape as that of the inertia.
-fn centre(cx: &Cx<'_>, base: u32, inertial: Node<'_>, shape: Option<Node<'_>>) -> Option<Edit> {
+fn center(cx: &Cx<'_>, base: u32, inertial: Node<'_>, shape: Option<Node<'_>>) -> Option<Edit> {
     let document = &cx.source.document;
     let new = shape.map(|origin| document.slice(origin.range().shift(base)));
     let old = child(inertial, "origin").map(|origin| origin.range().shift(base));

@@ -25,13 +25,13 @@ pub struct Refused {
     pub reason: String,
 }
 
-/// A body filled with one kilogram for each cubic metre.
+/// A body filled with one kilogram for each cubic meter.
 struct Solid {
-    /// Cubic metres.
+    /// Cubic meters.
     volume: f64,
-    /// Centre of mass in the frame of the mesh, metres.
-    centre: Vector3<f64>,
-    /// About the centre, in the axes of the mesh, for a density of one.
+    /// Center of mass in the frame of the mesh, meters.
+    center: Vector3<f64>,
+    /// About the center, in the axes of the mesh, for a density of one.
     inertia: Matrix3<f64>,
 }
 
@@ -151,21 +151,21 @@ fn integrate(mesh: &Triangles, scale: [f64; 3]) -> Option<Solid> {
         let squares = a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose();
         second += squares * (six / 120.0);
     }
-    let centre = first / volume;
-    let second = (second - centre * centre.transpose() * volume) * volume.signum();
+    let center = first / volume;
+    let second = (second - center * center.transpose() * volume) * volume.signum();
     let inertia = Matrix3::identity() * second.trace() - second;
     let sound = volume.abs() > 1e-15 && inertia.iter().all(|entry| entry.is_finite());
     (sound && inertia.diagonal().min() > 0.0).then(|| Solid {
         volume: volume.abs(),
-        centre: centre + near,
+        center: center + near,
         inertia,
     })
 }
 
 impl Asked<'_> {
-    /// The element `origin`: the centre of mass, in the axes of the mesh.
+    /// The element `origin`: the center of mass, in the axes of the mesh.
     fn origin(&self) -> Option<String> {
-        let at = transform(self.origin)? * Point3::from(self.solid.centre);
+        let at = transform(self.origin)? * Point3::from(self.solid.center);
         let angles = self.origin.map_or(Some([0.0; 3]), Pose::angles)?;
         let [x, y, z] = [at.x, at.y, at.z].map(small);
         let [roll, pitch, yaw] = angles.map(|angle| format!("{angle}"));
@@ -216,7 +216,7 @@ impl Asked<'_> {
     }
 }
 
-/// A length, metres; less than a nanometre is nothing.
+/// A length, meters; less than a nanometer is nothing.
 fn small(length: f64) -> String {
     if length.abs() < 1e-9 { "0".to_owned() } else { shown(length) }
 }
@@ -247,7 +247,7 @@ mod tests {
             let it = solid.inertia * density;
             for (got, expected) in [
                 (solid.volume, 6.0),
-                (solid.centre.z, 1.5 * scale[2]),
+                (solid.center.z, 1.5 * scale[2]),
                 (it.m11, 13.0),
                 (it.m22, 10.0),
                 (it.m33, 5.0),

@@ -164,7 +164,7 @@ pub(super) fn materials(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
     found
 }
 
-/// A colour as editors show it.
+/// A color as editors show it.
 fn hex(rgba: [f64; 4]) -> String {
     let byte = |part: f64| (part.clamp(0.0, 1.0) * 255.0).round() as u8;
     let [red, green, blue, _] = rgba;

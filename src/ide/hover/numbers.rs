@@ -1,4 +1,4 @@
-//! Numbers with units: angles in degrees, colours.
+//! Numbers with units: angles in degrees, colors.
 
 use super::super::locate::{At, Part};
 use super::super::schema;
@@ -13,7 +13,7 @@ use xml::Node;
 pub(super) fn about(cx: &super::Cx<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
     let Part::AttrValue(attr) = at.part else { return None };
     if attr.name() == "rgba" {
-        return Some((at.shift(attr.value_range()), colour(attr.raw())?));
+        return Some((at.shift(attr.value_range()), color(attr.raw())?));
     }
     let inside = at.offset.checked_sub(at.base + attr.value_range().start)?;
     let raw = attr.raw();
@@ -62,8 +62,8 @@ pub(super) fn rounded(number: f64, parts: f64) -> String {
     text.strip_suffix(".0").unwrap_or(&text).to_owned()
 }
 
-/// A colour.
-fn colour(raw: &str) -> Option<Page> {
+/// A color.
+fn color(raw: &str) -> Option<Page> {
     let parts: Option<Vec<f64>> = raw.split_ascii_whitespace().map(decimal).collect();
     let parts =
         parts.filter(|parts| parts.len() == 4 && parts.iter().all(|part| (0.0..=1.0).contains(part)))?;

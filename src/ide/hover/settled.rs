@@ -1,4 +1,4 @@
-//! Names of xacro while somebody types in a large robot: said without expanding it anew, when all that the answer
+//! Names of xacro while somebody types in a large robot: said without expanding it again, when all that the answer
 //! rests on is as it was.
 
 use std::path::Path;

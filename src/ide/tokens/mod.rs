@@ -1,4 +1,4 @@
-//! Which piece of a file is what: the base of colours.
+//! Which piece of a file is what: the base of colors.
 
 mod expression;
 mod names;

@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Point3};
 
-/// A box along the axes, metres.
+/// A box along the axes, meters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
     /// The corner with the least coordinates.
@@ -24,7 +24,7 @@ impl Bounds {
     }
 
     /// The box of full lengths `size` around the origin.
-    pub fn centred(size: [f64; 3]) -> Self {
+    pub fn centered(size: [f64; 3]) -> Self {
         Self { min: size.map(|length| -length.abs() / 2.0), max: size.map(|length| length.abs() / 2.0) }
     }
 

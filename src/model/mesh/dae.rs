@@ -197,7 +197,7 @@ impl<'a, 'input> Scene<'a, 'input, '_> {
     }
 }
 
-/// The diffuse colour of a material, which an instance may name otherwise than the geometry.
+/// The diffuse color of a material, which an instance may name otherwise than the geometry.
 fn color<'a, 'input>(
     symbol: &'a str,
     instance: Option<Node<'a, 'input>>,

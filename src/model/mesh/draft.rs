@@ -54,13 +54,13 @@ impl Dependency {
 pub(super) struct Draft {
     pub(super) format: MeshFormat,
     pub(super) soup: Soup,
-    /// Metres a unit, where the file says so.
+    /// Meters a unit, where the file says so.
     pub(super) unit: Option<f64>,
     pub(super) up_axis: Option<UpAxis>,
     pub(super) dependencies: Vec<Dependency>,
     /// A defect that does not keep the rest from being read.
     pub(super) defect: Option<Defect>,
-    /// Whether colours are wanted.
+    /// Whether colors are wanted.
     pub(super) tinted: bool,
 }
 

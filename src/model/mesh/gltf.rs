@@ -139,7 +139,7 @@ fn scene(gltf: &Gltf, data: &Data<'_>, draft: &mut Draft) -> Result<(), Defect> 
     Ok(())
 }
 
-/// The colour of a material; glTF says how much light there is, URDF what a screen is told.
+/// The color of a material; glTF says how much light there is, URDF what a screen is told.
 fn color(gltf: &Gltf, material: usize) -> Option<[f64; 4]> {
     let material = gltf.materials.get(material)?;
     let [r, g, b, a] = material.pbr_metallic_roughness.base_color_factor.unwrap_or([1.0; 4]);

@@ -44,7 +44,7 @@ pub struct Mesh {
     pub surface: Option<Surface>,
     /// What is wrong with it.
     pub defect: Option<Defect>,
-    /// Metres a unit, where the file says so.
+    /// Meters a unit, where the file says so.
     pub unit: Option<f64>,
     /// The axis that points up, where the file says so.
     pub up_axis: Option<UpAxis>,
@@ -52,7 +52,7 @@ pub struct Mesh {
     pub dependencies: Vec<Dependency>,
 }
 
-/// The triangles of a mesh, taken together; metres, in the axes of the file.
+/// The triangles of a mesh, taken together; meters, in the axes of the file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
     /// Number of triangles.
@@ -61,7 +61,7 @@ pub struct Surface {
     pub bounds: Bounds,
     /// How they hang together.
     pub edges: Edges,
-    /// The volume they enclose when they are closed, cubic metres; negative when they face inward.
+    /// The volume they enclose when they are closed, cubic meters; negative when they face inward.
     pub volume: f64,
 }
 
@@ -84,7 +84,7 @@ impl Mesh {
     }
 }
 
-/// What the reader of a format finds; colours only when they are wanted.
+/// What the reader of a format finds; colors only when they are wanted.
 fn draft(ending: &str, bytes: &[u8], beside: Beside<'_>, tinted: bool) -> (Draft, Result<(), Defect>) {
     let format = match ending {
         "stl" => MeshFormat::StlBinary { solid: false },

@@ -1,4 +1,4 @@
-//! Colours of the material libraries of OBJ.
+//! Colors of the material libraries of OBJ.
 
 use super::gltf::Beside;
 use super::obj::logical_lines;
@@ -7,7 +7,7 @@ use base::FastMap;
 /// Libraries that are read for one mesh.
 const MOST_LIBRARIES: usize = 16;
 
-/// The colours of materials by name.
+/// The colors of materials by name.
 #[derive(Debug, Default)]
 pub(super) struct Colors {
     colors: FastMap<String, [f64; 4]>,
@@ -27,7 +27,7 @@ impl Colors {
         }
     }
 
-    /// The colour of a material.
+    /// The color of a material.
     pub(super) fn of(&self, name: &str) -> Option<[f64; 4]> {
         self.colors.get(name.trim()).copied()
     }

@@ -4,7 +4,7 @@ use super::defect::Defect;
 use base::FastMap;
 use base::limits::MESH_TRIANGLES;
 
-/// A point, metres.
+/// A point, meters.
 pub(super) type Point = [f64; 3];
 
 /// Triangles over points that are stored once each.
@@ -14,7 +14,7 @@ pub(super) struct Soup {
     pub(super) points: Vec<Point>,
     /// Corners as indices of points, counter-clockwise seen from outside.
     pub(super) triangles: Vec<[u32; 3]>,
-    /// From which triangle on there is which colour: red, green, blue, opacity.
+    /// From which triangle on there is which color: red, green, blue, opacity.
     pub(super) tints: Vec<(usize, Option<[f64; 4]>)>,
     known: FastMap<[u64; 3], u32>,
 }
@@ -37,7 +37,7 @@ impl Soup {
         Ok(())
     }
 
-    /// The triangles that come now have this colour.
+    /// The triangles that come now have this color.
     pub(super) fn tint(&mut self, tint: Option<[f64; 4]>) {
         let next = self.triangles.len();
         match self.tints.last_mut() {

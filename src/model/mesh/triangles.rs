@@ -4,14 +4,14 @@ use super::defect::Defect;
 use super::draft;
 use super::gltf::Beside;
 
-/// The triangles of a mesh; metres, in the axes of the file.
+/// The triangles of a mesh; meters, in the axes of the file.
 #[derive(Clone, Debug, Default)]
 pub struct Triangles {
     /// The points, each different from the others.
     pub points: Vec<[f64; 3]>,
     /// Corners as indices of points.
     pub corners: Vec<[u32; 3]>,
-    /// From which triangle on the file gives which colour: red, green, blue, opacity; 0 to 1, as URDF writes them.
+    /// From which triangle on the file gives which color: red, green, blue, opacity; 0 to 1, as URDF writes them.
     pub tints: Vec<(usize, Option<[f64; 4]>)>,
 }
 

@@ -65,7 +65,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     }
 }
 
-/// What the root file says above its elements. What xacro reads is written anew for consumers.
+/// What the root file says above its elements. What xacro reads is written again for consumers.
 fn document(facts: &Facts<'_, '_>, out: &mut Found) {
     let Some(file) = facts.cx.expansion.files.first() else { return };
     let at = facts.at(facts.robot.element);

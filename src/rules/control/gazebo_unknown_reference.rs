@@ -55,7 +55,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 /// nothing is lost. Not so sensors and plugins, and names that share a word with those of the robot.
 fn severity(cx: &RobotCx<'_>, block: &Gazebo, name: &str) -> Severity {
     let is_meant = holds_device(cx, block) || shares_word(cx, name);
-    match is_meant && !is_colour(cx, block) && !is_written(cx, name) && !is_commented_out(cx, name) {
+    match is_meant && !is_color(cx, block) && !is_written(cx, name) && !is_commented_out(cx, name) {
         true => Severity::Warning,
         false => Severity::Info,
     }
@@ -101,8 +101,8 @@ fn is_commented_out(cx: &RobotCx<'_>, name: &str) -> bool {
     })
 }
 
-/// Whether an element gives a colour and nothing else: without it, nothing behaves differently.
-fn is_colour(cx: &RobotCx<'_>, block: &Gazebo) -> bool {
+/// Whether an element gives a color and nothing else: without it, nothing behaves differently.
+fn is_color(cx: &RobotCx<'_>, block: &Gazebo) -> bool {
     let tree = &cx.expansion.tree;
     tree.elements(block.element).all(|child| tree.get(child).text == "material")
 }

@@ -60,7 +60,7 @@ pub(super) fn unknown_joints<'t>(
     }
 }
 
-/// The limits of a joint that has some, radians or metres.
+/// The limits of a joint that has some, radians or meters.
 pub(crate) fn range(joint: &Joint) -> Option<(f64, f64)> {
     joint
         .limit

@@ -1,4 +1,4 @@
-//! An interface whose name looks misspelt.
+//! An interface whose name looks misspelled.
 
 use super::super::context::DocumentCx;
 use super::super::finding::Help;

@@ -1,4 +1,4 @@
-//! A transmission whose type looks misspelt.
+//! A transmission whose type looks misspelled.
 
 use super::super::context::DocumentCx;
 use super::super::finding::Help;

@@ -1,4 +1,4 @@
-//! The origin of a joint looks like millimetres.
+//! The origin of a joint looks like millimeters.
 
 use super::super::context::DocumentCx;
 use super::super::numbers::{rewrite, short, vector};
@@ -21,7 +21,7 @@ pub(super) static RULE: Rule = Rule {
     check: Check::Document(check),
 };
 
-/// Parts of a robot are closer to each other, metres.
+/// Parts of a robot are closer to each other, meters.
 const LARGE: f64 = 1.0;
 /// So many joints show how large a model is.
 const MANY: usize = 10;
@@ -50,15 +50,15 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             short(length)
         );
         let report = out.report(text.origin, message).help("write lengths in meters");
-        let metres = text.numbers::<3>().map(|numbers| vector(&numbers.map(|number| number / 1000.0)));
-        match metres {
-            Some(metres) => rewrite(report, Safety::Unsafe, text, metres).done(),
+        let meters = text.numbers::<3>().map(|numbers| vector(&numbers.map(|number| number / 1000.0)));
+        match meters {
+            Some(meters) => rewrite(report, Safety::Unsafe, text, meters).done(),
             None => report.done(),
         }
     }
 }
 
-/// How far a joint is from the frame of its parent, metres.
+/// How far a joint is from the frame of its parent, meters.
 fn offset(joint: &Joint) -> Option<f64> {
     let [x, y, z] = joint.origin.as_ref()?.translation()?;
     Some((x * x + y * y + z * z).sqrt())

@@ -12,7 +12,7 @@ pub enum Extent {
     Nothing,
     /// One of them is not known.
     Unknown,
-    /// The box around all of them, metres.
+    /// The box around all of them, meters.
     Known(Bounds),
 }
 
@@ -63,16 +63,16 @@ pub(super) fn bounds(cx: &DocumentCx<'_>, body: &Body) -> Option<Bounds> {
 fn shape_bounds(cx: &DocumentCx<'_>, shape: &Shape) -> Option<Bounds> {
     let number = |text: &Option<Text>| text.as_ref()?.number();
     Some(match &shape.kind {
-        ShapeKind::Box { size } => Bounds::centred(size.as_ref()?.numbers()?),
+        ShapeKind::Box { size } => Bounds::centered(size.as_ref()?.numbers()?),
         ShapeKind::Cylinder { radius, length } => {
             let width = number(radius)? * 2.0;
-            Bounds::centred([width, width, number(length)?])
+            Bounds::centered([width, width, number(length)?])
         }
         ShapeKind::Capsule { radius, length } => {
             let width = number(radius)? * 2.0;
-            Bounds::centred([width, width, number(length)? + width])
+            Bounds::centered([width, width, number(length)? + width])
         }
-        ShapeKind::Sphere { radius } => Bounds::centred([number(radius)? * 2.0; 3]),
+        ShapeKind::Sphere { radius } => Bounds::centered([number(radius)? * 2.0; 3]),
         ShapeKind::Mesh { scale, .. } => mesh_bounds(cx.mesh(shape)?)?.scaled(factors(scale.as_ref())?),
         ShapeKind::Other => return None,
     })
@@ -91,7 +91,7 @@ fn mesh_bounds(mesh: &Mesh) -> Option<Bounds> {
     Some(turned.map_or(bounds, |turned| bounds.with(turned)))
 }
 
-/// The volume of the collisions of a link, or of its visuals when it has no collision, in cubic metres; none
+/// The volume of the collisions of a link, or of its visuals when it has no collision, in cubic meters; none
 /// when one of them is not known or encloses none.
 pub fn volume(cx: &DocumentCx<'_>, link: &Link) -> Option<f64> {
     let bodies = if link.collisions.is_empty() { &link.visuals } else { &link.collisions };

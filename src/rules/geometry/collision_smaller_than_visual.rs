@@ -18,7 +18,7 @@ pub(super) static RULE: Rule = Rule {
     check: Check::Document(check),
 };
 
-/// What may stick out, metres.
+/// What may stick out, meters.
 const TOLERANCE: f64 = 0.01;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {

@@ -1,4 +1,4 @@
-//! A colour outside of 0 to 1.
+//! A color outside of 0 to 1.
 
 use ecow::EcoString;
 
@@ -43,13 +43,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
-/// The colour when it was given as 0 to 255; an alpha of at most 1 stays.
+/// The color when it was given as 0 to 255; an alpha of at most 1 stays.
 fn from_bytes([red, green, blue, alpha]: [f64; 4]) -> Option<String> {
-    let colours = [red, green, blue];
+    let colors = [red, green, blue];
     let fits = |number: &f64| (0.0..=255.0).contains(number) && number.fract() == 0.0;
     let alpha = if alpha > 1.0 { alpha / 255.0 } else { alpha };
-    let meant = colours.iter().all(fits) && (0.0..=1.0).contains(&alpha);
+    let meant = colors.iter().all(fits) && (0.0..=1.0).contains(&alpha);
     let part = |number: f64| format!("{}", (number * 1e4).round() / 1e4);
-    let [red, green, blue] = colours.map(|colour| part(colour / 255.0));
+    let [red, green, blue] = colors.map(|color| part(color / 255.0));
     meant.then(|| format!("{red} {green} {blue} {}", part(alpha)))
 }

@@ -1,4 +1,4 @@
-//! A Collada file that is not in metres.
+//! A Collada file that is not in meters.
 
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};

@@ -1,4 +1,4 @@
-//! A material with two colours.
+//! A material with two colors.
 
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
@@ -44,9 +44,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether two materials are known to look different.
 fn differ(a: &Material, b: &Material) -> bool {
-    let colours = |material: &Material| material.rgba.as_ref().and_then(|rgba| rgba.numbers::<4>());
+    let colors = |material: &Material| material.rgba.as_ref().and_then(|rgba| rgba.numbers::<4>());
     let texture = |material: &Material| material.texture_file.as_ref().and_then(|file| file.name().cloned());
     let different = |x: Option<bool>| x.unwrap_or(false);
-    different(colours(a).zip(colours(b)).map(|(a, b)| a != b))
+    different(colors(a).zip(colors(b)).map(|(a, b)| a != b))
         || different(texture(a).zip(texture(b)).map(|(a, b)| a != b))
 }

@@ -38,7 +38,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
-/// Whether a macro that nothing calls gives the colour of a `gazebo` element: without a name, and with the color as text.
+/// Whether a macro that nothing calls gives the color of a `gazebo` element: without a name, and with the color as text.
 fn is_of_gazebo(cx: &DocumentCx<'_>, material: &Material) -> bool {
     let is_root = cx.expansion.tree.root() == Some(cx.element);
     !is_root && material.name.is_none() && Text::content(&cx.expansion.tree, material.element).is_some()

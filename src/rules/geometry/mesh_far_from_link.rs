@@ -4,7 +4,7 @@ use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::bodies::bounds;
-use super::mesh_scale_suspicious::{is_suspicious, metres};
+use super::mesh_scale_suspicious::{is_suspicious, meters};
 use super::resources::MeshUse;
 use model::{Body, Bounds, JointType, Link, Robot};
 
@@ -20,7 +20,7 @@ pub(super) static RULE: Rule = Rule {
     check: Check::Document(check),
 };
 
-/// From this distance on, metres.
+/// From this distance on, meters.
 const FAR: f64 = 1.0;
 /// And so many times the size of the mesh.
 const SIZES: f64 = 3.0;
@@ -37,7 +37,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let message =
-            format!("mesh `{}` is {} away from link `{}`", mesh.name(), metres(distance), mesh.link.shown());
+            format!("mesh `{}` is {} away from link `{}`", mesh.name(), meters(distance), mesh.link.shown());
         out.report(mesh.file.origin, message)
             .group(mesh.group())
             .help("export the mesh in the frame of its link, or correct the `origin`; meshes of an assembly have one frame for all parts")

@@ -1,4 +1,4 @@
-//! A mesh in another unit than metres.
+//! A mesh in another unit than meters.
 
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
@@ -38,7 +38,7 @@ pub(in super::super) fn is_scaled_wrong(cx: &DocumentCx<'_>, link: &Link) -> boo
     cx.meshes().filter(own).any(|mesh| is_suspicious(cx, &mesh)) || shrunk(cx, link).is_some()
 }
 
-/// The extents that are admitted, metres.
+/// The extents that are admitted, meters.
 fn admitted(cx: &DocumentCx<'_>) -> std::ops::RangeInclusive<f64> {
     MIN_EXTENT.value(cx.world.config)..=MAX_EXTENT.value(cx.world.config)
 }
@@ -105,21 +105,21 @@ fn report(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>, out: &mut Sink<'_>) {
     };
     let bounds = surface.bounds.scaled(mesh.factors().unwrap_or([1.0; 3]));
     let most = MAX_EXTENT.value(cx.world.config);
-    let is_millimetres = extent > most && (0.001..=most).contains(&(extent / 1000.0));
-    let (cause, help) = match is_millimetres {
+    let is_millimeters = extent > most && (0.001..=most).contains(&(extent / 1000.0));
+    let (cause, help) = match is_millimeters {
         true => {
             ("; this looks like millimeters", "add scale=\"0.001 0.001 0.001\", or export the mesh in meters")
         }
         false => ("", "check the unit of the mesh and `scale`; meshes are in meters"),
     };
-    let size = metres(extent);
+    let size = meters(extent);
     let message = format!("mesh `{}` of link `{}` is {size} across{cause}", mesh.name(), mesh.link.shown());
     // an object without joints may be a building or a floor
     let is_object = cx.robot.is_some_and(Robot::is_rigid);
     let may_be_meant = most < extent && is_object && (extent < 10.0 * most || is_ground(bounds.size()));
     let severity = if may_be_meant { Severity::Info } else { Severity::Warning };
     let report = out.report(mesh.file.origin, message).severity(severity).help(help);
-    match rescaled(cx, mesh).filter(|_| is_millimetres) {
+    match rescaled(cx, mesh).filter(|_| is_millimeters) {
         Some((origin, content)) => {
             let edit = cx.expansion.place(origin).map(|place| (place.file, place.range));
             let (file, range) = edit.unwrap_or((FileIdx(0), TextRange::default()));
@@ -157,7 +157,7 @@ fn rescaled(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> Option<(Origin, String)>
 }
 
 /// A length for people.
-pub(super) fn metres(length: f64) -> String {
+pub(super) fn meters(length: f64) -> String {
     let digits = (2 - length.log10().floor() as i32).clamp(0, 9) as usize;
     match length {
         0.001..1e6 => format!("{length:.digits$} m"),

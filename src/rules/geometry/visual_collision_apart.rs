@@ -44,7 +44,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
-/// Smaller shapes stand for something else, metres.
+/// Smaller shapes stand for something else, meters.
 const MARKER: f64 = 0.02;
 
 /// Whether two boxes share no space.

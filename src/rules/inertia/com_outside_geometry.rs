@@ -1,4 +1,4 @@
-//! A centre of mass outside of the link.
+//! A center of mass outside of the link.
 
 use super::super::context::DocumentCx;
 use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
@@ -19,33 +19,33 @@ pub(super) static RULE: Rule = Rule {
     check: Check::Document(check),
 };
 
-/// Distance that no centre of mass has from the frame of its link, metres.
+/// Distance that no center of mass has from the frame of its link, meters.
 const FAR: f64 = 5.0;
 /// By how much of its size a box grows on each side.
 const GROWN: f64 = 0.5;
-/// And by how much besides, metres.
+/// And by how much besides, meters.
 const MARGIN: f64 = 0.01;
-/// Up to this part of half of its diagonal, a centre is beside a geometry.
+/// Up to this part of half of its diagonal, a center is beside a geometry.
 const BESIDE: f64 = 0.25;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
         let Some(text) = inertial.origin.as_ref().and_then(|origin| origin.xyz.as_ref()) else { continue };
-        let Some(centre) = text.numbers::<3>() else { continue };
+        let Some(center) = text.numbers::<3>() else { continue };
         let is_light = inertial.mass().is_some_and(|mass| mass <= LIGHT);
-        let [x, y, z] = centre;
+        let [x, y, z] = center;
         // whatever the shape and however light: such a number has another unit
         let is_far = x.hypot(y).hypot(z) > FAR;
         let severity = match known_box(cx, link).filter(|_| !is_light) {
-            Some(bounds) if !is_outside(bounds, centre) => continue,
-            Some(_) if body_boxes(cx, link).into_iter().any(|bounds| !is_outside(bounds, centre)) => continue,
+            Some(bounds) if !is_outside(bounds, center) => continue,
+            Some(_) if body_boxes(cx, link).into_iter().any(|bounds| !is_outside(bounds, center)) => continue,
             None if !is_far => continue,
             Some(bounds)
                 if !is_far
-                    && (is_beside(bounds, centre)
+                    && (is_beside(bounds, center)
                         || is_in_world(cx, link)
                         || inertial.mass().is_some_and(|mass| is_small_part(cx, link, mass))
-                        || is_made_up(inertial, centre)) =>
+                        || is_made_up(inertial, center)) =>
             {
                 Severity::Info
             }
@@ -60,8 +60,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// Whether numbers were made up so that a simulation runs: the center at the frame, and the same moment about all axes.
-fn is_made_up(inertial: &Inertial, centre: [f64; 3]) -> bool {
-    centre == [0.0; 3] && inertial.entries().is_some_and(is_same_about_all_axes)
+fn is_made_up(inertial: &Inertial, center: [f64; 3]) -> bool {
+    center == [0.0; 3] && inertial.entries().is_some_and(is_same_about_all_axes)
 }
 
 /// Whether a point outside of a box is close to it, where it may be the center of what is not drawn; a marker is close to
@@ -74,7 +74,7 @@ fn is_beside(bounds: Bounds, point: [f64; 3]) -> bool {
 /// Whether a point is outside of a box with some room around it.
 fn is_outside(bounds: Bounds, point: [f64; 3]) -> bool {
     let grown = bounds.size().map(|length| length * GROWN + MARGIN);
-    let around = Bounds::centred(grown.map(|length| length * 2.0));
+    let around = Bounds::centered(grown.map(|length| length * 2.0));
     let large = Bounds { min: sum(bounds.min, around.min), max: sum(bounds.max, around.max) };
     large.outside(point) > 0.0
 }

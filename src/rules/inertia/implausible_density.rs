@@ -21,7 +21,7 @@ pub(super) static RULE: Rule = Rule {
     check: Check::Document(check),
 };
 
-/// Smaller volumes say nothing, cubic metres.
+/// Smaller volumes say nothing, cubic meters.
 const LEAST_VOLUME: f64 = 1e-7;
 /// Foam is heavier, kg/m^3.
 const LIGHT: f64 = 5.0;
@@ -83,7 +83,7 @@ fn is_mass_of_all(cx: &DocumentCx<'_>, mass: f64) -> bool {
 /// Whether a mass is possible in the box around visuals and collisions, or that box is not known: the collision alone may
 /// be a marker.
 fn fits_in_shape(cx: &DocumentCx<'_>, link: &Link, mass: f64) -> bool {
-    /// Sides that are shorter are those of a sheet, whose thickness nobody measured, metres.
+    /// Sides that are shorter are those of a sheet, whose thickness nobody measured, meters.
     const SHEET: f64 = 0.01;
     shape(cx, link).is_none_or(|shape| {
         let density = mass / shape.size().into_iter().map(|side| side.max(SHEET)).product::<f64>();

@@ -22,7 +22,7 @@ pub(super) static RULE: Rule = Rule {
     check: Check::Document(check),
 };
 
-/// Radius of gyration that no link without geometry has, metres.
+/// Radius of gyration that no link without geometry has, meters.
 const FAR: f64 = 5.0;
 /// From this ratio to the greatest moment that the geometry admits on, it is no matter of rough shapes.
 const GROSS: f64 = 10.0;

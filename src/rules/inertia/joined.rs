@@ -8,7 +8,7 @@ use base::FastSet;
 use model::{Bounds, Joint, JointType, Link, transform};
 use nalgebra::Isometry3;
 
-/// A geometry whose box has half a diagonal up to this length in metres is a marker: it does not show the shape.
+/// A geometry whose box has half a diagonal up to this length in meters is a marker: it does not show the shape.
 pub(super) const MARKER: f64 = 0.01;
 /// Nothing depends on the inertia of links up to this mass, kg.
 pub(super) const LIGHT: f64 = 0.01;

@@ -69,15 +69,15 @@ pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<Missing> {
 /// The names of links that are there but for something else that is reported: a tag that is misspelled, spaces in the name.
 fn almost_links(cx: &RobotCx<'_>) -> FastSet<EcoString> {
     let tree = &cx.expansion.tree;
-    let is_misspelt = |tag: &str| tag != "link" && nearest(tag, ["link"]).is_some();
-    let elements = tree.elements(cx.robot.element).filter(|&id| is_misspelt(&tree.get(id).text));
+    let is_misspelled = |tag: &str| tag != "link" && nearest(tag, ["link"]).is_some();
+    let elements = tree.elements(cx.robot.element).filter(|&id| is_misspelled(&tree.get(id).text));
     let named = elements.filter_map(|id| Some(Text::attr(tree, id, "name")?.name()?.clone()));
     let links = cx.robot.links.iter().filter_map(|link| link.name.as_ref()?.name());
     let trimmed = links.filter(|name| name.trim() != name.as_str()).map(|name| name.trim().into());
     named.chain(trimmed).collect()
 }
 
-/// Links that a misspelt joint lost: what is wrong with them is said at the joint.
+/// Links that a misspelled joint lost: what is wrong with them is said at the joint.
 pub(super) fn lost_links(cx: &RobotCx<'_>) -> FastSet<EcoString> {
     missing_links(cx).into_iter().filter_map(|missing| missing.nearest).collect()
 }

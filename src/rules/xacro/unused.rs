@@ -14,7 +14,7 @@ pub(super) fn in_root<'a>(
     if !source::is_main(cx) || cx.kind != RootKind::Robot || !cx.complete {
         return Vec::new();
     }
-    // an undefined name may be a definition misspelt
+    // an undefined name may be a definition misspelled
     if cx
         .expansion
         .problems

@@ -43,16 +43,16 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// What the body of a macro mentions; none, when that cannot be told: it is empty, includes a file, calls what
-/// is not known, or a name in it is misspelt.
+/// is not known, or a name in it is misspelled.
 fn body(cx: &DocumentCx<'_>, of: DefinitionId, forwards: &Forwards) -> Option<Mentions> {
     let place = cx.expansion.symbols.get(of)?.place;
     let (base, node) = source::tag(cx.expansion, place)?;
     let (file, range) = (source::place(cx.expansion, place)?.file, node.range().shift(base));
-    let misspelt = |found: &Problem| {
+    let misspelled = |found: &Problem| {
         let undefined = matches!(found.kind, ProblemKind::UndefinedProperty | ProblemKind::UndefinedBlock);
         undefined && found.place.file == file && range.contains_range(found.place.range)
     };
-    if cx.expansion.problems.iter().any(misspelt) {
+    if cx.expansion.problems.iter().any(misspelled) {
         return None;
     }
     if holds_unprefixed_insert(node) {

@@ -73,7 +73,7 @@ fn check_controls(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
-/// The required attributes that are absent and not misspelt either.
+/// The required attributes that are absent and not misspelled either.
 fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str> {
     let is_there = |name: &str| cx.expansion.tree.attr(id, name).is_some();
     if spec.attributes.iter().all(|attribute| !attribute.required || is_there(attribute.name)) {
@@ -81,8 +81,8 @@ fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str
     }
     let absent = unknown_attribute::absent(cx, id, spec);
     let required = |name: &&str| spec.attribute(name).is_some_and(|attribute| attribute.required);
-    let misspelt = meant::attributes(cx, id, spec);
-    absent.into_iter().filter(|name| required(name) && !misspelt.contains(name)).collect()
+    let misspelled = meant::attributes(cx, id, spec);
+    absent.into_iter().filter(|name| required(name) && !misspelled.contains(name)).collect()
 }
 
 /// The text of an element that holds nothing but a number.

@@ -45,22 +45,22 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
-/// The required children that are absent, not misspelt, and in no tag that lacks its prefix.
+/// The required children that are absent, not misspelled, and in no tag that lacks its prefix.
 fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str> {
     let tree = &cx.expansion.tree;
-    let mut misspelt = Vec::new();
+    let mut misspelled = Vec::new();
     for child in tree.elements(id) {
         let name = tree.get(child).text.as_str();
         if spec.child(name).is_none() {
             if walk::lacks_prefix(cx, child) {
                 return Vec::new();
             }
-            misspelt.extend(walk::meant(name, spec.children().map(|child| child.name)));
+            misspelled.extend(walk::meant(name, spec.children().map(|child| child.name)));
         }
     }
     let absent = |name: &&str| {
         let there = tree.elements(id).any(|child| tree.get(child).text == **name);
-        !there && !misspelt.iter().any(|(meant, _)| meant == name)
+        !there && !misspelled.iter().any(|(meant, _)| meant == name)
     };
     spec.required.iter().copied().filter(absent).collect()
 }

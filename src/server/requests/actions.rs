@@ -273,7 +273,7 @@ fn further_fixes(
     Ok(actions)
 }
 
-/// The mesh that a finding names, written anew by a command: no edit of text can do that.
+/// The mesh that a finding names, written again by a command: no edit of text can do that.
 fn mesh_rewritten(
     state: &mut State,
     params: &CodeActionParams,

@@ -1,4 +1,4 @@
-//! F26: colours.
+//! F26: colors.
 
 use super::navigation::asked;
 use lsp_types::{
@@ -11,24 +11,24 @@ use crate::failure::Failure;
 use crate::state::State;
 use base::CancelFlag;
 
-pub fn colours(
+pub fn colors(
     state: &mut State,
     params: DocumentColorParams,
     cancel: &CancelFlag,
 ) -> Result<Vec<ColorInformation>, Failure> {
     let asked = asked(state, &start_of(params.text_document), cancel)?;
-    let information = |colour: ide::Colour| {
-        let [red, green, blue, alpha] = colour.rgba.map(|part| part as f32);
+    let information = |color: ide::Color| {
+        let [red, green, blue, alpha] = color.rgba.map(|part| part as f32);
         ColorInformation {
-            range: convert::range(&asked.source.document, colour.range, state.encoding),
+            range: convert::range(&asked.source.document, color.range, state.encoding),
             color: Color { red, green, blue, alpha },
         }
     };
-    Ok(ide::colours(&asked.cx()).into_iter().map(information).collect())
+    Ok(ide::colors(&asked.cx()).into_iter().map(information).collect())
 }
 
-/// The text of a colour that was picked; none for a colour that an expression makes.
-pub fn colour_texts(
+/// The text of a color that was picked; none for a color that an expression makes.
+pub fn color_texts(
     state: &mut State,
     params: ColorPresentationParams,
     _: &CancelFlag,
@@ -39,7 +39,7 @@ pub fn colour_texts(
         return Ok(Vec::new());
     }
     let Color { red, green, blue, alpha } = params.color;
-    let label = ide::colour_text([red, green, blue, alpha].map(f64::from));
+    let label = ide::color_text([red, green, blue, alpha].map(f64::from));
     let text_edit = Some(TextEdit::new(params.range, label.clone()));
     Ok(vec![ColorPresentation { label, text_edit, additional_text_edits: None }])
 }

@@ -37,7 +37,7 @@ pub fn hover(
     Ok(hover_at(state, &asked, asked.offset).map(|hover| hover_answer(state, &asked.source, hover)))
 }
 
-/// What can be said of a name in a large robot that was edited, without expanding it anew.
+/// What can be said of a name in a large robot that was edited, without expanding it again.
 fn hover_while_typing(
     state: &mut State,
     at: &TextDocumentPositionParams,

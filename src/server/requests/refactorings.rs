@@ -1,7 +1,7 @@
 //! Refactorings: what is offered at a place, and the edits of what was picked.
 //!
 //! A client that asks for edits when an action is picked gets none before. They are worked out for the text as it is
-//! then; when that is another one, the client is told to ask anew.
+//! then; when that is another one, the client is told to ask again.
 
 use super::navigation::asked;
 use super::rename::is_ours;

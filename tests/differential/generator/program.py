@@ -16,7 +16,7 @@ from .yamls import Writer, random_schema
 TAGS = 'link joint origin visual geometry box mesh limit axis a b c gazebo plugin param robot model sensor property include if macro arg'.split()
 ATTRIBUTES = 'name xyz rpy size value type link filename a b c Z id mass scale _x lower'.split()
 NAMES = ('alpha beta_2 gain kp kd ki mass length width height radius offset count total speed ratio angle limit deep gap n r g h k w t a b c d s '
-         'joint_type tool_name label side_1 half_w _hidden x0 y0 z0 X1 Größe длина 名 camelCase CONST lo hi step_size level unit colour marker found_at').split()
+         'joint_type tool_name label side_1 half_w _hidden x0 y0 z0 X1 Größe длина 名 camelCase CONST lo hi step_size level unit color marker found_at').split()
 GLOBAL_NAMES = ['e', 'tau', 'gamma', 'dist', 'fsum', 'copysign', 'erf']
 
 

@@ -1,4 +1,4 @@
---- Colours of `rgba`, on versions without vim.lsp.document_color.
+--- Colors of `rgba`, on versions without vim.lsp.document_color.
 local scratch = require('xacro.scratch')
 local lsp = require('xacro.client')
 

@@ -10,7 +10,7 @@ local M = {}
 ---@field completion? boolean complete while typing, by Neovim itself (0.11 and later)
 ---@field close_tags? boolean `>` adds the end tag
 ---@field linked_editing? boolean start and end tag are renamed together
----@field colors? boolean show the colours of `rgba`
+---@field colors? boolean show the colors of `rgba`
 ---@field gx? boolean `gx` opens includes, meshes and YAML files
 ---@field expand? xacro.ExpandConfig
 

@@ -3,7 +3,7 @@
 --- Neovim draws new hints of an unchanged text only if nothing was drawn while it waited for them.
 local M = {}
 
---- Have the hints of a buffer made anew.
+--- Have the hints of a buffer made again.
 ---@param bufnr integer
 function M.again(bufnr)
   if vim.api.nvim_buf_is_loaded(bufnr) and vim.lsp.inlay_hint.is_enabled({ bufnr = bufnr }) then

@@ -1,21 +1,21 @@
-//! Colours of materials.
+//! Colors of materials.
 
 use super::context::Cx;
 use base::{FastMap, TextRange};
 use expand::{SourceRange, XId};
 use model::decimal;
 
-/// A colour, and where it stands.
+/// A color, and where it stands.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Colour {
+pub struct Color {
     /// The text of the value.
     pub range: TextRange,
     /// Red, green, blue, opacity, each 0 to 1.
     pub rgba: [f64; 4],
 }
 
-/// The colours in a file. A colour made by expressions is left out when it differs by call.
-pub fn colours(cx: &Cx<'_>) -> Vec<Colour> {
+/// The colors in a file. A color made by expressions is left out when it differs by call.
+pub fn colors(cx: &Cx<'_>) -> Vec<Color> {
     let document = &cx.source.document;
     let mut found = Vec::new();
     let mut computed = None;
@@ -29,7 +29,7 @@ pub fn colours(cx: &Cx<'_>) -> Vec<Colour> {
                     cx.source_range(range).and_then(|place| known.get(&place).copied().flatten())
                 }
             };
-            found.extend(rgba.map(|rgba| Colour { range, rgba }));
+            found.extend(rgba.map(|rgba| Color { range, rgba }));
         }
     }
     found
@@ -61,8 +61,8 @@ fn evaluated(cx: &Cx<'_>) -> FastMap<SourceRange, Option<[f64; 4]>> {
     found
 }
 
-/// The text of a colour: at most three decimals, always four numbers.
-pub fn colour_text(rgba: [f64; 4]) -> String {
+/// The text of a color: at most three decimals, always four numbers.
+pub fn color_text(rgba: [f64; 4]) -> String {
     let number = |part: f64| {
         let rounded = (part.clamp(0.0, 1.0) * 1000.0).round() / 1000.0;
         rounded.to_string()
@@ -72,13 +72,13 @@ pub fn colour_text(rgba: [f64; 4]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{colour_text, parsed};
+    use super::{color_text, parsed};
 
     #[test]
-    fn colours_are_three_or_four_numbers() {
+    fn colors_are_three_or_four_numbers() {
         assert_eq!(parsed("1 0 .5"), Some([1.0, 0.0, 0.5, 1.0]));
         assert_eq!(parsed("1 0 0.5 0.25"), Some([1.0, 0.0, 0.5, 0.25]));
         assert!(["1 0", "1 0 0 0 0", "1 0 x 1", "2 0 0 1", ""].iter().all(|text| parsed(text).is_none()));
-        assert_eq!(colour_text([1.0, 0.0, 1.0 / 3.0, 0.5]), "1 0 0.333 0.5");
+        assert_eq!(color_text([1.0, 0.0, 1.0 / 3.0, 0.5]), "1 0 0.333 0.5");
     }
 }
